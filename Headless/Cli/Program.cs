@@ -1,0 +1,7 @@
+namespace FastPoints.Cli
+{
+    public static class Program
+    {
+        public static int Main(string[] args) => args.Length;
+    }
+}
