@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// An open source of points: what it says of itself, and its natural blocks (LAZ chunks, COPC and Potree nodes, runs of a
+    /// fixed-stride file), any of which can be read in any order, several at once.
+    /// </summary>
+    /// <remarks>
+    /// All members belong to the main thread. Reading happens through <see cref="BlockRead"/> slots: the reader makes as many
+    /// as the caller wants in flight, and memory is what these slots hold, whatever the file's size.
+    /// Dispose the slots before the reader.
+    /// </remarks>
+    public abstract class PointReader : IDisposable
+    {
+        public SourceInfo Info { get; protected set; }
+
+        /// <summary>
+        /// Whether the blocks and their point counts are known from the header. If not, <see cref="FindBlocks"/> comes before
+        /// anything that follows.
+        /// </summary>
+        public virtual bool BlocksAreKnown => true;
+
+        /// <summary>
+        /// Work (for a pump) that finds the blocks by looking through the file once: line starts of an ascii file, a lost chunk table.
+        /// </summary>
+        public virtual IEnumerator<JobHandle> FindBlocks()
+        {
+            yield break;
+        }
+
+        public abstract int BlockCount { get; }
+
+        /// <summary>Points of the largest block: the capacity of a slot.</summary>
+        public abstract int MaxPointsPerBlock { get; }
+
+        /// <summary>Index, over the whole source, of a block's first point.</summary>
+        public abstract long FirstPointOfBlock(int block);
+
+        public abstract int PointsInBlock(int block);
+
+        /// <summary>Bytes of the file that a range takes to read (an estimate where the format gives none).</summary>
+        public abstract long BytesOfRange(BlockRange range);
+
+        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are cheap.</summary>
+        public virtual bool HasFixedStride => false;
+
+        /// <summary>Points of all blocks together.</summary>
+        public long PointCount => BlockCount == 0 ? 0 : FirstPointOfBlock(BlockCount - 1) + PointsInBlock(BlockCount - 1);
+
+        /// <summary>A reusable slot that decodes these attributes (a selection of <see cref="SourceInfo.Schema"/>) and leaves the
+        /// others out.</summary>
+        /// <param name="wanted">The batch's columns; each must be in the source's schema.</param>
+        /// <param name="capacity">Points of the largest range that will be asked of the slot.</param>
+        /// <param name="allocator">Of the slot's memory.</param>
+        public abstract BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator);
+
+        public abstract void Dispose();
+    }
+}

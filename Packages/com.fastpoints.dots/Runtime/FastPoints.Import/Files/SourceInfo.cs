@@ -1,0 +1,51 @@
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+
+namespace FastPoints.Files
+{
+    /// <summary>What a file says of itself, read from its header without touching the points. Claims, not findings.</summary>
+    public sealed class SourceInfo
+    {
+        public string Path;
+        public long FileBytes;
+
+        /// <summary>"LAS", "PLY", ...</summary>
+        public string Format;
+
+        /// <summary>The format's own version, "1.4" for example.</summary>
+        public string Version;
+
+        /// <summary>LAS point data format, or -1.</summary>
+        public int PointFormat = -1;
+
+        /// <summary>Bytes of one record, or 0 where records have no fixed length.</summary>
+        public int RecordBytes;
+
+        /// <summary>Points by the header. Unsigned: a header may claim anything.</summary>
+        public ulong PointsClaimed;
+
+        /// <summary>Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 where it takes a scan
+        /// to know.</summary>
+        public long PointsReadable = -1;
+
+        public bool HasBoundsClaimed;
+        public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
+
+        public PositionTransform Transform = PositionTransform.Identity;
+
+        /// <summary>All that each point has.</summary>
+        public PointSchema Schema;
+
+        public CoordinateSystem Crs = new CoordinateSystem();
+
+        /// <summary>Everything else that the header says, as lines for people: name and value, in the file's order.</summary>
+        public readonly List<KeyValuePair<string, string>> Facts = new List<KeyValuePair<string, string>>();
+
+        public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
+
+        public void Fact(string name, string value) => Facts.Add(new KeyValuePair<string, string>(name, value));
+
+        public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
+    }
+}

@@ -1,0 +1,17 @@
+using FastPoints.Files;
+using Unity.Jobs;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>Something done with every block of a source: see <see cref="SourceScan"/>.</summary>
+    public interface IBlockConsumer
+    {
+        /// <summary>Schedules jobs on the slot's columns. They must depend on <paramref name="decoded"/> and use the count in
+        /// <c>read.Result</c>; a consumer whose jobs share state chains them itself.</summary>
+        /// <param name="slot">0 to slots - 1: state by slot needs no locks.</param>
+        JobHandle Schedule(BlockRead read, int slot, JobHandle decoded);
+
+        /// <summary>The block's jobs are complete; blocks arrive here in order. Main thread.</summary>
+        void Completed(BlockRead read, int slot);
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using System.Globalization;
+
+namespace FastPoints.Base
+{
+    /// <summary>
+    /// A failure at the boundary (a file, the public API), told in one line: which file, at which byte, what was wanted and
+    /// what was got.
+    /// </summary>
+    public sealed class PointCloudException : Exception
+    {
+        public FailureCode Code { get; }
+
+        /// <summary>The file or folder that failed.</summary>
+        public string Path { get; }
+
+        /// <summary>Byte offset in the file, or -1 where no single place is at fault.</summary>
+        public long ByteOffset { get; }
+
+        public PointCloudException(FailureCode code, string path, long byteOffset, string what, Exception inner = null)
+            : base(Line(path, byteOffset, what), inner)
+        {
+            Code = code;
+            Path = path;
+            ByteOffset = byteOffset;
+        }
+
+        /// <summary>For example: <c>scan.las: at byte 96: offset to point data: wanted at least 227, got 12</c>.</summary>
+        public static PointCloudException Wanted(FailureCode code, string path, long byteOffset, string field, object wanted,
+            object got)
+        {
+            return new PointCloudException(code, path, byteOffset,
+                string.Format(CultureInfo.InvariantCulture, "{0}: wanted {1}, got {2}", field, wanted, got));
+        }
+
+        /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
+        public bool IsBadInput => Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
+
+        static string Line(string path, long byteOffset, string what) =>
+            byteOffset < 0
+                ? path + ": " + what
+                : path + ": at byte " + byteOffset.ToString(CultureInfo.InvariantCulture) + ": " + what;
+    }
+}
