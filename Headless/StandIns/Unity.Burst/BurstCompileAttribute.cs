@@ -1,0 +1,33 @@
+using System;
+
+namespace Unity.Burst
+{
+    /// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the code.</summary>
+    [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Method | AttributeTargets.Assembly)]
+    public class BurstCompileAttribute : Attribute
+    {
+        public BurstCompileAttribute()
+        {
+        }
+
+        public BurstCompileAttribute(FloatPrecision floatPrecision, FloatMode floatMode)
+        {
+            FloatPrecision = floatPrecision;
+            FloatMode = floatMode;
+        }
+
+        public FloatMode FloatMode { get; set; }
+
+        public FloatPrecision FloatPrecision { get; set; }
+
+        public bool CompileSynchronously { get; set; }
+
+        public bool Debug { get; set; }
+
+        public bool DisableSafetyChecks { get; set; }
+
+        public bool DisableDirectCall { get; set; }
+
+        public OptimizeFor OptimizeFor { get; set; }
+    }
+}

@@ -1,0 +1,9 @@
+using System.Runtime.CompilerServices;
+
+namespace Unity.Mathematics
+{
+    internal static class Inlining
+    {
+        internal const MethodImplOptions Always = MethodImplOptions.AggressiveInlining;
+    }
+}
