@@ -1,0 +1,109 @@
+using System;
+using System.IO;
+using FastPoints.Base;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// A file whose header is being read: small managed reads at any offset, never more than the file's real size holds. Points
+    /// do not come this way: they are read into native memory by AsyncReadManager.
+    /// </summary>
+    /// <remarks>
+    /// The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a later
+    /// read opens it again.
+    /// </remarks>
+    public sealed class FileSource : IDisposable
+    {
+        const int StreamBufferBytes = 16 * 1024;
+
+        FileStream m_stream;
+
+        FileSource(string path, long length)
+        {
+            Path = path;
+            Length = length;
+        }
+
+        /// <summary>As the caller gave it: what messages show.</summary>
+        public string Path { get; }
+
+        /// <summary>Bytes of the file when it was opened.</summary>
+        public long Length { get; }
+
+        /// <summary>Opens a regular file with something in it.</summary>
+        /// <exception cref="PointCloudException">NotFound for a folder or nothing at all, AccessDenied, Truncated for an empty
+        /// file, a pipe or a device.</exception>
+        public static FileSource Open(string path)
+        {
+            if (string.IsNullOrEmpty(path))
+                throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
+            try
+            {
+                if (Directory.Exists(path))
+                    throw new PointCloudException(FailureCode.NotFound, path, -1, "is a folder, wanted a file");
+                // The size is asked for before anything is opened: opening a pipe would wait for its writer, and pipes and
+                // devices have no size.
+                var info = new FileInfo(path);
+                if (!info.Exists)
+                    throw new PointCloudException(FailureCode.NotFound, path, -1, "no such file");
+                if (info.Length == 0)
+                    throw new PointCloudException(FailureCode.Truncated, path, -1,
+                        "wanted a point cloud, got 0 bytes (an empty file, a pipe or a device)");
+                var source = new FileSource(path, info.Length);
+                source.Stream();
+                return source;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(path, e);
+            }
+        }
+
+        /// <summary>Exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
+        /// <param name="field">What the bytes are, for the message.</param>
+        /// <exception cref="PointCloudException">Truncated where the file ends before; nothing is allocated then.</exception>
+        public ByteReader Read(long offset, int count, string field)
+        {
+            if (offset < 0 || offset > Length || count > Length - offset)
+                throw PointCloudException.Wanted(FailureCode.Truncated, Path, offset, field, count + " bytes",
+                    Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
+            return ReadAtMost(offset, count);
+        }
+
+        /// <summary>Up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's end.</summary>
+        public ByteReader ReadAtMost(long offset, int count)
+        {
+            long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);
+            var bytes = new byte[Math.Max(0, available)];
+            int got = 0;
+            try
+            {
+                var stream = Stream();
+                if (bytes.Length > 0)
+                    stream.Position = offset;
+                while (got < bytes.Length)
+                {
+                    int read = stream.Read(bytes, got, bytes.Length - got);
+                    if (read == 0)
+                        throw PointCloudException.Wanted(FailureCode.ReadFailed, Path, offset + got, "the file became shorter",
+                            bytes.Length + " bytes", got);
+                    got += read;
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(Path, e);
+            }
+            return new ByteReader(bytes, Path, offset);
+        }
+
+        public void Dispose()
+        {
+            m_stream?.Dispose();
+            m_stream = null;
+        }
+
+        FileStream Stream() => m_stream ??= new FileStream(Path, FileMode.Open, FileAccess.Read,
+            FileShare.ReadWrite | FileShare.Delete, StreamBufferBytes);
+    }
+}
