@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+
+namespace FastPoints.Files
+{
+    /// <summary>What a PLY header declares: encoding, elements in the file's order, remarks, and where the data starts.</summary>
+    public sealed class PlyHeader
+    {
+        public PlyEncoding Encoding;
+
+        /// <summary>"1.0" in every file that follows the format's only description.</summary>
+        public string Version;
+
+        /// <summary>Byte of the format line.</summary>
+        public long FormatOffset;
+
+        public readonly List<PlyElement> Elements = new List<PlyElement>();
+
+        /// <summary>comment and obj_info lines: keyword and text.</summary>
+        public readonly List<KeyValuePair<string, string>> Remarks = new List<KeyValuePair<string, string>>();
+
+        /// <summary>First byte after the header.</summary>
+        public long DataOffset;
+
+        /// <summary>Index of the first element called vertex, or -1.</summary>
+        public int VertexIndex
+        {
+            get
+            {
+                for (int i = 0; i < Elements.Count; i++)
+                    if (Elements[i].Name == "vertex")
+                        return i;
+                return -1;
+            }
+        }
+
+        public bool IsAscii => Encoding == PlyEncoding.Ascii;
+    }
+}
