@@ -1,0 +1,63 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>Counts the lines of one stretch of an ascii file.</summary>
+    [BurstCompile]
+    unsafe struct CountPlyRowsJob : IJob
+    {
+        const ulong Ones = 0x0101010101010101;
+        const ulong Highs = 0x8080808080808080;
+
+        [ReadOnly] public NativeArray<byte> Input;
+        public int Bytes;
+        [WriteOnly] public NativeReference<PlyRowCount> Result;
+
+        public void Execute()
+        {
+            byte* p = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* end = p + Bytes;
+            var count = default(PlyRowCount);
+            bool isInText = false;
+
+            while (p < end && !IsLineEnd(*p))
+                isInText |= *p++ > ' ';
+            count.HasTextBeforeFirstEnd = isInText;
+            count.HasLineEnd = p < end;
+            int rows = 0;
+            if (count.HasLineEnd)
+                isInText = false;
+            while (p < end)
+            {
+                // Within a line only its end matters: eight bytes at a time. The test for "any byte equal" is exact.
+                if (isInText)
+                {
+                    while (end - p >= 8)
+                    {
+                        ulong word = *(ulong*)p;
+                        ulong lf = word ^ Ones * '\n', cr = word ^ Ones * '\r';
+                        if (((((lf - Ones) & ~lf) | ((cr - Ones) & ~cr)) & Highs) != 0)
+                            break;
+                        p += 8;
+                    }
+                    while (p < end && !IsLineEnd(*p))
+                        p++;
+                    isInText = p == end;
+                }
+                else if (*p++ > ' ')
+                {
+                    rows++;
+                    isInText = true;
+                }
+            }
+            count.RowsBehindFirstEnd = rows;
+            count.EndsInText = isInText;
+            Result.Value = count;
+        }
+
+        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
+    }
+}

@@ -1,0 +1,192 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Lines of text into columns. A line that is short of a value or has none where one must be ends the block there; values
+    /// that nobody asked for are stepped over unread.
+    /// </summary>
+    [BurstCompile]
+    unsafe struct DecodePlyAsciiJob : IJob
+    {
+        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to look for the buffer's
+        /// end.</summary>
+        public NativeArray<byte> Input;
+        public long InputOffset;
+        public int InputBytes;
+
+        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
+        public int BlockBytes;
+        public bool ReachesFileEnd;
+        public bool StartsInRow;
+
+        /// <summary>Lines to pass over first.</summary>
+        public int RowsBefore;
+        public int Points;
+        [ReadOnly] public NativeArray<PlyStep> Steps;
+        [WriteOnly] public NativeArray<byte> Output;
+        [WriteOnly] public NativeReference<DecodeResult> Result;
+        [WriteOnly] public NativeReference<PlyOddities> Oddities;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafePtr();
+            byte* output = (byte*)Output.GetUnsafePtr();
+            byte* end = input + InputBytes;
+            byte* blockEnd = input + BlockBytes;
+            *end = (byte)'\n';
+            byte* p = StartsInRow ? LineEnd(input) : input;
+            var result = default(DecodeResult);
+            var oddities = default(PlyOddities);
+            for (int row = -RowsBefore; row < Points; row++)
+            {
+                while (p < end && *p <= ' ')
+                    p++;
+                byte* start = p;
+                int error = PlyError.None;
+                if (p >= blockEnd)
+                    error = PlyError.Truncated;
+                else if (row >= 0)
+                    error = Row(ref p, input, output, row, ref oddities);
+                byte* at = p;
+                if (error != PlyError.Truncated)
+                    p = LineEnd(p);
+                if (p == end && row >= 0 && !ReachesFileEnd)
+                {
+                    error = PlyError.LineTooLong;
+                    at = start;
+                }
+                if (error != PlyError.None)
+                {
+                    result.Error = error;
+                    result.ErrorOffset = InputOffset + (at - input);
+                    break;
+                }
+                if (row >= 0)
+                    result.Points = row + 1;
+            }
+            Result.Value = result;
+            Oddities.Value = oddities;
+        }
+
+        int Row(ref byte* p, byte* input, byte* output, int row, ref PlyOddities oddities)
+        {
+            int steps = Steps.Length;
+            var step = (PlyStep*)Steps.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < steps; i++, step++)
+            {
+                SkipBlanks(ref p);
+                if (IsLineEnd(*p))
+                    return PlyError.MissingValue;
+                if (step->Kind == PlyStepKind.Value)
+                {
+                    byte* column = output + step->ColumnOffsetBytes;
+                    if (step->Type == AttributeType.Float32)
+                    {
+                        if (!AsciiNumber.TryFloat(ref p, out float value))
+                            return PlyError.BadNumber;
+                        ((float*)column)[row] = value;
+                    }
+                    else if (step->Type == AttributeType.Float64)
+                    {
+                        if (!AsciiNumber.TryDouble(ref p, out double value))
+                            return PlyError.BadNumber;
+                        ((double*)column)[row] = value;
+                    }
+                    else
+                    {
+                        byte* text = p;
+                        if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
+                            return PlyError.BadNumber;
+                        bool fits = StoreInteger(column, row, *step, magnitude, isNegative);
+                        if (!fits || !isExact)
+                        {
+                            if (oddities.Misfits++ == 0)
+                                oddities.FirstMisfitOffset = InputOffset + (text - input);
+                        }
+                    }
+                    continue;
+                }
+                ulong values = (ulong)step->Count;
+                if (step->Kind == PlyStepKind.List)
+                {
+                    byte* text = p;
+                    if (!AsciiNumber.TryInteger(ref p, out values, out bool isNegative, out bool isExact) || !isExact)
+                    {
+                        p = text;
+                        return PlyError.BadNumber;
+                    }
+                    if (isNegative && values != 0)
+                    {
+                        p = text;
+                        return PlyError.BadListLength;
+                    }
+                }
+                for (; values > 0; values--)
+                {
+                    SkipBlanks(ref p);
+                    if (IsLineEnd(*p))
+                        return PlyError.MissingValue;
+                    while (*p > ' ')
+                        p++;
+                }
+            }
+            SkipBlanks(ref p);
+            if (!IsLineEnd(*p) && oddities.LinesWithExtraValues++ == 0)
+                oddities.FirstExtraOffset = InputOffset + (p - input);
+            return PlyError.None;
+        }
+
+        /// <returns>Whether the type holds the value; if not, the nearest that it holds is stored.</returns>
+        static bool StoreInteger(byte* column, int row, in PlyStep step, ulong magnitude, bool isNegative)
+        {
+            int bits = 8 * step.Bytes;
+            bool isSigned = step.Type == AttributeType.Int8 || step.Type == AttributeType.Int16 ||
+                            step.Type == AttributeType.Int32 || step.Type == AttributeType.Int64;
+            ulong limit;
+            if (isSigned)
+                limit = isNegative ? 1ul << (bits - 1) : (1ul << (bits - 1)) - 1;
+            else
+                limit = isNegative ? 0 : ulong.MaxValue >> (64 - bits);
+            bool fits = magnitude <= limit;
+            ulong value = fits ? magnitude : limit;
+            if (isNegative)
+                value = 0 - value;
+            switch (step.Bytes)
+            {
+                case 1:
+                    column[row] = (byte)value;
+                    break;
+                case 2:
+                    ((ushort*)column)[row] = (ushort)value;
+                    break;
+                case 4:
+                    ((uint*)column)[row] = (uint)value;
+                    break;
+                default:
+                    ((ulong*)column)[row] = value;
+                    break;
+            }
+            return fits;
+        }
+
+        static void SkipBlanks(ref byte* p)
+        {
+            while (*p <= ' ' && !IsLineEnd(*p))
+                p++;
+        }
+
+        static byte* LineEnd(byte* p)
+        {
+            while (!IsLineEnd(*p))
+                p++;
+            return p;
+        }
+
+        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
+    }
+}

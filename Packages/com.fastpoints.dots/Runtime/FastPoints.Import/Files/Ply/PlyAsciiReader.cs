@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, lines of blanks are none; values that run over
+    /// several lines, or several vertices in one, are not read (nor are they by the usual readers).
+    /// </summary>
+    /// <remarks>
+    /// A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines once. A range
+    /// takes its whole block to read; decoding stops at the range's end.
+    /// </remarks>
+    sealed class PlyAsciiReader : PlyReader
+    {
+        public const int MaxBlockBytes = 1 << 20;
+
+        /// <summary>Bytes behind its block to which the last line may run.</summary>
+        public const int MaxLineBytes = 64 << 10;
+
+        PlyBlock[] m_blocks;
+        int m_maxPoints;
+
+        public PlyAsciiReader(PlyHeader header, SourceInfo info)
+            : base(header, info)
+        {
+            for (int i = 0; i < header.VertexIndex; i++)
+                if (header.Elements[i].Properties.Count > 0)
+                    RowsBefore = Sum(RowsBefore, header.Elements[i].Count);
+            if (Vertex.Count == 0)
+                Take(Array.Empty<PlyBlock>());
+        }
+
+        public override bool BlocksAreKnown => m_blocks != null;
+        public override int BlockCount => Found().Length;
+        public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
+
+        /// <summary>Lines before the first vertex's.</summary>
+        internal ulong RowsBefore { get; }
+
+        /// <summary>Lines up to the last vertex's, as claimed.</summary>
+        internal ulong RowsEnd => Sum(RowsBefore, Vertex.Count);
+
+        public override long FirstPointOfBlock(int block) => Found()[block].FirstPoint;
+
+        public override int PointsInBlock(int block) => Found()[block].Points;
+
+        public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
+
+        public override IEnumerator<JobHandle> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using (var scan = new PlyRowScan(this))
+            {
+                while (scan.Next(out var handle))
+                    yield return handle;
+                SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
+                Take(scan.TakeBlocks());
+            }
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            Found();
+            return new PlyAsciiRead(this, wanted, capacity, allocator);
+        }
+
+        internal PlyBlock Block(int block) => m_blocks[block];
+
+        internal List<PlyStep> Steps(PointBatch batch) => PlyPlan.Decoding(Vertex, Names, batch);
+
+        void Take(PlyBlock[] blocks)
+        {
+            m_blocks = blocks;
+            Info.PointsReadable = 0;
+            foreach (var block in blocks)
+            {
+                m_maxPoints = Math.Max(m_maxPoints, block.Points);
+                Info.PointsReadable += block.Points;
+            }
+        }
+
+        PlyBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+
+        static ulong Sum(ulong a, ulong b) => a <= ulong.MaxValue - b ? a + b : ulong.MaxValue;
+    }
+}

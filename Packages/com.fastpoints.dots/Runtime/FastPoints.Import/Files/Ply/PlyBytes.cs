@@ -1,0 +1,39 @@
+using FastPoints.Points;
+
+namespace FastPoints.Files
+{
+    /// <summary>Values of either byte order. Unity runs on little-endian machines only. HPC#.</summary>
+    static class PlyBytes
+    {
+        public static uint Reverse(uint v) => v >> 24 | (v >> 8 & 0xFF00) | (v << 8 & 0xFF0000) | v << 24;
+
+        public static ulong Reverse(ulong v) => (ulong)Reverse((uint)v) << 32 | Reverse((uint)(v >> 32));
+
+        /// <summary>An unsigned or signed integer of 1, 2, 4 or 8 bytes, as its bits, not extended by its sign.</summary>
+        public static unsafe ulong Load(byte* p, int bytes, bool isBigEndian)
+        {
+            ulong value = 0;
+            for (int i = 0; i < bytes; i++)
+                value |= (ulong)p[i] << 8 * (isBigEndian ? bytes - 1 - i : i);
+            return value;
+        }
+
+        /// <summary>Whether bits that <see cref="Load"/> gave are a negative number of this type.</summary>
+        public static bool IsNegative(ulong bits, AttributeType type)
+        {
+            switch (type)
+            {
+                case AttributeType.Int8:
+                    return (bits & 0x80) != 0;
+                case AttributeType.Int16:
+                    return (bits & 0x8000) != 0;
+                case AttributeType.Int32:
+                    return (bits & 0x80000000) != 0;
+                case AttributeType.Int64:
+                    return (bits & 0x8000000000000000) != 0;
+                default:
+                    return false;
+            }
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of the file
+    /// at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at all.
+    /// </summary>
+    sealed class PlyElementWalk : IDisposable
+    {
+        const int WindowBytes = 4 << 20;
+
+        readonly PlyReader m_reader;
+        readonly PlyFileRead m_read;
+        NativeArray<PlyWalkElement> m_elements;
+        NativeArray<PlyStep> m_steps;
+        NativeReference<PlyWalkState> m_state;
+        NativeList<PlyBlock> m_blocks;
+        JobHandle m_walked;
+
+        /// <param name="isIndexing">Whether the vertices are walked through as well and gathered into blocks.</param>
+        public PlyElementWalk(PlyReader reader, bool isIndexing)
+        {
+            m_reader = reader;
+            var header = reader.Header;
+            int count = header.VertexIndex + (isIndexing ? 1 : 0);
+            var elements = new PlyWalkElement[count];
+            var steps = new List<PlyStep>();
+            for (int i = 0; i < count; i++)
+            {
+                var passing = PlyPlan.Passing(header.Elements[i]);
+                elements[i] = new PlyWalkElement
+                {
+                    Count = header.Elements[i].Count,
+                    FixedBytes = header.Elements[i].FixedBytes,
+                    FirstStep = steps.Count,
+                    Steps = passing.Count,
+                    IsIndexed = i == header.VertexIndex,
+                };
+                steps.AddRange(passing);
+            }
+            long window = Math.Min(WindowBytes, reader.Info.FileBytes);
+            m_read = new PlyFileRead(reader.Info.Path, reader.File, window, Allocator.Persistent);
+            m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
+            m_steps = new NativeArray<PlyStep>(steps.ToArray(), Allocator.Persistent);
+            m_state = new NativeReference<PlyWalkState>(new PlyWalkState { Position = header.DataOffset }, Allocator.Persistent);
+            m_blocks = new NativeList<PlyBlock>(16, Allocator.Persistent);
+        }
+
+        /// <summary>How far the walk has come. Not while a job is in flight.</summary>
+        public PlyWalkState State => m_state.Value;
+
+        /// <summary>The blocks so far. Not while a job is in flight.</summary>
+        public PlyBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
+
+        /// <summary>Closes the window before, whose handle must be complete, and starts the next.</summary>
+        /// <returns>Whether there was a next one.</returns>
+        public bool Next(out JobHandle handle)
+        {
+            m_walked.Complete();
+            m_read.End();
+            var state = m_state.Value;
+            handle = default;
+            if (state.IsDone)
+                return false;
+            long offset = Math.Min(state.Position, m_reader.Info.FileBytes);
+            int bytes = (int)Math.Min(WindowBytes, m_reader.Info.FileBytes - offset);
+            var read = m_read.Begin(offset, bytes);
+            m_walked = new WalkPlyElementsJob
+            {
+                Input = m_read.Buffer,
+                Elements = m_elements,
+                Steps = m_steps,
+                InputOffset = offset,
+                InputBytes = bytes,
+                FileBytes = m_reader.Info.FileBytes,
+                IsBigEndian = m_reader.Header.Encoding == PlyEncoding.BinaryBigEndian,
+                State = m_state,
+                Blocks = m_blocks,
+            }.Schedule(read);
+            handle = m_walked;
+            return true;
+        }
+
+        public void Dispose()
+        {
+            m_walked.Complete();
+            m_read.Dispose();
+            m_elements.Dispose();
+            m_steps.Dispose();
+            m_state.Dispose();
+            m_blocks.Dispose();
+        }
+    }
+}

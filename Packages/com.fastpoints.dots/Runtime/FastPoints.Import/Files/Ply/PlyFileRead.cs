@@ -1,0 +1,93 @@
+using System;
+using FastPoints.Base;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>One stretch of a file in native memory: at most one read in flight into a buffer that is used again and
+    /// again.</summary>
+    sealed unsafe class PlyFileRead : IDisposable
+    {
+        /// <summary>Bytes behind the data that jobs may write their end mark to, or load and not use.</summary>
+        public const int PaddingBytes = 16;
+
+        readonly string m_path;
+        readonly FileHandle m_file;
+        readonly byte* m_pointer;
+        NativeArray<byte> m_buffer;
+        NativeArray<ReadCommand> m_command;
+        ReadHandle m_handle;
+        bool m_isReading;
+
+        public PlyFileRead(string path, FileHandle file, long capacityBytes, Allocator allocator)
+        {
+            m_path = path;
+            m_file = file;
+            if (capacityBytes > int.MaxValue - PaddingBytes)
+                throw new ArgumentOutOfRangeException(nameof(capacityBytes), capacityBytes, "a read holds less than 2 GiB");
+            m_buffer = new NativeArray<byte>((int)capacityBytes + PaddingBytes, allocator,
+                NativeArrayOptions.UninitializedMemory);
+            m_command = new NativeArray<ReadCommand>(1, allocator);
+            m_pointer = (byte*)m_buffer.GetUnsafePtr();
+        }
+
+        /// <summary>The bytes, valid behind the handle that <see cref="Begin"/> gives.</summary>
+        public NativeArray<byte> Buffer => m_buffer;
+
+        public long Offset { get; private set; }
+        public int Bytes { get; private set; }
+
+        public JobHandle Begin(long offset, int bytes)
+        {
+            Offset = offset;
+            Bytes = bytes;
+            if (bytes == 0)
+                return default;
+            m_command[0] = new ReadCommand { Buffer = m_pointer, Offset = offset, Size = bytes };
+            var commands = new ReadCommandArray
+            {
+                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
+                CommandCount = 1,
+            };
+            m_handle = AsyncReadManager.Read(m_file, commands);
+            m_isReading = true;
+            return m_handle.JobHandle;
+        }
+
+        /// <summary>Closes a read that is finished.</summary>
+        /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
+        public void End()
+        {
+            if (!m_isReading)
+                return;
+            m_isReading = false;
+            m_handle.JobHandle.Complete();
+            var status = m_handle.Status;
+            m_handle.Dispose();
+            if (status == ReadStatus.Complete)
+                return;
+            throw new PointCloudException(FailureCode.ReadFailed, m_path, Offset, status == ReadStatus.Truncated
+                ? "the file ended within " + Bytes + " bytes that were there when it was opened"
+                : "reading " + Bytes + " bytes failed");
+        }
+
+        /// <summary>Jobs that use the buffer must be complete.</summary>
+        public void Dispose()
+        {
+            if (m_isReading)
+            {
+                m_isReading = false;
+                m_handle.Cancel();
+                m_handle.JobHandle.Complete();
+                m_handle.Dispose();
+            }
+            if (m_buffer.IsCreated)
+                m_buffer.Dispose();
+            if (m_command.IsCreated)
+                m_command.Dispose();
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>A slot of <see cref="PlyFixedReader"/>.</summary>
+    sealed class PlyFixedRead : PlyRead
+    {
+        readonly PlyFixedReader m_reader;
+        NativeArray<PlyCopy> m_copies;
+
+        public PlyFixedRead(PlyFixedReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, (long)capacity * reader.RecordBytes, allocator)
+        {
+            m_reader = reader;
+            m_copies = ToNative(PlyCopy.From(reader.Steps(Points)), allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var read = File.Begin(m_reader.OffsetOfPoint(FirstPoint), range.Count * m_reader.RecordBytes);
+            return new DecodePlyFixedJob
+            {
+                Input = File.Buffer,
+                Copies = m_copies,
+                RecordBytes = m_reader.RecordBytes,
+                Points = range.Count,
+                IsBigEndian = m_reader.IsBigEndian,
+                Output = Points.Bytes,
+                Result = Result,
+            }.Schedule(read);
+        }
+
+        protected override void DisposeTables() => m_copies.Dispose();
+    }
+}

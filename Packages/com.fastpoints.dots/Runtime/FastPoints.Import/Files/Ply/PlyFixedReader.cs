@@ -1,0 +1,110 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>A binary PLY file whose vertices have no lists: records of one length, any of which is read alone.</summary>
+    /// <remarks>Where an element before the vertices has lists, finding their first byte takes a walk through that
+    /// element.</remarks>
+    sealed class PlyFixedReader : PlyReader
+    {
+        const int MaxBlockPoints = 65536;
+
+        /// <summary>Records of many properties come in shorter blocks, so that a slot's memory stays small.</summary>
+        const int MaxBlockBytes = 4 << 20;
+
+        readonly int m_recordBytes;
+        readonly int m_blockPoints;
+        long m_dataOffset;
+        long m_points = -1;
+
+        public PlyFixedReader(PlyHeader header, SourceInfo info)
+            : base(header, info)
+        {
+            m_recordBytes = Vertex.FixedBytes;
+            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / m_recordBytes));
+            long offset = header.DataOffset;
+            for (int i = 0; i < header.VertexIndex; i++)
+            {
+                if (header.Elements[i].HasLists)
+                    return;
+                offset = header.Elements[i].EndOfFixed(offset, info.FileBytes);
+            }
+            try
+            {
+                StartAt(offset, null);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        public override bool BlocksAreKnown => m_points >= 0;
+        public override bool HasFixedStride => true;
+        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
+        public override int BlockCount => (int)((Found() + m_blockPoints - 1) / m_blockPoints);
+        internal bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
+        internal int RecordBytes => m_recordBytes;
+
+        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
+
+        public override int PointsInBlock(int block) => (int)Math.Min(m_blockPoints, Found() - FirstPointOfBlock(block));
+
+        public override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
+
+        internal long OffsetOfPoint(long point) => m_dataOffset + point * m_recordBytes;
+
+        public override IEnumerator<JobHandle> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using (var walk = new PlyElementWalk(this, false))
+            {
+                while (walk.Next(out var handle))
+                    yield return handle;
+                var end = walk.State;
+                StartAt(end.Error != PlyError.None ? Info.FileBytes + 1 : end.Position,
+                    end.Error != PlyError.None ? "an element before them: " + PlyError.Text(end.Error) : null);
+            }
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            Found();
+            return new PlyFixedRead(this, wanted, capacity, allocator);
+        }
+
+        internal List<PlyStep> Steps(PointBatch batch) => PlyPlan.Decoding(Vertex, Names, batch);
+
+        void StartAt(long offset, string why)
+        {
+            long room = Math.Max(0, Info.FileBytes - offset) / m_recordBytes;
+            long points = Vertex.Count < (ulong)room ? (long)Vertex.Count : room;
+            SettlePoints(points, Info.FileBytes, why ?? "the file ends before (" + m_recordBytes + " bytes each, from byte " +
+                offset + ")");
+            m_dataOffset = offset;
+            m_points = points;
+            TellTrailingBytes(offset);
+        }
+
+        void TellTrailingBytes(long offset)
+        {
+            for (int i = Header.VertexIndex; i < Header.Elements.Count; i++)
+            {
+                if (Header.Elements[i].HasLists)
+                    return;
+                offset = Header.Elements[i].EndOfFixed(offset, Info.FileBytes);
+            }
+            if (offset < Info.FileBytes)
+                Info.Warn(offset, (Info.FileBytes - offset) + " bytes behind the last element: they are left out");
+        }
+
+        long Found() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Counts the lines of an ascii file, several stretches at a time, up to the last vertex, and notes which stretches have
+    /// vertices. What a stretch counts does not depend on the ones before it; whether it starts within a line does, and is
+    /// settled here, in order.
+    /// </summary>
+    sealed class PlyRowScan : IDisposable
+    {
+        sealed class Slot
+        {
+            public PlyFileRead Read;
+            public NativeReference<PlyRowCount> Count;
+            public JobHandle Counted;
+            public bool IsBusy;
+        }
+
+        readonly PlyAsciiReader m_reader;
+        readonly Slot[] m_slots;
+        readonly List<PlyBlock> m_blocks = new List<PlyBlock>();
+        long m_offset;
+        int m_oldest;
+        ulong m_rows;
+        bool m_isInText;
+
+        public PlyRowScan(PlyAsciiReader reader)
+        {
+            m_reader = reader;
+            m_offset = reader.Header.DataOffset;
+            long stretches = (reader.Info.FileBytes - m_offset) / PlyAsciiReader.MaxBlockBytes + 1;
+            m_slots = new Slot[(int)Math.Min(stretches, 2 * (JobsUtility.JobWorkerCount + 1))];
+            long bytes = Math.Min(PlyAsciiReader.MaxBlockBytes, reader.Info.FileBytes);
+            for (int i = 0; i < m_slots.Length; i++)
+                m_slots[i] = new Slot
+                {
+                    Read = new PlyFileRead(reader.Info.Path, reader.File, bytes, Allocator.Persistent),
+                    Count = new NativeReference<PlyRowCount>(Allocator.Persistent),
+                };
+        }
+
+        /// <summary>Vertices found.</summary>
+        public long Points { get; private set; }
+
+        public PlyBlock[] TakeBlocks() => m_blocks.ToArray();
+
+        /// <summary>Takes in the oldest stretch, whose handle must be complete, and keeps all slots at work.</summary>
+        /// <returns>Whether there is a stretch to wait for.</returns>
+        public bool Next(out JobHandle handle)
+        {
+            if (m_slots[m_oldest].IsBusy)
+            {
+                Finish(m_slots[m_oldest]);
+                m_oldest = (m_oldest + 1) % m_slots.Length;
+            }
+            handle = default;
+            if (m_rows >= m_reader.RowsEnd)
+                return false;
+            for (int i = 0; i < m_slots.Length && m_offset < m_reader.Info.FileBytes; i++)
+            {
+                var slot = m_slots[(m_oldest + i) % m_slots.Length];
+                if (!slot.IsBusy)
+                    Start(slot);
+            }
+            handle = m_slots[m_oldest].Counted;
+            return m_slots[m_oldest].IsBusy;
+        }
+
+        void Start(Slot slot)
+        {
+            int bytes = (int)Math.Min(PlyAsciiReader.MaxBlockBytes, m_reader.Info.FileBytes - m_offset);
+            var read = slot.Read.Begin(m_offset, bytes);
+            slot.Counted = new CountPlyRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
+            slot.IsBusy = true;
+            m_offset += bytes;
+        }
+
+        void Finish(Slot slot)
+        {
+            slot.IsBusy = false;
+            slot.Counted.Complete();
+            slot.Read.End();
+            var count = slot.Count.Value;
+            ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
+            ulong before = m_reader.RowsBefore > m_rows ? Math.Min(m_reader.RowsBefore - m_rows, rows) : 0;
+            ulong left = m_reader.RowsEnd > m_rows + before ? m_reader.RowsEnd - m_rows - before : 0;
+            int points = (int)Math.Min(rows - before, left);
+            if (points > 0)
+            {
+                m_blocks.Add(new PlyBlock
+                {
+                    OffsetBytes = slot.Read.Offset,
+                    Bytes = slot.Read.Bytes,
+                    FirstPoint = Points,
+                    Points = points,
+                    RowsBefore = (int)before,
+                    StartsInRow = m_isInText,
+                });
+                Points += points;
+            }
+            m_rows += rows;
+            m_isInText = count.HasLineEnd ? count.EndsInText : m_isInText || count.HasTextBeforeFirstEnd;
+        }
+
+        public void Dispose()
+        {
+            foreach (var slot in m_slots)
+            {
+                slot.Counted.Complete();
+                slot.Read.Dispose();
+                slot.Count.Dispose();
+            }
+        }
+    }
+}

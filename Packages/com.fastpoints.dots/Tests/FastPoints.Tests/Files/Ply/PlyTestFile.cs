@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Points;
+
+namespace FastPoints.Files.Tests
+{
+    /// <summary>A PLY file built by hand in the temporary folder, gone when disposed.</summary>
+    sealed class PlyTestFile : IDisposable
+    {
+        readonly MemoryStream m_bytes = new MemoryStream();
+
+        public PlyTestFile(string text = "")
+        {
+            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + ".ply");
+            Text(text);
+        }
+
+        public string Path { get; }
+        public long Length => m_bytes.Length;
+
+        /// <summary>A header with these lines between format and end_header.</summary>
+        public static PlyTestFile WithHeader(string format, params string[] lines) =>
+            new PlyTestFile("ply\nformat " + format + " 1.0\n" + string.Join("\n", lines) + "\nend_header\n");
+
+        public PlyTestFile Text(string text) => Raw(Encoding.ASCII.GetBytes(text));
+
+        public PlyTestFile Raw(byte[] bytes)
+        {
+            m_bytes.Write(bytes, 0, bytes.Length);
+            return this;
+        }
+
+        /// <summary>Numbers of any type, in the order of the machine or turned round.</summary>
+        public PlyTestFile Values(bool isBigEndian, params object[] values)
+        {
+            foreach (object value in values)
+            {
+                byte[] bytes = BytesOf(value);
+                if (isBigEndian)
+                    Array.Reverse(bytes);
+                Raw(bytes);
+            }
+            return this;
+        }
+
+        public byte[] ToArray() => m_bytes.ToArray();
+
+        public PlyTestFile Save()
+        {
+            File.WriteAllBytes(Path, m_bytes.ToArray());
+            return this;
+        }
+
+        public void Dispose()
+        {
+            if (File.Exists(Path))
+                File.Delete(Path);
+        }
+
+        public static byte[] BytesOf(object value)
+        {
+            switch (value)
+            {
+                case byte v:
+                    return new[] { v };
+                case sbyte v:
+                    return new[] { (byte)v };
+                case ushort v:
+                    return BitConverter.GetBytes(v);
+                case short v:
+                    return BitConverter.GetBytes(v);
+                case uint v:
+                    return BitConverter.GetBytes(v);
+                case int v:
+                    return BitConverter.GetBytes(v);
+                case ulong v:
+                    return BitConverter.GetBytes(v);
+                case long v:
+                    return BitConverter.GetBytes(v);
+                case float v:
+                    return BitConverter.GetBytes(v);
+                default:
+                    return BitConverter.GetBytes((double)value);
+            }
+        }
+    }
+}
