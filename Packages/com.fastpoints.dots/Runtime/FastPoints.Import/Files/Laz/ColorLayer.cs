@@ -1,0 +1,105 @@
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// The layers of colour and near infrared. HPC#. In version 3 a point whose scanner channel changes to one that came before
+    /// is predicted from, and remembered as, the last colour of the channel that it leaves.
+    /// </summary>
+    static unsafe class ColorLayer
+    {
+        public const int RgbContextBytes = RgbItem.StateBytes;
+
+        const int InfraredUsedAt = 64;
+        const int InfraredByteAt = InfraredUsedAt + SymbolModel.Bytes4;
+        public const int InfraredContextBytes = InfraredByteAt + 2 * SymbolModel.Bytes256;
+
+        public static void StartInfraredContext(byte* place, ushort last)
+        {
+            *(ushort*)place = last;
+            SymbolModel.Initialize(place + InfraredUsedAt, 4);
+            SymbolModel.Initialize(place + InfraredByteAt, 256);
+            SymbolModel.Initialize(place + InfraredByteAt + SymbolModel.Bytes256, 256);
+        }
+
+        public static int DecodeRgb(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * RgbContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                ushort* last = ((RgbItem*)place)->Last;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * RgbContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        RgbItem.Start((RgbItem*)place, (byte*)last);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = ((RgbItem*)place)->Last;
+                }
+                RgbItem.Decode(place, last, field, ref value, ref length, ref next);
+                if (next > end)
+                    break;
+                field += stride;
+            }
+            layer->Current = current;
+            layer->Stream.Value = value;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+            return done;
+        }
+
+        public static int DecodeInfrared(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int current = layer->Current;
+            byte* place = contexts + (long)current * InfraredContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                int context = PointContext.Of(points[done], layer->FollowsChannel);
+                ushort* last = (ushort*)place;
+                if (context != current)
+                {
+                    current = context;
+                    place = contexts + (long)current * InfraredContextBytes;
+                    bool isNew = (layer->Made >> current & 1) == 0;
+                    if (isNew)
+                    {
+                        layer->Made |= 1 << current;
+                        StartInfraredContext(place, *last);
+                    }
+                    if (isNew || layer->FollowsChannel != 0)
+                        last = (ushort*)place;
+                }
+                uint used = SymbolModel.Decode(place + InfraredUsedAt, 4, ref value, ref length, ref next);
+                int low = *last & 255, high = *last >> 8;
+                if ((used & 1) != 0)
+                    low = low + (int)SymbolModel.Decode(place + InfraredByteAt, 256, ref value, ref length, ref next) & 255;
+                if ((used & 2) != 0)
+                    high = high + (int)SymbolModel.Decode(place + InfraredByteAt + SymbolModel.Bytes256, 256,
+                        ref value, ref length, ref next) & 255;
+                if (next > end)
+                    break;
+                *last = (ushort)(high << 8 | low);
+                *(ushort*)field = *last;
+                field += stride;
+            }
+            layer->Current = current;
+            layer->Stream.Value = value;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+            return done;
+        }
+    }
+}

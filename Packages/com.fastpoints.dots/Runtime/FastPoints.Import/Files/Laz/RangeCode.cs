@@ -1,0 +1,84 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// The range decoder under all of LAZ (Said 2004, "Introduction to arithmetic coding"; Isenburg 2013, "LASzip"): 32-bit value
+    /// and length, renewed by whole bytes, most significant first. HPC#.
+    /// </summary>
+    /// <remarks>
+    /// Value, length and pointer go as three locals through inlined methods: as one struct passed by reference .NET's compiler
+    /// kept them on the stack, a third slower. Value never exceeds length, whatever the input, so that every table lookup
+    /// stays inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
+    /// <see cref="PaddingBytes"/> readable bytes.
+    /// </remarks>
+    public static unsafe class RangeCode
+    {
+        /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>
+        public const int PaddingBytes = 256;
+
+        const uint MinLength = 1u << 24;
+
+        /// <summary>Starts a stream: its first four bytes are the value.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Start(out uint value, out uint length, ref byte* next)
+        {
+            value = BigEndian(next);
+            next += 4;
+            length = uint.MaxValue;
+        }
+
+        /// <summary>Bits that are not modelled, at most 19 of them.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint FewBits(int bits, ref uint value, ref uint length, ref byte* next)
+        {
+            length >>= bits;
+            uint symbol = value / length;
+            value -= length * symbol;
+            Renew(ref value, ref length, ref next);
+            return symbol;
+        }
+
+        /// <summary>1 to 32 bits that are not modelled; the lower 16 come first where there are more than 19.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint Bits(int bits, ref uint value, ref uint length, ref byte* next)
+        {
+            uint low = 0;
+            int shift = 0;
+            if (bits > 19)
+            {
+                low = FewBits(16, ref value, ref length, ref next);
+                shift = 16;
+            }
+            return FewBits(bits - shift, ref value, ref length, ref next) << shift | low;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint UInt32(ref uint value, ref uint length, ref byte* next)
+        {
+            uint low = FewBits(16, ref value, ref length, ref next);
+            return FewBits(16, ref value, ref length, ref next) << 16 | low;
+        }
+
+        /// <summary>Takes as many bytes as bring the length back to 25 bits or more; no loop and no branch on their number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Renew(ref uint value, ref uint length, ref byte* next)
+        {
+            if (length < MinLength)
+            {
+                int bits = math.lzcnt(length) & 24;
+                value = value << bits | BigEndian(next) >> (32 - bits);
+                length <<= bits;
+                next += bits >> 3;
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static uint BigEndian(byte* bytes)
+        {
+            uint word = *(uint*)bytes;
+            return math.ror(word & 0x00FF00FF, 8) | math.rol(word & 0xFF00FF00, 8);
+        }
+    }
+}

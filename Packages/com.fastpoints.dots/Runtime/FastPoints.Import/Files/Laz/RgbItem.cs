@@ -1,0 +1,94 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Colours of three 16-bit values: item RGB12 in version 2, and the colour layer of RGB14 and RGBNIR14. A mask says which of
+    /// the six bytes changed and whether the colour is not grey; green is predicted from red's change, blue from both. HPC#.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct RgbItem
+    {
+        public const int RecordBytes = 6;
+
+        const int NotGreyBit = 64;
+
+        const int UsedAt = 64;
+        const int ByteAt = UsedAt + SymbolModel.Bytes128;
+        public const int StateBytes = ByteAt + 6 * SymbolModel.Bytes256;
+
+        public fixed ushort Last[4];
+
+        public static void Start(RgbItem* state, byte* record)
+        {
+            state->Last[0] = *(ushort*)record;
+            state->Last[1] = *(ushort*)(record + 2);
+            state->Last[2] = *(ushort*)(record + 4);
+            byte* place = (byte*)state;
+            SymbolModel.Initialize(place + UsedAt, 128);
+            for (int i = 0; i < 6; i++)
+                SymbolModel.Initialize(place + ByteAt + i * SymbolModel.Bytes256, 256);
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public static void Decode(RgbItem* state, RangeStream* stream, byte* record)
+        {
+            uint value = stream->Value, length = stream->Length;
+            byte* next = stream->Next;
+            Decode((byte*)state, state->Last, record, ref value, ref length, ref next);
+            stream->Value = value;
+            stream->Length = length;
+            stream->Next = next;
+        }
+
+        /// <summary>Decodes a colour after <paramref name="last"/>, which becomes it (and is apart from the models, since RGB14
+        /// version 3 mixes up whose it is).</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Decode(byte* place, ushort* last, byte* record, ref uint value, ref uint length, ref byte* next)
+        {
+            byte* models = place + ByteAt;
+            int used = (int)SymbolModel.Decode(place + UsedAt, 128, ref value, ref length, ref next);
+            int redLow = last[0] & 255, redHigh = last[0] >> 8;
+            int lowChange = -redLow, highChange = -redHigh;
+            if ((used & 1) != 0)
+                redLow = redLow + (int)SymbolModel.Decode(models, 256, ref value, ref length, ref next) & 255;
+            if ((used & 2) != 0)
+                redHigh = redHigh
+                    + (int)SymbolModel.Decode(models + SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
+            int red = redHigh << 8 | redLow;
+            int green = red, blue = red;
+            if ((used & NotGreyBit) != 0)
+            {
+                lowChange += redLow;
+                highChange += redHigh;
+                int greenLow = last[1] & 255, greenHigh = last[1] >> 8;
+                int blueLow = last[2] & 255, blueHigh = last[2] >> 8;
+                int lastGreenLow = greenLow, lastGreenHigh = greenHigh;
+                if ((used & 4) != 0)
+                    greenLow = Clamp(lowChange + greenLow)
+                        + (int)SymbolModel.Decode(models + 2 * SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
+                if ((used & 16) != 0)
+                    blueLow = Clamp((lowChange + greenLow - lastGreenLow) / 2 + blueLow)
+                        + (int)SymbolModel.Decode(models + 4 * SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
+                if ((used & 8) != 0)
+                    greenHigh = Clamp(highChange + greenHigh)
+                        + (int)SymbolModel.Decode(models + 3 * SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
+                if ((used & 32) != 0)
+                    blueHigh = Clamp((highChange + greenHigh - lastGreenHigh) / 2 + blueHigh)
+                        + (int)SymbolModel.Decode(models + 5 * SymbolModel.Bytes256, 256, ref value, ref length, ref next) & 255;
+                green = greenHigh << 8 | greenLow;
+                blue = blueHigh << 8 | blueLow;
+            }
+            last[0] = (ushort)red;
+            last[1] = (ushort)green;
+            last[2] = (ushort)blue;
+            *(ushort*)record = (ushort)red;
+            *(ushort*)(record + 2) = (ushort)green;
+            *(ushort*)(record + 4) = (ushort)blue;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static int Clamp(int value) => value <= 0 ? 0 : value >= 255 ? 255 : value;
+    }
+}

@@ -1,0 +1,65 @@
+using System.Runtime.InteropServices;
+
+namespace FastPoints.Files
+{
+    /// <summary>The layer of Z: predicted by the last height at the same level of return. HPC#.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    unsafe struct ZLayer
+    {
+        const int Contexts = 20;
+        const int ZAt = 64;
+        public const int ContextBytes = ZAt + 64 + Contexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+
+        int m_last;
+        fixed int m_lastOfLevel[8];
+
+        public static void StartContext(byte* place, int z)
+        {
+            var context = (ZLayer*)place;
+            context->m_last = z;
+            for (int i = 0; i < 8; i++)
+                context->m_lastOfLevel[i] = z;
+            IntegerModel.Initialize(place + ZAt, 32, Contexts);
+        }
+
+        public static int Decode(LayerState* layer, byte* contexts, uint* points, byte* field, int stride, int count)
+        {
+            uint value = layer->Stream.Value, length = layer->Stream.Length;
+            byte* next = layer->Stream.Next;
+            byte* end = layer->Stream.End;
+            int channel = layer->Current;
+            byte* place = contexts + (long)channel * ContextBytes;
+            int done = 0;
+            for (; done < count; done++)
+            {
+                uint point = points[done];
+                int context = (int)(point & PointContext.ChannelMask);
+                if (context != channel)
+                {
+                    int z = ((ZLayer*)place)->m_last;
+                    channel = context;
+                    place = contexts + (long)channel * ContextBytes;
+                    if ((layer->Made >> channel & 1) == 0)
+                    {
+                        layer->Made |= 1 << channel;
+                        StartContext(place, z);
+                    }
+                }
+                int* last = ((ZLayer*)place)->m_lastOfLevel + PointContext.Level(point);
+                int added = *last + IntegerModel.Decode(place + ZAt, 32, Contexts, (int)(point >> PointContext.ZShift),
+                    ref value, ref length, ref next);
+                if (next > end)
+                    break;
+                *last = added;
+                ((ZLayer*)place)->m_last = added;
+                *(int*)field = added;
+                field += stride;
+            }
+            layer->Current = channel;
+            layer->Stream.Value = value;
+            layer->Stream.Length = length;
+            layer->Stream.Next = next;
+            return done;
+        }
+    }
+}
