@@ -1,0 +1,126 @@
+using System;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>Holds what a header claims against what the file can hold. Differences are warnings; the file wins.</summary>
+    public static class LasClaims
+    {
+        /// <summary>Points that the file's size has room for, at most those claimed.</summary>
+        /// <exception cref="PointCloudException">Truncated: points are claimed and not one is there.</exception>
+        public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
+        {
+            ulong claimed = header.PointsClaimed;
+            if (header.Has64BitCount && header.LegacyCount != 0 && header.LegacyCount != header.Count)
+                info.Warn(LasHeader.At.LegacyCount, "the 32-bit point count is " + Text(header.LegacyCount)
+                    + ", the 64-bit one " + Text(header.Count) + ": " + Text(claimed) + " is used");
+            if (header.PointsOffset < header.HeaderBytes)
+                info.Warn(LasHeader.At.PointsOffset, "the points start at byte " + Text(header.PointsOffset)
+                    + ", inside the header of " + Text((ulong)header.HeaderBytes) + " bytes");
+
+            long start = header.PointsOffset;
+            long room = Math.Max(0, fileBytes - start);
+            if (claimed <= (ulong)(room / header.RecordBytes))
+            {
+                CheckRest(header, start + (long)claimed * header.RecordBytes, fileBytes, info);
+                return (long)claimed;
+            }
+
+            long end = Math.Min(NextSection(header.WaveformOffset, start, fileBytes),
+                NextSection(header.EvlrCount > 0 ? header.EvlrOffset : 0, start, fileBytes));
+            long bytes = Math.Max(0, end - start);
+            long readable = bytes / header.RecordBytes;
+            long cut = bytes % header.RecordBytes;
+            string story = "the header claims " + Text(claimed) + " points, the file holds " + Text((ulong)readable)
+                + (cut > 0 ? " and " + Text((ulong)cut) + " of the " + Text((ulong)header.RecordBytes) + " bytes of the next" : "");
+            if (readable == 0)
+                throw new PointCloudException(FailureCode.Truncated, info.Path, start, story);
+            info.Warn(header.PointsClaimedAt, story);
+            return readable;
+        }
+
+        /// <summary>Compares the claimed box with what integers, scale and offset can express, and with a few points.</summary>
+        /// <param name="readable">Points that can be read; their first, middle and last are looked at.</param>
+        public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
+        {
+            var claimed = new BoundsGeo(header.Min, header.Max);
+            if (!claimed.IsFinite || claimed.IsEmpty)
+            {
+                if (readable > 0)
+                    info.Warn(LasHeader.At.Bounds, "bounds: wanted a box, got " + Text(claimed) + ": left out");
+                return;
+            }
+            if (readable > 0 && math.all(claimed.Min == 0) && math.all(claimed.Max == 0))
+            {
+                info.Warn(LasHeader.At.Bounds, "the bounds are all zero: left out");
+                return;
+            }
+            info.HasBoundsClaimed = true;
+            info.BoundsClaimed = claimed;
+            if (readable == 0)
+                return;
+
+            var raw = BoundsGeo.Empty;
+            foreach (long index in new[] { 0, readable / 2, readable - 1 })
+            {
+                var record = source.Read(header.PointsOffset + index * header.RecordBytes, 12, "point");
+                raw.Include(new double3(record.Int32(0, "X"), record.Int32(4, "Y"), record.Int32(8, "Z")));
+            }
+            var seen = BoundsGeo.Empty;
+            seen.Include(info.Transform.ToGeo(raw.Min));
+            seen.Include(info.Transform.ToGeo(raw.Max));
+            if (Contains(claimed, seen, math.abs(info.Transform.Scale)))
+                return;
+            if (claimed.Contains(raw.Min) && claimed.Contains(raw.Max))
+            {
+                info.BoundsClaimed = BoundsGeo.Empty;
+                info.BoundsClaimed.Include(info.Transform.ToGeo(claimed.Min));
+                info.BoundsClaimed.Include(info.Transform.ToGeo(claimed.Max));
+                info.Warn(LasHeader.At.Bounds, "the bounds are in raw integers, without scale and offset: read as "
+                    + Text(info.BoundsClaimed));
+                return;
+            }
+            info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
+        }
+
+        /// <summary>What lies between the last claimed point and the next thing that the header names.</summary>
+        static void CheckRest(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
+        {
+            long end = fileBytes;
+            Section(header.WaveformOffset, LasHeader.At.WaveformOffset, "the waveform data", header, pointsEnd, ref end, info);
+            if (header.EvlrCount > 0)
+                Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
+            long rest = end - pointsEnd;
+            if (rest >= header.RecordBytes)
+                info.Warn(header.PointsClaimedAt, "behind the " + Text(header.PointsClaimed) + " points that the header claims lie "
+                    + Text((ulong)rest) + " bytes, room for " + Text((ulong)(rest / header.RecordBytes)) + " more");
+            else if (rest > 0)
+                info.Fact("bytes behind the points", Text((ulong)rest));
+        }
+
+        static void Section(ulong at, int field, string name, LasHeader header, long pointsEnd, ref long end, SourceInfo info)
+        {
+            if (at > header.PointsOffset && at < (ulong)pointsEnd)
+                info.Warn(field, name + " would start at byte " + Text(at) + ", among the points: the point count is believed");
+            else if (at >= (ulong)pointsEnd && at < (ulong)end)
+                end = (long)at;
+        }
+
+        static long NextSection(ulong at, long start, long fileBytes) =>
+            at > (ulong)start && at < (ulong)fileBytes ? (long)at : fileBytes;
+
+        // Writers round the box to the step, or print it with few digits: two steps are no contradiction.
+        static bool Contains(BoundsGeo box, BoundsGeo seen, double3 step) =>
+            math.all(seen.Min >= box.Min - 2 * step) && math.all(seen.Max <= box.Max + 2 * step);
+
+        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
+
+        static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
+
+        static string Text(double3 point) =>
+            string.Format(CultureInfo.InvariantCulture, "({0:R}, {1:R}, {2:R})", point.x, point.y, point.z);
+    }
+}

@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+
+namespace FastPoints.Files
+{
+    /// <summary>The passes over records that fill the wanted columns of a batch; the same plan packs columns into records.</summary>
+    public static class LasCopyPlan
+    {
+        /// <param name="layout">Of the records.</param>
+        /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
+        /// <exception cref="ArgumentException">An attribute that the records do not have, or have in another type.</exception>
+        public static LasFieldCopy[] Make(LasRecordLayout layout, PointBatch batch)
+        {
+            var fields = new LasField[batch.Schema.Count];
+            for (int i = 0; i < fields.Length; i++)
+                if (!layout.TryFind(batch.Schema[i].Name, out fields[i]) || fields[i].Type != batch.Schema[i].Type)
+                    throw new ArgumentException("the records have no attribute " + batch.Schema[i]);
+
+            var copies = new List<LasFieldCopy>(fields.Length);
+            for (int i = 0; i < fields.Length; i++)
+            {
+                bool three = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2]);
+                copies.Add(new LasFieldCopy
+                {
+                    RecordByte = fields[i].ByteOffset,
+                    Column0 = batch.Column(i).OffsetBytes,
+                    Column1 = three ? batch.Column(i + 1).OffsetBytes : 0,
+                    Column2 = three ? batch.Column(i + 2).OffsetBytes : 0,
+                    Kind = KindOf(fields[i], three),
+                    BitShift = (byte)fields[i].BitShift,
+                    BitMask = (byte)((1 << fields[i].BitWidth) - 1),
+                });
+                if (three)
+                    i += 2;
+            }
+            return copies.ToArray();
+        }
+
+        /// <summary>Whether two fields of two or of four bytes lie side by side, as the axes and the colours do.</summary>
+        static bool Follows(LasField first, LasField second)
+        {
+            int bytes = first.Type.SizeOf();
+            return (bytes == 2 || bytes == 4) && second.Type.SizeOf() == bytes && second.ByteOffset == first.ByteOffset + bytes;
+        }
+
+        static LasCopyKind KindOf(LasField field, bool three)
+        {
+            switch (field.Type.SizeOf())
+            {
+                case 1:
+                    return field.IsBits ? LasCopyKind.Bits : LasCopyKind.One;
+                case 2:
+                    return three ? LasCopyKind.ThreeOfTwo : LasCopyKind.Two;
+                case 4:
+                    return three ? LasCopyKind.ThreeOfFour : LasCopyKind.Four;
+                default:
+                    return LasCopyKind.Eight;
+            }
+        }
+    }
+}

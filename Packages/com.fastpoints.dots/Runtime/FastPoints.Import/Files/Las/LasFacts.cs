@@ -1,0 +1,81 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace FastPoints.Files
+{
+    /// <summary>The parts of a LAS header that nothing computes with, as lines for people.</summary>
+    public static class LasFacts
+    {
+        static readonly string[] s_encodingBits =
+        {
+            "GPS time is adjusted standard time", "waveforms inside the file", "waveforms in an auxiliary file",
+            "synthetic return numbers", "CRS is WKT", "aggregate", "GPS time has an offset",
+        };
+
+        public static void Tell(LasHeader header, LasVlrTable vlrs, SourceInfo info)
+        {
+            TellText("system identifier", header.SystemIdentifier, info);
+            TellText("generating software", header.GeneratingSoftware, info);
+            if (header.CreationYear != 0 || header.CreationDay != 0)
+                info.Fact("created", "day " + Text(header.CreationDay) + " of " + Text(header.CreationYear));
+            info.Fact("file source id", Text(header.FileSourceId));
+            info.Fact("global encoding", Encoding(header.GlobalEncoding));
+            var guid = new Guid(header.Guid);
+            if (guid != Guid.Empty)
+                info.Fact("project GUID", guid.ToString());
+            info.Fact("header bytes", Text((ulong)header.HeaderBytes));
+            info.Fact("offset to points", Text(header.PointsOffset));
+            info.Fact("record bytes", Text((ulong)header.RecordBytes));
+            info.Fact("scale", Numbers(header.Scale.x, header.Scale.y, header.Scale.z));
+            info.Fact("offset", Numbers(header.Offset.x, header.Offset.y, header.Offset.z));
+            if (header.Has64BitCount && header.LegacyCount != 0)
+                info.Fact("32-bit point count", Text(header.LegacyCount));
+            info.Fact("points by return", ByReturn(header));
+            if (header.WaveformOffset != 0)
+                info.Fact("start of waveform data", Text(header.WaveformOffset));
+            if (header.HasBytes(LasHeader.BytesOf(5)))
+            {
+                info.Fact("GPS time", Numbers(header.MinGpsTime, header.MaxGpsTime));
+                info.Fact("time offset", Text(header.TimeOffset));
+            }
+            foreach (var record in vlrs.Records)
+                info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + Text(record.RecordId) + ", "
+                    + Text((ulong)record.DataBytes) + " bytes" + (record.Description.Length > 0 ? ", " + record.Description : ""));
+        }
+
+        static void TellText(string name, string value, SourceInfo info)
+        {
+            if (value.Length > 0)
+                info.Fact(name, value);
+        }
+
+        static string Encoding(int bits)
+        {
+            var names = new List<string> { "0x" + bits.ToString("X4", CultureInfo.InvariantCulture) };
+            for (int i = 0; i < s_encodingBits.Length; i++)
+                if ((bits & 1 << i) != 0)
+                    names.Add(s_encodingBits[i]);
+            return string.Join(", ", names);
+        }
+
+        static string ByReturn(LasHeader header)
+        {
+            var counts = new List<string>();
+            if (header.HasBytes(LasHeader.At.MaxGpsTime))
+                foreach (ulong count in header.ByReturn)
+                    counts.Add(Text(count));
+            else
+                foreach (uint count in header.LegacyByReturn)
+                    counts.Add(Text(count));
+            while (counts.Count > 1 && counts[counts.Count - 1] == "0")
+                counts.RemoveAt(counts.Count - 1);
+            return string.Join(" ", counts);
+        }
+
+        static string Numbers(params double[] values) =>
+            string.Join(" ", Array.ConvertAll(values, value => value.ToString("R", CultureInfo.InvariantCulture)));
+
+        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a run of
+    /// records of a size that suits slices of work, and any range of it costs what it holds.
+    /// </summary>
+    public sealed class LasReader : PointReader
+    {
+        const int MaxBlockPoints = 65536;
+        const int MaxBlockBytes = 4 << 20;
+
+        readonly LasFile m_las;
+        readonly int m_blockPoints;
+        FileHandle m_file;
+        bool m_isOpen;
+
+        LasReader(LasFile las)
+        {
+            m_las = las;
+            Info = las.Info;
+            m_blockPoints = Math.Min(MaxBlockPoints, Math.Max(1, MaxBlockBytes / Info.RecordBytes));
+            long blocks = (Info.PointsReadable + m_blockPoints - 1) / m_blockPoints;
+            if (blocks > int.MaxValue)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, las.Header.PointsClaimedAt, "points",
+                    "at most " + (long)int.MaxValue * m_blockPoints, Info.PointsReadable);
+            BlockCount = (int)blocks;
+            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
+            m_isOpen = true;
+        }
+
+        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
+        /// <exception cref="PointCloudException">Not LAS, compressed, cut before its first point, or of an unknown version or
+        /// point format.</exception>
+        public static PointReader Open(FileSource source)
+        {
+            var las = LasFile.Read(source);
+            if (las.Header.IsCompressed)
+                throw new PointCloudException(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
+                    "the points are compressed (LAZ): LAZ is not read yet, wanted LAS");
+            las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);
+            LasClaims.CheckBounds(las.Header, source, las.Info.PointsReadable, las.Info);
+            return new LasReader(las);
+        }
+
+        public LasHeader Header => m_las.Header;
+
+        public LasVlrTable Vlrs => m_las.Vlrs;
+
+        public override int BlockCount { get; }
+
+        public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Info.PointsReadable);
+
+        public override bool HasFixedStride => true;
+
+        internal LasRecordLayout Layout => m_las.Layout;
+
+        internal ref readonly FileHandle File => ref m_file;
+
+        public override long FirstPointOfBlock(int block)
+        {
+            CheckBlock(block);
+            return (long)block * m_blockPoints;
+        }
+
+        public override int PointsInBlock(int block)
+        {
+            CheckBlock(block);
+            return (int)Math.Min(m_blockPoints, Info.PointsReadable - (long)block * m_blockPoints);
+        }
+
+        public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.RecordBytes;
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new LasBlockRead(this, wanted, capacity, allocator);
+
+        /// <summary>Byte of a record in the file.</summary>
+        /// <param name="point">Over the whole source.</param>
+        public long OffsetOfPoint(long point) => m_las.Header.PointsOffset + point * Info.RecordBytes;
+
+        public override void Dispose()
+        {
+            if (!m_isOpen)
+                return;
+            m_isOpen = false;
+            m_file.Close().Complete();
+        }
+
+        void CheckBlock(int block)
+        {
+            if ((uint)block >= (uint)BlockCount)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + BlockCount + " blocks");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Points;
+
+namespace FastPoints.Files
+{
+    /// <summary>All that a record of one file holds: the fields of its point format, then extra bytes.</summary>
+    public sealed class LasRecordLayout
+    {
+        readonly List<LasField> m_fields = new List<LasField>();
+        readonly Dictionary<string, int> m_indexOfName = new Dictionary<string, int>();
+
+        /// <param name="recordBytes">By the header; at least the format's own.</param>
+        /// <param name="extra">Described extra bytes, with offsets from the record's start. What they leave of the record becomes
+        /// columns of single bytes named <c>ExtraBytes[i]</c>, so that nothing of a record is lost.</param>
+        public LasRecordLayout(LasPointFormat format, int recordBytes, IEnumerable<LasField> extra)
+        {
+            Format = format;
+            RecordBytes = recordBytes;
+            foreach (var field in format.Fields)
+                Add(field);
+            int end = format.RecordBytes;
+            foreach (var field in extra)
+            {
+                Add(field);
+                end = field.ByteOffset + field.Type.SizeOf();
+            }
+            DescribedBytes = end;
+            for (int i = end; i < recordBytes; i++)
+                Add(new LasField("ExtraBytes[" + (i - end).ToString(CultureInfo.InvariantCulture) + "]", AttributeType.UInt8, i));
+
+            var attributes = new List<PointAttribute>(m_fields.Count);
+            foreach (var field in m_fields)
+                attributes.Add(field.ToAttribute());
+            Schema = new PointSchema(attributes);
+        }
+
+        public LasPointFormat Format { get; }
+        public int RecordBytes { get; }
+
+        /// <summary>End of the last byte of a record that the format or a description accounts for.</summary>
+        public int DescribedBytes { get; }
+
+        public IReadOnlyList<LasField> Fields => m_fields;
+
+        /// <summary>One attribute a field, in the same order.</summary>
+        public PointSchema Schema { get; }
+
+        public bool TryFind(string name, out LasField field)
+        {
+            bool found = m_indexOfName.TryGetValue(name, out int index);
+            field = found ? m_fields[index] : default;
+            return found;
+        }
+
+        void Add(LasField field)
+        {
+            // Files give extra bytes the names of standard fields, and one name twice: columns are found by name, so a later one
+            // is numbered.
+            string name = field.Name;
+            for (int number = 2; m_indexOfName.ContainsKey(name); number++)
+                name = field.Name + " (" + number.ToString(CultureInfo.InvariantCulture) + ")";
+            if (name != field.Name)
+                field = new LasField(name, field.Type, field.ByteOffset, field.Scale, field.Offset);
+            m_indexOfName.Add(name, m_fields.Count);
+            m_fields.Add(field);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// The variable length records of a file, before the points and after them. Counts and lengths are claims: the walk ends
+    /// with a warning where they leave the room that the file has, and points load all the same.
+    /// </summary>
+    public sealed class LasVlrTable
+    {
+        /// <summary>More records than any real file has (390 were met): a bound for the memory that a header can claim.</summary>
+        public const int MaxRecords = 65536;
+
+        /// <summary>Payloads above this are listed but not read: WKT and key tables are a few kilobytes.</summary>
+        public const int MaxPayloadBytes = 4 << 20;
+
+        readonly FileSource m_source;
+        readonly SourceInfo m_info;
+        readonly List<LasVlr> m_records = new List<LasVlr>();
+
+        LasVlrTable(FileSource source, SourceInfo info)
+        {
+            m_source = source;
+            m_info = info;
+        }
+
+        public IReadOnlyList<LasVlr> Records => m_records;
+
+        public static LasVlrTable Read(FileSource source, LasHeader header, SourceInfo info)
+        {
+            var table = new LasVlrTable(source, info);
+            long start = Math.Max(header.HeaderBytes, LasHeader.LeastBytes);
+            long end = Math.Min(header.PointsOffset, source.Length);
+            table.Walk(start, end, header.VlrCount, false, LasHeader.At.VlrCount);
+            if (header.EvlrCount == 0)
+                return table;
+            if (header.EvlrOffset < header.PointsOffset || header.EvlrOffset > (ulong)source.Length)
+                info.Warn(LasHeader.At.EvlrOffset, "the header claims " + Text(header.EvlrCount) + " EVLRs from byte "
+                    + header.EvlrOffset.ToString(CultureInfo.InvariantCulture) + ", which is not behind the points: left out");
+            else
+                table.Walk((long)header.EvlrOffset, source.Length, header.EvlrCount, true, LasHeader.At.EvlrCount);
+            return table;
+        }
+
+        /// <returns>The first record of that kind whose bytes can be had, or null.</returns>
+        public LasVlr Find(string userId, ushort recordId)
+        {
+            foreach (var record in m_records)
+                if (record.Is(userId, recordId))
+                    return record;
+            return null;
+        }
+
+        /// <summary>The bytes of a record; none, with a warning, for one of an absurd size.</summary>
+        public ByteReader Payload(LasVlr record)
+        {
+            if (record.DataBytes <= MaxPayloadBytes)
+                return m_source.ReadAtMost(record.DataOffset, (int)record.DataBytes);
+            m_info.Warn(record.Offset, record.UserId + "/" + Text(record.RecordId) + ": wanted at most "
+                + Text(MaxPayloadBytes) + " bytes, got " + Text(record.DataBytes) + ": left out");
+            return new ByteReader(Array.Empty<byte>(), m_source.Path, record.DataOffset);
+        }
+
+        void Walk(long at, long end, uint count, bool extended, int countAt)
+        {
+            string kind = extended ? "EVLR" : "VLR";
+            int headerBytes = extended ? LasVlr.ExtendedHeaderBytes : LasVlr.HeaderBytes;
+            for (uint i = 0; i < count; i++)
+            {
+                if (at + headerBytes > end || m_records.Count == MaxRecords)
+                {
+                    m_info.Warn(countAt, "the header claims " + Text(count) + " " + kind + "s, there is room for "
+                        + Text(i) + (extended ? " in the file" : " before the points") + ": the others are left out");
+                    return;
+                }
+                var bytes = m_source.Read(at, headerBytes, kind);
+                // Bytes 0-1 are reserved; then user id, record id, length of the payload, description.
+                ulong claimed = extended ? bytes.UInt64(20, "EVLR length") : bytes.UInt16(20, "VLR length");
+                var record = new LasVlr
+                {
+                    UserId = bytes.Text(2, 16, "VLR user id"),
+                    RecordId = bytes.UInt16(18, "VLR record id"),
+                    Description = bytes.Text(headerBytes - 32, 32, "VLR description"),
+                    Offset = at,
+                    DataOffset = at + headerBytes,
+                    IsExtended = extended,
+                };
+                long room = end - record.DataOffset;
+                record.DataBytes = (long)Math.Min(claimed, (ulong)room);
+                if (claimed > (ulong)room)
+                {
+                    m_info.Warn(at, kind + " " + Text(i + 1) + " of " + Text(count) + ": wanted "
+                        + claimed.ToString(CultureInfo.InvariantCulture) + " bytes, got " + Text(room)
+                        + (extended ? " before the end of the file" : " before the points") + ": it and the next are left out");
+                    return;
+                }
+                m_records.Add(record);
+                at = record.DataOffset + record.DataBytes;
+            }
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,262 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Writes a LAS file point by point as they come; counts and bounds go into the header at the end. The file has a temporary
+    /// name until <see cref="Complete"/>: disposed before that, nothing of it stays, and a file of that name is as it was.
+    /// </summary>
+    public sealed unsafe class LasWriter : IDisposable
+    {
+        const int BufferBytes = 1 << 20;
+        const ushort WktEncodingBit = 1 << 4;
+        const string TemporarySuffix = ".partial";
+
+        readonly string m_path;
+        readonly string m_temporaryPath;
+        readonly LasHeader m_header;
+        readonly LasRecordLayout m_layout;
+        readonly byte[] m_buffer;
+        readonly int m_bufferPoints;
+        readonly ulong[] m_byReturn = new ulong[16];
+        FileStream m_stream;
+        bool m_isComplete;
+        bool m_isGivenUp;
+        int3 m_min = new int3(int.MaxValue, int.MaxValue, int.MaxValue);
+        int3 m_max = new int3(int.MinValue, int.MinValue, int.MinValue);
+
+        LasWriter(string path, LasWriterSettings settings)
+        {
+            m_path = path;
+            m_temporaryPath = path + TemporarySuffix;
+            var format = LasPointFormat.Of(settings.PointFormat);
+            var extra = new List<LasField>();
+            int recordBytes = format.RecordBytes;
+            foreach (var attribute in settings.ExtraBytes)
+            {
+                extra.Add(new LasField(attribute.Name, attribute.Type, recordBytes, attribute.Scale, attribute.Offset));
+                recordBytes += attribute.Type.SizeOf();
+            }
+            m_layout = new LasRecordLayout(format, recordBytes, extra);
+            m_header = new LasHeader
+            {
+                VersionMinor = settings.VersionMinor,
+                PointFormat = settings.PointFormat,
+                RecordBytes = recordBytes,
+                HeaderBytes = LasHeader.BytesOf(settings.VersionMinor),
+                Scale = settings.Scale,
+                Offset = settings.Offset,
+                SystemIdentifier = settings.SystemIdentifier ?? "",
+                GeneratingSoftware = settings.GeneratingSoftware ?? "",
+                CreationDay = (ushort)settings.CreationDay,
+                CreationYear = (ushort)settings.CreationYear,
+                GlobalEncoding = settings.Wkt != null && settings.VersionMinor >= 4 ? WktEncodingBit : (ushort)0,
+            };
+            m_bufferPoints = Math.Max(1, BufferBytes / recordBytes);
+            m_buffer = new byte[m_bufferPoints * recordBytes];
+        }
+
+        /// <summary>All attributes of the file's records. A batch to append may have any selection of them.</summary>
+        public PointSchema Schema => m_layout.Schema;
+
+        public int RecordBytes => m_header.RecordBytes;
+
+        /// <summary>Points appended so far.</summary>
+        public ulong PointCount => m_header.Count;
+
+        /// <summary>Creates the temporary file.</summary>
+        /// <exception cref="ArgumentException">Settings that make no LAS file.</exception>
+        /// <exception cref="PointCloudException">The file cannot be created.</exception>
+        public static LasWriter Create(string path, LasWriterSettings settings)
+        {
+            Check(settings);
+            var writer = new LasWriter(path, settings);
+            var vlrs = Vlrs(settings);
+            writer.m_header.VlrCount = (uint)vlrs.Count;
+            long pointsOffset = writer.m_header.HeaderBytes;
+            foreach (var vlr in vlrs)
+                pointsOffset += vlr.Length;
+            writer.m_header.PointsOffset = (uint)pointsOffset;
+            try
+            {
+                writer.m_stream = new FileStream(writer.m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1);
+                var header = writer.m_header.ToBytes();
+                writer.m_stream.Write(header, 0, header.Length);
+                foreach (var vlr in vlrs)
+                    writer.m_stream.Write(vlr, 0, vlr.Length);
+                return writer;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                writer.Dispose();
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Appends the batch's valid points. Attributes that it lacks are zero.</summary>
+        /// <exception cref="ArgumentException">The batch has an attribute that the records have not, or in another type.</exception>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void Append(PointBatch batch)
+        {
+            var copies = LasCopyPlan.Make(m_layout, batch);
+            byte* columns = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
+            for (int first = 0; first < batch.Count; first += m_bufferPoints)
+            {
+                int count = Math.Min(m_bufferPoints, batch.Count - first);
+                Array.Clear(m_buffer, 0, count * RecordBytes);
+                fixed (byte* records = m_buffer)
+                fixed (LasFieldCopy* plan = copies)
+                    LasRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
+                Write(m_buffer, count);
+            }
+        }
+
+        /// <summary>Appends points that are records already, of <see cref="RecordBytes"/> each.</summary>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void AppendRecords(byte[] records, int count)
+        {
+            if (count < 0 || (long)count * RecordBytes > records.Length)
+                throw new ArgumentOutOfRangeException(nameof(count), count, "more records than bytes");
+            Write(records, count);
+        }
+
+        /// <summary>Writes the header, and gives the file its name.</summary>
+        /// <exception cref="PointCloudException">The disk is full or failed.</exception>
+        public void Complete()
+        {
+            FinishHeader();
+            try
+            {
+                var header = m_header.ToBytes();
+                m_stream.Position = 0;
+                m_stream.Write(header, 0, header.Length);
+                m_stream.Flush(true);
+                m_stream.Dispose();
+                m_stream = null;
+                if (File.Exists(m_path))
+                    File.Replace(m_temporaryPath, m_path, null);
+                else
+                    File.Move(m_temporaryPath, m_path);
+                m_isComplete = true;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(m_path, e);
+            }
+        }
+
+        /// <summary>Without <see cref="Complete"/> before it: gives up, and leaves nothing.</summary>
+        public void Dispose()
+        {
+            if (m_isComplete || m_isGivenUp)
+                return;
+            m_isGivenUp = true;
+            m_stream?.Dispose();
+            m_stream = null;
+            try
+            {
+                File.Delete(m_temporaryPath);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                // The failure that led here is the one to tell; a file that cannot be deleted could not be made either.
+            }
+        }
+
+        void Write(byte[] records, int count)
+        {
+            if (m_stream == null)
+                throw new InvalidOperationException("the writer is complete");
+            fixed (byte* first = records)
+                Account(first, count);
+            try
+            {
+                m_stream.Write(records, 0, count * RecordBytes);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(m_path, e);
+            }
+        }
+
+        void Account(byte* record, int count)
+        {
+            int returnMask = m_layout.Format.IsExtended ? 15 : 7;
+            for (int i = 0; i < count; i++, record += RecordBytes)
+            {
+                var position = new int3(((int*)record)[0], ((int*)record)[1], ((int*)record)[2]);
+                m_min = math.min(m_min, position);
+                m_max = math.max(m_max, position);
+                m_byReturn[record[14] & returnMask]++;
+            }
+            m_header.Count += (ulong)count;
+        }
+
+        void FinishHeader()
+        {
+            bool fitsLegacy = m_header.Count <= uint.MaxValue;
+            if (!fitsLegacy && m_header.VersionMinor < 4)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, m_path, -1, "points in LAS 1." + m_header.VersionMinor,
+                    "at most " + uint.MaxValue, m_header.Count);
+            // LAS 1.4: the 32-bit counts are 0 for point formats that older readers do not know.
+            bool legacy = fitsLegacy && !m_layout.Format.IsExtended;
+            m_header.LegacyCount = legacy ? (uint)m_header.Count : 0;
+            for (int i = 0; i < m_header.LegacyByReturn.Length; i++)
+                m_header.LegacyByReturn[i] = legacy ? (uint)m_byReturn[i + 1] : 0;
+            for (int i = 0; i < m_header.ByReturn.Length; i++)
+                m_header.ByReturn[i] = m_byReturn[i + 1];
+            if (m_header.Count == 0)
+                return;
+            // A negative scale turns the axis round.
+            var a = new double3(m_min.x, m_min.y, m_min.z) * m_header.Scale + m_header.Offset;
+            var b = new double3(m_max.x, m_max.y, m_max.z) * m_header.Scale + m_header.Offset;
+            m_header.Min = math.min(a, b);
+            m_header.Max = math.max(a, b);
+        }
+
+        static void Check(LasWriterSettings settings)
+        {
+            if (settings.VersionMinor < 0 || settings.VersionMinor > LasHeader.MaxMinorVersion)
+                throw new ArgumentException("LAS 1." + settings.VersionMinor + " is not known: wanted 1.0 to 1.5");
+            if (settings.PointFormat < 0 || settings.PointFormat >= LasPointFormat.Count)
+                throw new ArgumentException("point format " + settings.PointFormat + " is not known: wanted 0 to 10");
+            for (int axis = 0; axis < 3; axis++)
+                if (!math.isfinite(settings.Scale[axis]) || settings.Scale[axis] == 0 || !math.isfinite(settings.Offset[axis]))
+                    throw new ArgumentException("scale and offset must be finite, and the scale not 0");
+        }
+
+        static List<byte[]> Vlrs(LasWriterSettings settings)
+        {
+            var vlrs = new List<byte[]>();
+            if (settings.Wkt != null)
+                vlrs.Add(Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
+            if (settings.ExtraBytes.Length == 0)
+                return vlrs;
+            var entries = new byte[settings.ExtraBytes.Length * LasExtraBytes.EntryBytes];
+            for (int i = 0; i < settings.ExtraBytes.Length; i++)
+                LasExtraBytes.Entry(settings.ExtraBytes[i]).CopyTo(entries, i * LasExtraBytes.EntryBytes);
+            vlrs.Add(Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", entries));
+            return vlrs;
+        }
+
+        static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
+        {
+            if (payload.Length > ushort.MaxValue)
+                throw new ArgumentException(description + ": wanted at most 65535 bytes, got " + payload.Length);
+            var vlr = new byte[LasVlr.HeaderBytes + payload.Length];
+            LasHeader.PutText(vlr, 2, 16, userId);
+            LasHeader.Put(vlr, 18, 2, recordId);
+            LasHeader.Put(vlr, 20, 2, (ulong)payload.Length);
+            LasHeader.PutText(vlr, 22, 32, description);
+            payload.CopyTo(vlr, LasVlr.HeaderBytes);
+            return vlr;
+        }
+    }
+}

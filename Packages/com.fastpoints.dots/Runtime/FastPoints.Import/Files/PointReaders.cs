@@ -1,0 +1,108 @@
+using System;
+using System.Text;
+using FastPoints.Base;
+
+namespace FastPoints.Files
+{
+    /// <summary>Opens any point cloud that the package reads, by what is in the file and not by its name.</summary>
+    public static class PointReaders
+    {
+        /// <summary>How a kind of file is known, and what is done with it.</summary>
+        readonly struct Kind
+        {
+            /// <summary>Bytes that the file starts with.</summary>
+            public readonly byte[] Magic;
+
+            /// <summary>Opens it, or null for a kind that is known but not read.</summary>
+            public readonly Func<FileSource, PointReader> Open;
+
+            /// <summary>What a kind that is not read is called.</summary>
+            public readonly string Name;
+
+            public Kind(string magic, Func<FileSource, PointReader> open)
+            {
+                Magic = Encoding.ASCII.GetBytes(magic);
+                Open = open;
+                Name = null;
+            }
+
+            public Kind(string name, params byte[] magic)
+            {
+                Magic = magic;
+                Open = null;
+                Name = name;
+            }
+
+            public Kind(string name, string magic) : this(name, Encoding.ASCII.GetBytes(magic))
+            {
+            }
+        }
+
+        const int HeadBytes = 64;
+
+        static readonly Kind[] s_kinds =
+        {
+            new Kind("LASF", LasReader.Open),
+            new Kind("ply", source => PlyReader.Open(source.Path)),
+            new Kind("an E57 file", "ASTM-E57"),
+            new Kind("a PCD file", "# .PCD"),
+            new Kind("a PCD file", "VERSION .7"),
+            new Kind("a zip archive", (byte)'P', (byte)'K', 3, 4),
+            new Kind("a gzip file (decompress it first)", 0x1F, 0x8B),
+            new Kind("a zstd file (decompress it first)", 0x28, 0xB5, 0x2F, 0xFD),
+            new Kind("an HDF5 file", 0x89, (byte)'H', (byte)'D', (byte)'F'),
+            new Kind("a PNG picture", 0x89, (byte)'P', (byte)'N', (byte)'G'),
+            new Kind("a glTF binary", "glTF"),
+            new Kind("a 3D Tiles point cloud", "pnts"),
+            new Kind("a Leica PTG file", "PTG"),
+        };
+
+        /// <summary>Opens a LAS or PLY file. Dispose the reader.</summary>
+        /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
+        /// header; one line.</exception>
+        public static PointReader Open(string path)
+        {
+            using (var source = FileSource.Open(path))
+            {
+                byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
+                foreach (var kind in s_kinds)
+                {
+                    if (!StartsWith(head, kind.Magic))
+                        continue;
+                    if (kind.Open != null)
+                        return kind.Open(source);
+                    throw new PointCloudException(FailureCode.Unsupported, path, 0,
+                        "this is " + kind.Name + ": wanted LAS or PLY");
+                }
+                throw new PointCloudException(FailureCode.Unsupported, path, 0,
+                    "no known point cloud format: wanted LAS (LASF) or PLY (ply), got " + Shown(head));
+            }
+        }
+
+        static bool StartsWith(byte[] head, byte[] magic)
+        {
+            if (head.Length < magic.Length)
+                return false;
+            for (int i = 0; i < magic.Length; i++)
+                if (head[i] != magic[i])
+                    return false;
+            return true;
+        }
+
+        /// <summary>The first bytes as text where they are text, otherwise in hexadecimal.</summary>
+        static string Shown(byte[] head)
+        {
+            int count = Math.Min(head.Length, 16);
+            var text = new StringBuilder("text \"");
+            for (int i = 0; i < count; i++)
+            {
+                if (head[i] == '\r' || head[i] == '\n')
+                    break;
+                if (head[i] != '\t' && (head[i] < 32 || head[i] > 126))
+                    return "bytes " + BitConverter.ToString(head, 0, count);
+                text.Append((char)head[i]);
+            }
+            return text.Append('"').ToString();
+        }
+    }
+}
