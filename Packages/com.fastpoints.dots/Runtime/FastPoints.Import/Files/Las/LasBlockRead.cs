@@ -5,6 +5,7 @@ using FastPoints.Points;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
 
 namespace FastPoints.Files
 {

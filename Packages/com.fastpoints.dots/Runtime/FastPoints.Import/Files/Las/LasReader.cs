@@ -18,7 +18,7 @@ namespace FastPoints.Files
 
         readonly LasFile m_las;
         readonly int m_blockPoints;
-        FileHandle m_file;
+        readonly FileHandle m_file;
         bool m_isOpen;
 
         LasReader(LasFile las)
