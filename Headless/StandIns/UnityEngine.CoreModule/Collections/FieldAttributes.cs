@@ -1,0 +1,40 @@
+using System;
+
+namespace Unity.Collections
+{
+    [AttributeUsage(AttributeTargets.Field | AttributeTargets.Parameter)]
+    public sealed class ReadOnlyAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class WriteOnlyAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class DeallocateOnJobCompletionAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class NativeDisableParallelForRestrictionAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class NativeMatchesParallelForLengthAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class NativeFixedLengthAttribute : Attribute
+    {
+        public int FixedLength;
+
+        public NativeFixedLengthAttribute(int fixedLength)
+        {
+            FixedLength = fixedLength;
+        }
+    }
+}

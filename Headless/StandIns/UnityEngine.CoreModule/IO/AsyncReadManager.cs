@@ -1,0 +1,64 @@
+using System;
+using StandIns.Io;
+using StandIns.Scheduling;
+using Unity.Jobs;
+
+namespace Unity.IO.LowLevel.Unsafe
+{
+    /// <summary>Reads files into native memory on threads of its own.</summary>
+    public static unsafe class AsyncReadManager
+    {
+        /// <summary>Opens the file, reads the commands one after the other, and closes it. The commands and their memory must stay
+        /// until the read is done.</summary>
+        public static ReadHandle Read(string filename, ReadCommand* readCmds, uint readCmdCount, string assetName = "",
+            ulong typeID = 0, AssetLoadingSubsystem subsystem = AssetLoadingSubsystem.Scripts)
+        {
+            if (filename == null)
+                throw new ArgumentNullException(nameof(filename));
+            var request = new ReadRequest(filename, null, readCmds, checked((int)readCmdCount));
+            request.Enqueue();
+            return new ReadHandle(request);
+        }
+
+        public static ReadHandle Read(in FileHandle fileHandle, ReadCommandArray readCmdArray)
+        {
+            var request = new ReadRequest(null, fileHandle.Find("Read"), readCmdArray.ReadCommands, readCmdArray.CommandCount);
+            request.Enqueue();
+            return new ReadHandle(request);
+        }
+
+        /// <summary>Reads what the commands say when <paramref name="dependency"/> is done.</summary>
+        public static ReadHandle ReadDeferred(in FileHandle fileHandle, ReadCommandArray* readCmdArray, JobHandle dependency)
+        {
+            var request = new ReadRequest(null, fileHandle.Find("ReadDeferred"), null, 0);
+            JobScheduler.CallAfter(dependency, "AsyncReadManager.ReadDeferred", () =>
+            {
+                request.SetCommands(readCmdArray->ReadCommands, readCmdArray->CommandCount);
+                request.Enqueue();
+            });
+            return new ReadHandle(request);
+        }
+
+        /// <summary>Begins to open a file; reads on the handle may be begun at once.</summary>
+        public static FileHandle OpenFileAsync(string fileName)
+        {
+            if (fileName == null)
+                throw new ArgumentNullException(nameof(fileName));
+            return new FileHandle(OpenFile.Begin(fileName));
+        }
+
+        public static ReadHandle GetFileInfo(string filename, FileInfoResult* result)
+        {
+            if (filename == null)
+                throw new ArgumentNullException(nameof(filename));
+            if (result == null)
+                throw new ArgumentNullException(nameof(result));
+            var request = new ReadRequest(filename, null, null, 0);
+            request.EnqueueInfo(result);
+            return new ReadHandle(request);
+        }
+
+        /// <summary>Files are not kept open between reads by name.</summary>
+        public static JobHandle CloseCachedFileAsync(string fileName, JobHandle dependency = default) => dependency;
+    }
+}

@@ -1,0 +1,39 @@
+using StandIns.Scheduling;
+
+namespace Unity.Jobs
+{
+    public interface IJobParallelFor
+    {
+        void Execute(int index);
+    }
+
+    public static unsafe class IJobParallelForExtensions
+    {
+        struct Kind<T> : IJobKind<T> where T : struct, IJobParallelFor
+        {
+            public void Execute(ref T job, int begin, int end, int batchSize)
+            {
+                for (int i = begin; i < end; i++)
+                    job.Execute(i);
+            }
+        }
+
+        public static void EarlyJobInit<T>() where T : struct, IJobParallelFor
+        {
+        }
+
+        public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount,
+            JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
+            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
+
+        public static JobHandle ScheduleByRef<T>(this ref T jobData, int arrayLength, int innerloopBatchCount,
+            JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
+            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
+
+        public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobParallelFor =>
+            JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, true);
+
+        public static void RunByRef<T>(this ref T jobData, int arrayLength) where T : struct, IJobParallelFor =>
+            JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, true);
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace StandIns.Memory
+{
+    /// <summary>The process's own heap, aligned.</summary>
+    static unsafe class NativeHeap
+    {
+        // Unity's allocators give at least 16; vectors of 32 bytes then need no care either.
+        const int MinAlignment = 32;
+
+        internal static void* Allocate(long size, int alignment)
+        {
+            if (size < 0)
+                throw new ArgumentOutOfRangeException(nameof(size), size, "An allocation cannot have a negative size.");
+            if (alignment <= 0 || (alignment & (alignment - 1)) != 0)
+                throw new ArgumentException($"An alignment must be a power of two, not {alignment}.", nameof(alignment));
+#if NET
+            return NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, MinAlignment));
+#else
+            return (void*)Marshal.AllocHGlobal(new IntPtr(Math.Max(size, MinAlignment)));
+#endif
+        }
+
+        internal static void Free(void* memory)
+        {
+#if NET
+            NativeMemory.AlignedFree(memory);
+#else
+            Marshal.FreeHGlobal((IntPtr)memory);
+#endif
+        }
+    }
+}

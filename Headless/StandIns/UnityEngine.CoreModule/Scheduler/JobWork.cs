@@ -1,0 +1,90 @@
+using System;
+using StandIns.Safety;
+
+namespace StandIns.Scheduling
+{
+    /// <summary>How one kind of job runs over a range: a struct, so that the call is a direct one.</summary>
+    interface IJobKind<T> where T : struct
+    {
+        /// <param name="batchSize">Elements that were asked for per batch; the range may be several batches.</param>
+        void Execute(ref T job, int begin, int end, int batchSize);
+    }
+
+    /// <summary>A scheduled job's own copy of the job struct.</summary>
+    abstract class JobWork
+    {
+        internal abstract Type JobType { get; }
+
+        /// <summary>All dependencies are done: arrays that stand for a list's later contents get them now.</summary>
+        internal abstract void Prepare();
+
+        /// <param name="shared">Other threads run other ranges of the same job.</param>
+        internal abstract void Execute(int begin, int end, int batchSize, bool shared, int threadIndex);
+
+        /// <summary>The job is done: frees what it was told to free and goes back to its pool.</summary>
+        internal abstract void Finish();
+    }
+
+    sealed class JobWork<T, TKind> : JobWork where T : struct where TKind : struct, IJobKind<T>
+    {
+        static readonly object s_lock = new object();
+        static JobWork<T, TKind> s_free;
+
+        JobWork<T, TKind> m_nextFree;
+        internal T Data;
+
+        internal override Type JobType => typeof(T);
+
+        internal static JobWork<T, TKind> Take(ref T data)
+        {
+            JobWork<T, TKind> work;
+            lock (s_lock)
+            {
+                work = s_free;
+                if (work != null)
+                    s_free = work.m_nextFree;
+            }
+            work ??= new JobWork<T, TKind>();
+            work.Data = data;
+            return work;
+        }
+
+        /// <summary>Back to the pool without having run.</summary>
+        internal void Return()
+        {
+            lock (s_lock)
+            {
+                m_nextFree = s_free;
+                s_free = this;
+            }
+        }
+
+        internal override void Prepare()
+        {
+            if (JobPatch.DeferredArraysExist)
+                JobPatch<T>.ResolveDeferred(ref Data);
+        }
+
+        internal override void Execute(int begin, int end, int batchSize, bool shared, int threadIndex)
+        {
+            if (!shared)
+            {
+                JobPatch<T>.SetThreadIndex(ref Data, threadIndex);
+                default(TKind).Execute(ref Data, begin, end, batchSize);
+                return;
+            }
+            // Each range has a copy of its own: a job's fields are no way from one index to another, and the range that
+            // a thread may write is kept in them.
+            T data = Data;
+            JobPatch<T>.SetThreadIndex(ref data, threadIndex);
+            JobPatch<T>.Restrict(ref data, begin, end);
+            default(TKind).Execute(ref data, begin, end, batchSize);
+        }
+
+        internal override void Finish()
+        {
+            JobPatch<T>.Deallocate(ref Data);
+            Return();
+        }
+    }
+}
