@@ -1,0 +1,74 @@
+using System;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Scenes
+{
+    /// <summary>A scan as a LAS 1.4 file of point format 7. Disposed before <see cref="Complete"/>, it leaves nothing.</summary>
+    public sealed class LasReturnSink : IReturnSink, IDisposable
+    {
+        const int PointsAtOnce = 65_536;
+
+        readonly LasWriter m_writer;
+        readonly PointBatch m_batch;
+        NativeArray<PointColumn> m_columns;
+        NativeArray<int> m_noOrder;
+
+        public LasReturnSink(string path)
+        {
+            var transform = TerrestrialScan.Transform;
+            m_writer = LasWriter.Create(path, new LasWriterSettings
+            {
+                VersionMinor = 4,
+                PointFormat = 7,
+                Scale = transform.Scale,
+                Offset = transform.Offset,
+                Wkt = TerrestrialScan.Wkt,
+                SystemIdentifier = "seeded terrestrial scan",
+            });
+            m_batch = new PointBatch(ReturnsToColumnsJob.Schema, PointsAtOnce, Allocator.Persistent);
+            m_columns = new NativeArray<PointColumn>(m_batch.Schema.Count, Allocator.Persistent);
+            for (int i = 0; i < m_columns.Length; i++)
+                m_columns[i] = m_batch.Column(i);
+            m_noOrder = new NativeArray<int>(1, Allocator.Persistent);
+        }
+
+        public void Append(NativeArray<ScanReturn> returns) => Append(returns, m_noOrder, false, returns.Length);
+
+        public void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace) =>
+            Append(returns, returnOfPlace, true, returnOfPlace.Length);
+
+        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace, bool hasOrder, int places)
+        {
+            for (int first = 0; first < places; first += PointsAtOnce)
+            {
+                m_batch.Count = Math.Min(PointsAtOnce, places - first);
+                new ReturnsToColumnsJob
+                {
+                    Returns = returns,
+                    ReturnOfPlace = returnOfPlace,
+                    HasOrder = hasOrder,
+                    FirstPlace = first,
+                    Count = m_batch.Count,
+                    Bytes = m_batch.Bytes,
+                    Columns = m_columns,
+                }.Run();
+                m_writer.Append(m_batch);
+            }
+        }
+
+        public void Complete() => m_writer.Complete();
+
+        public void Dispose()
+        {
+            m_writer.Dispose();
+            m_batch.Dispose();
+            if (!m_columns.IsCreated)
+                return;
+            m_columns.Dispose();
+            m_noOrder.Dispose();
+        }
+    }
+}

@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Scenes
+{
+    /// <summary>A <see cref="TerrestrialScan"/> in any order. All but <see cref="ScanOrder.Strip"/> keep the whole scan in memory.</summary>
+    public static class OrderedScan
+    {
+        /// <summary>Of an order other than as acquired: 44 bytes each are kept.</summary>
+        public const int MostPoints = 32_000_000;
+
+        const int PlacesAtOnce = 65_536;
+
+        /// <summary>Work for a pump.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">More than <see cref="MostPoints"/>, and not as acquired.</exception>
+        public static IEnumerator<JobHandle> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        {
+            if (order == ScanOrder.Strip)
+                return TerrestrialScan.Run(points, seed, sink.Append, progress);
+            if (points > MostPoints)
+                throw new ArgumentOutOfRangeException(nameof(points), points, "does not fit in memory to be ordered");
+            return RunInMemory((int)points, seed, order, sink, progress);
+        }
+
+        static IEnumerator<JobHandle> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        {
+            var returns = new NativeArray<ScanReturn>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var returnOfPlace = new NativeArray<int>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            JobHandle ordering = default;
+            try
+            {
+                int end = 0;
+                void Keep(NativeArray<ScanReturn> batch)
+                {
+                    NativeArray<ScanReturn>.Copy(batch, 0, returns, end, batch.Length);
+                    end += batch.Length;
+                }
+                using (var scan = TerrestrialScan.Run(points, seed, Keep, progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+
+                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }.Schedule();
+                yield return ordering;
+                ordering.Complete();
+                for (int first = 0; first < points; first += PlacesAtOnce)
+                {
+                    sink.Append(returns, returnOfPlace.GetSubArray(first, Math.Min(PlacesAtOnce, points - first)));
+                    yield return default;
+                }
+            }
+            finally
+            {
+                ordering.Complete();
+                returns.Dispose();
+                returnOfPlace.Dispose();
+            }
+        }
+    }
+}

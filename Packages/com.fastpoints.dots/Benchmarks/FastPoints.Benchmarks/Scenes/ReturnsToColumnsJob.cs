@@ -1,0 +1,81 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Scenes
+{
+    /// <summary>Some returns, in an order of their own or as they come, to the columns of a batch.</summary>
+    [BurstCompile]
+    public unsafe struct ReturnsToColumnsJob : IJob
+    {
+        /// <summary>The attributes of LAS point format 7 that a scan fills.</summary>
+        public static PointSchema Schema => new PointSchema(new[]
+        {
+            new PointAttribute(AttributeNames.X, AttributeType.Int32),
+            new PointAttribute(AttributeNames.Y, AttributeType.Int32),
+            new PointAttribute(AttributeNames.Z, AttributeType.Int32),
+            new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
+            new PointAttribute(AttributeNames.ReturnNumber, AttributeType.UInt8),
+            new PointAttribute(AttributeNames.NumberOfReturns, AttributeType.UInt8),
+            new PointAttribute(AttributeNames.Classification, AttributeType.UInt8),
+            new PointAttribute(AttributeNames.ScanAngle, AttributeType.Int16),
+            new PointAttribute(AttributeNames.PointSourceId, AttributeType.UInt16),
+            new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64),
+            new PointAttribute(AttributeNames.Red, AttributeType.UInt16),
+            new PointAttribute(AttributeNames.Green, AttributeType.UInt16),
+            new PointAttribute(AttributeNames.Blue, AttributeType.UInt16),
+        });
+
+        [ReadOnly] public NativeArray<ScanReturn> Returns;
+
+        /// <summary>Which return comes at each place, where <see cref="HasOrder"/>; otherwise anything created.</summary>
+        [ReadOnly] public NativeArray<int> ReturnOfPlace;
+
+        public bool HasOrder;
+        public int FirstPlace;
+        public int Count;
+
+        /// <summary>Memory of a batch of <see cref="Schema"/>, and where each column of it lies.</summary>
+        public NativeArray<byte> Bytes;
+
+        [ReadOnly] public NativeArray<PointColumn> Columns;
+
+        public void Execute()
+        {
+            byte* bytes = (byte*)Bytes.GetUnsafePtr();
+            var x = (int*)(bytes + Columns[0].OffsetBytes);
+            var y = (int*)(bytes + Columns[1].OffsetBytes);
+            var z = (int*)(bytes + Columns[2].OffsetBytes);
+            var intensity = (ushort*)(bytes + Columns[3].OffsetBytes);
+            var returnNumber = bytes + Columns[4].OffsetBytes;
+            var numberOfReturns = bytes + Columns[5].OffsetBytes;
+            var classification = bytes + Columns[6].OffsetBytes;
+            var scanAngle = (short*)(bytes + Columns[7].OffsetBytes);
+            var station = (ushort*)(bytes + Columns[8].OffsetBytes);
+            var time = (double*)(bytes + Columns[9].OffsetBytes);
+            var red = (ushort*)(bytes + Columns[10].OffsetBytes);
+            var green = (ushort*)(bytes + Columns[11].OffsetBytes);
+            var blue = (ushort*)(bytes + Columns[12].OffsetBytes);
+            for (int i = 0; i < Count; i++)
+            {
+                int place = FirstPlace + i;
+                var r = Returns[HasOrder ? ReturnOfPlace[place] : place];
+                x[i] = r.X;
+                y[i] = r.Y;
+                z[i] = r.Z;
+                intensity[i] = r.Intensity;
+                returnNumber[i] = r.ReturnNumber;
+                numberOfReturns[i] = r.NumberOfReturns;
+                classification[i] = r.Classification;
+                scanAngle[i] = r.ScanAngle;
+                station[i] = r.Station;
+                time[i] = r.GpsTime;
+                red[i] = r.Red;
+                green[i] = r.Green;
+                blue[i] = r.Blue;
+            }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Scenes
+{
+    /// <summary>
+    /// Scan lines of one station: the mirror sweeps from below to above while the head turns, in equal angles both ways, so
+    /// that the density falls with the square of the distance.
+    /// </summary>
+    [BurstCompile]
+    public struct TraceLinesJob : IJobFor
+    {
+        public const int MaxReturns = 4;
+        public const float LowestElevation = -1.08f;
+        public const float HighestElevation = 0.96f;
+
+        const float Reach = 170;
+        const double GpsTimeOfStart = 3.2e8;
+        const double SecondsPerPulse = 2e-6;
+        const double SecondsPerStation = 600;
+
+        [ReadOnly] public NativeArray<SceneObject> Objects;
+        [ReadOnly] public NativeArray<float> TopOfShadow;
+        public float3 Station;
+        public ushort StationNumber;
+        public int FirstLine;
+        public int LinesPerTurn;
+        public int RaysPerLine;
+        public uint Seed;
+
+        /// <summary>Each line's returns at its own start: line * <see cref="RaysPerLine"/> * <see cref="MaxReturns"/>.</summary>
+        [NativeDisableParallelForRestriction] public NativeArray<ScanReturn> ReturnsOfLine;
+
+        public NativeArray<int> CountOfLine;
+
+        public unsafe void Execute(int index)
+        {
+            int line = FirstLine + index;
+            // A second turn scans between the lines of the first.
+            float turn = (line + line / LinesPerTurn * 0.5f) / LinesPerTurn;
+            float azimuth = 2 * math.PI * turn;
+            var ahead = new float2(math.cos(azimuth), math.sin(azimuth));
+            var origin = Station;
+            origin.z += SceneGround.Height(Station.xy);
+
+            int* near = stackalloc int[Objects.Length];
+            int nearCount = 0;
+            for (int i = 0; i < Objects.Length; i++)
+            {
+                var o = Objects[i];
+                var to = o.Center.xy - origin.xy;
+                float reach = o.Reach + 0.1f;
+                if (math.abs(to.x * ahead.y - to.y * ahead.x) < reach && math.dot(to, ahead) > -reach)
+                    near[nearCount++] = i;
+            }
+
+            int start = index * RaysPerLine * MaxReturns;
+            int end = start;
+            for (int ray = 0; ray < RaysPerLine; ray++)
+                Pulse(line, ray, azimuth, origin, near, nearCount, ref end);
+            CountOfLine[index] = end - start;
+        }
+
+        unsafe void Pulse(int line, int ray, float azimuth, float3 origin, int* near, int nearCount, ref int end)
+        {
+            uint random = SceneHash.Of(Seed + StationNumber, (uint)line, (uint)ray);
+            float step = (HighestElevation - LowestElevation) / RaysPerLine;
+            float elevation = LowestElevation + (ray + 0.5f + 0.2f * (SceneHash.Next(ref random) - 0.5f)) * step;
+            float heading = azimuth + 0.2f * (SceneHash.Next(ref random) - 0.5f) * step;
+            var direction = new float3(math.cos(heading) * math.cos(elevation), math.sin(heading) * math.cos(elevation),
+                math.sin(elevation));
+
+            var hit = SceneHit.None;
+            float ground = SceneGround.Hit(origin, direction, Reach);
+            if (ground < Reach)
+                GroundHit(origin + direction * ground, ground, ref hit);
+            for (int i = 0; i < nearCount; i++)
+                SceneTrace.Solid(Objects[near[i]], origin, direction, random, ref hit);
+
+            // Leaves in front of the solid hit, nearest first.
+            float* leaf = stackalloc float[MaxReturns];
+            int* crown = stackalloc int[MaxReturns];
+            int leaves = 0;
+            float limit = math.min(hit.Distance, Reach);
+            for (int i = 0; i < nearCount; i++)
+                if (Objects[near[i]].Shape == SceneShape.Crown)
+                    Leaves(near[i], origin, direction, limit, leaf, crown, ref leaves, ref random);
+
+            // Each leaf takes a part of the pulse: it goes on behind the first with even odds only.
+            int returns = leaves;
+            for (int i = 0; i < leaves; i++)
+                if (SceneHash.Next(ref random) < 0.5f)
+                {
+                    returns = i + 1;
+                    break;
+                }
+            bool endsInLeaves = leaves > 0 && (returns < leaves || SceneHash.Next(ref random) < 0.35f);
+            bool hasSolid = !endsInLeaves && hit.Distance < Reach && !hit.IsLost && returns < MaxReturns;
+            int all = returns + (hasSolid ? 1 : 0);
+            for (int i = 0; i < all; i++)
+            {
+                var at = i < returns ? LeafHit(Objects[crown[i]], leaf[i], origin + direction * leaf[i], ref random) : hit;
+                ReturnsOfLine[end++] = Return(at, origin, direction, elevation, line, ray, i + 1, all, ref random);
+            }
+        }
+
+        void GroundHit(float3 at, float distance, ref SceneHit hit)
+        {
+            bool isRoad = math.abs(at.y) < SceneGround.PavementHalf;
+            hit.Distance = distance;
+            hit.Normal = SceneGround.Normal(at.xy);
+            hit.Color = SceneGround.Color(at.xy, Seed);
+            hit.Reflectance = isRoad ? 0.2f : 0.5f;
+            hit.Classification = isRoad ? SceneTrace.RoadSurface : SceneTrace.Ground;
+        }
+
+        /// <summary>Free paths between leaves, by delta tracking (Woodcock): steps for the densest place, kept by the density
+        /// there.</summary>
+        unsafe void Leaves(int index, float3 origin, float3 direction, float limit, float* leaf, int* crown, ref int leaves,
+            ref uint random)
+        {
+            var o = Objects[index];
+            if (!SceneTrace.CrownSpan(o, origin, direction, out var span))
+                return;
+            float t = span.x;
+            float last = math.min(span.y, limit);
+            for (int guard = 0; guard < 64; guard++)
+            {
+                t -= math.log(1 - SceneHash.Next(ref random)) / o.Slope;
+                if (!(t < last))
+                    return;
+                if (SceneHash.Next(ref random) > SceneTrace.LeafDensity(o, origin + direction * t))
+                    continue;
+                int place = math.min(leaves, MaxReturns - 1);
+                if (leaves == MaxReturns && leaf[place] <= t)
+                    return;
+                for (; place > 0 && leaf[place - 1] > t; place--)
+                {
+                    leaf[place] = leaf[place - 1];
+                    crown[place] = crown[place - 1];
+                }
+                leaf[place] = t;
+                crown[place] = index;
+                leaves = math.min(leaves + 1, MaxReturns);
+            }
+        }
+
+        static SceneHit LeafHit(in SceneObject o, float distance, float3 at, ref uint random)
+        {
+            var normal = new float3(SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random));
+            // Leaves look to the light more often than not.
+            normal = math.normalize(normal + new float3(0, 0, 0.6f) + 1e-4f);
+            float depth = math.length((at - o.Center) / o.Half);
+            return new SceneHit
+            {
+                Distance = distance,
+                Normal = normal,
+                Color = o.Color * (0.35f + 0.75f * depth) * (0.7f + 0.6f * SceneHash.Next(ref random)),
+                Reflectance = 0.48f,
+                Classification = o.Classification,
+            };
+        }
+
+        ScanReturn Return(in SceneHit hit, float3 origin, float3 direction, float elevation, int line, int ray, int number, int count,
+            ref uint random)
+        {
+            float incidence = math.abs(math.dot(hit.Normal, direction));
+            // A slanted or far surface spreads the echo.
+            float noise = 0.0015f + 0.00003f * hit.Distance + 0.002f * (1 - incidence);
+            float distance = hit.Distance + noise * SceneHash.NextNormal(ref random);
+            var at = origin + direction * distance;
+
+            var sun = SunShadow.Sun;
+            float light = 0.32f + 0.14f * hit.Normal.z;
+            float towards = math.dot(hit.Normal, sun);
+            if (towards > 0 && SunShadow.Reaches(TopOfShadow, at + hit.Normal * 0.05f))
+                light += 1.05f * towards;
+            var tint = math.lerp(new float3(0.86f, 0.95f, 1.12f), new float3(1.05f, 1, 0.9f), math.saturate(light));
+            var color = math.saturate(hit.Color * tint * light * (1.35f + 0.05f * SceneHash.NextNormal(ref random)));
+            // The sRGB curve, to 16 bits.
+            color = math.select(1.055f * math.pow(color, 1 / 2.4f) - 0.055f, 12.92f * color, color <= 0.0031308f);
+            color = math.round(color * 65535);
+
+            float echo = hit.Reflectance * (0.25f + 0.75f * incidence) / (1 + math.lengthsq(distance / 70)) / math.sqrt(count);
+            echo *= 1 + 0.06f * SceneHash.NextNormal(ref random);
+
+            var toGrid = 1 / TerrestrialScan.Step;
+            double pulse = (double)line * RaysPerLine + ray;
+            return new ScanReturn
+            {
+                GpsTime = GpsTimeOfStart + (StationNumber - 1) * SecondsPerStation + pulse * SecondsPerPulse,
+                X = (int)math.round(at.x * toGrid),
+                Y = (int)math.round(at.y * toGrid),
+                Z = (int)math.round(at.z * toGrid),
+                Intensity = (ushort)(math.saturate(echo) * 65535),
+                Red = (ushort)color.x,
+                Green = (ushort)color.y,
+                Blue = (ushort)color.z,
+                ScanAngle = (short)math.round(math.degrees(elevation) / 0.006f),
+                Station = StationNumber,
+                ReturnNumber = (byte)number,
+                NumberOfReturns = (byte)count,
+                Classification = hit.Classification,
+            };
+        }
+    }
+}
