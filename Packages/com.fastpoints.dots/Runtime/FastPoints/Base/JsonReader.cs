@@ -1,0 +1,226 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+
+namespace FastPoints.Base
+{
+    /// <summary>
+    /// A strict reader of small JSON texts (RFC 8259): objects become dictionaries, arrays lists, numbers stay text until they
+    /// are asked for as a type, so that 64-bit counts are exact.
+    /// </summary>
+    /// <remarks>Own code because the view side carries no JSON library into a player, and Unity's fills fields of a class without
+    /// telling what was missing or of the wrong type.</remarks>
+    public sealed class JsonReader
+    {
+        const int MaxDepth = 64;
+
+        /// <summary>A number as it was written.</summary>
+        sealed class Number
+        {
+            public string Text;
+        }
+
+        readonly string m_text;
+        int m_at;
+
+        JsonReader(string text)
+        {
+            m_text = text;
+        }
+
+        /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see cref="ToDouble"/>.</returns>
+        /// <exception cref="FormatException">It is no JSON; the message tells where.</exception>
+        public static object Parse(string text)
+        {
+            var reader = new JsonReader(text);
+            object value = reader.Value(0);
+            reader.Space();
+            if (reader.m_at != text.Length)
+                throw reader.Bad("nothing more");
+            return value;
+        }
+
+        /// <summary>A value that must be a whole number in the range of a long.</summary>
+        public static long ToLong(object value) =>
+            value is Number n && long.TryParse(n.Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long result)
+                ? result
+                : throw new FormatException("wanted a whole number, got " + Describe(value));
+
+        /// <summary>A value that must be a number.</summary>
+        public static double ToDouble(object value) =>
+            value is Number n && double.TryParse(n.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double result)
+                ? result
+                : throw new FormatException("wanted a number, got " + Describe(value));
+
+        static string Describe(object value)
+        {
+            switch (value)
+            {
+                case null: return "null";
+                case Number n: return n.Text;
+                case string s: return "\"" + s + "\"";
+                case bool b: return b ? "true" : "false";
+                default: return value is List<object> ? "an array" : "an object";
+            }
+        }
+
+        object Value(int depth)
+        {
+            if (depth > MaxDepth)
+                throw Bad("fewer levels");
+            Space();
+            switch (m_at < m_text.Length ? m_text[m_at] : '\0')
+            {
+                case '{': return Object(depth);
+                case '[': return Array(depth);
+                case '"': return String();
+                case 't': return Word("true", true);
+                case 'f': return Word("false", false);
+                case 'n': return Word("null", null);
+                default: return NumberAt();
+            }
+        }
+
+        Dictionary<string, object> Object(int depth)
+        {
+            var members = new Dictionary<string, object>();
+            m_at++;
+            if (Takes('}'))
+                return members;
+            do
+            {
+                Space();
+                string name = String();
+                Needs(':');
+                if (!members.TryAdd(name, Value(depth + 1)))
+                    throw Bad("one \"" + name + "\"");
+            }
+            while (Takes(','));
+            Needs('}');
+            return members;
+        }
+
+        List<object> Array(int depth)
+        {
+            var items = new List<object>();
+            m_at++;
+            if (Takes(']'))
+                return items;
+            do
+                items.Add(Value(depth + 1));
+            while (Takes(','));
+            Needs(']');
+            return items;
+        }
+
+        string String()
+        {
+            if (m_at >= m_text.Length || m_text[m_at] != '"')
+                throw Bad("a string");
+            m_at++;
+            var result = new StringBuilder();
+            while (m_at < m_text.Length && m_text[m_at] != '"')
+            {
+                char c = m_text[m_at++];
+                if (c < ' ')
+                    throw Bad("no control character");
+                result.Append(c == '\\' ? Escaped() : c);
+            }
+            if (m_at >= m_text.Length)
+                throw Bad("an end of the string");
+            m_at++;
+            return result.ToString();
+        }
+
+        char Escaped()
+        {
+            char c = m_at < m_text.Length ? m_text[m_at++] : '\0';
+            switch (c)
+            {
+                case '"': case '\\': case '/': return c;
+                case 'b': return '\b';
+                case 'f': return '\f';
+                case 'n': return '\n';
+                case 'r': return '\r';
+                case 't': return '\t';
+                case 'u':
+                    if (m_at + 4 <= m_text.Length && ushort.TryParse(m_text.Substring(m_at, 4), NumberStyles.AllowHexSpecifier,
+                        CultureInfo.InvariantCulture, out ushort code))
+                    {
+                        m_at += 4;
+                        return (char)code;
+                    }
+                    break;
+            }
+            throw Bad("an escape");
+        }
+
+        object NumberAt()
+        {
+            int start = m_at;
+            if (m_at < m_text.Length && m_text[m_at] == '-')
+                m_at++;
+            int whole = m_at;
+            bool digits = Digits();
+            if (digits && m_text[whole] == '0' && m_at - whole > 1)
+                digits = false;
+            if (digits && m_at < m_text.Length && m_text[m_at] == '.')
+            {
+                m_at++;
+                digits = Digits();
+            }
+            if (digits && m_at < m_text.Length && (m_text[m_at] == 'e' || m_text[m_at] == 'E'))
+            {
+                m_at++;
+                if (m_at < m_text.Length && (m_text[m_at] == '+' || m_text[m_at] == '-'))
+                    m_at++;
+                digits = Digits();
+            }
+            if (!digits)
+                throw Bad("a value");
+            return new Number { Text = m_text.Substring(start, m_at - start) };
+        }
+
+        bool Digits()
+        {
+            int start = m_at;
+            while (m_at < m_text.Length && m_text[m_at] >= '0' && m_text[m_at] <= '9')
+                m_at++;
+            return m_at > start;
+        }
+
+        object Word(string word, object value)
+        {
+            if (string.CompareOrdinal(m_text, m_at, word, 0, word.Length) != 0)
+                throw Bad("a value");
+            m_at += word.Length;
+            return value;
+        }
+
+        bool Takes(char c)
+        {
+            Space();
+            if (m_at >= m_text.Length || m_text[m_at] != c)
+                return false;
+            m_at++;
+            return true;
+        }
+
+        void Needs(char c)
+        {
+            if (!Takes(c))
+                throw Bad("'" + c + "'");
+        }
+
+        void Space()
+        {
+            while (m_at < m_text.Length && (m_text[m_at] == ' ' || m_text[m_at] == '\n' || m_text[m_at] == '\r' || m_text[m_at] == '\t'))
+                m_at++;
+        }
+
+        FormatException Bad(string wanted) =>
+            new FormatException(string.Format(CultureInfo.InvariantCulture, "at character {0}: wanted {1}, got {2}", m_at, wanted,
+                m_at < m_text.Length ? "'" + m_text[m_at] + "'" : "the end"));
+    }
+}

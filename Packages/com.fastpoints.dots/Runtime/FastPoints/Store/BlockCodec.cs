@@ -1,0 +1,119 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>
+    /// Packs and unpacks columns of a block: the offsets from the column's minimum, each at the width of the largest (frame of
+    /// reference). Any value can be read alone. The layout is that of <see cref="PlaneShape"/>.
+    /// </summary>
+    public static unsafe class BlockCodec
+    {
+        /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int WidthOf(ulong value) => 64 - math.lzcnt(value);
+
+        /// <summary>Writes offsets of up to 32 bits.</summary>
+        /// <param name="words">Room for <see cref="PlaneShape.WordsOf"/>.</param>
+        /// <returns>Words written.</returns>
+        public static int Pack(uint* values, uint minimum, int count, int width, uint* words)
+        {
+            if (width == 0)
+                return 0;
+            uint* at = words;
+            ulong filled = 0;
+            int bits = 0;
+            for (int i = 0; i < count; i++)
+            {
+                filled |= (ulong)(values[i] - minimum) << bits;
+                bits += width;
+                if (bits >= 32)
+                {
+                    *at++ = (uint)filled;
+                    filled >>= 32;
+                    bits -= 32;
+                }
+            }
+            if (bits > 0)
+                *at++ = (uint)filled;
+            return (int)(at - words);
+        }
+
+        /// <summary>Writes offsets of up to 64 bits.</summary>
+        /// <returns>Words written.</returns>
+        public static int PackWide(ulong* values, ulong minimum, int count, int width, uint* words)
+        {
+            if (width == 0)
+                return 0;
+            int lowWidth = math.min(width, 32), highWidth = width - lowWidth;
+            uint* at = words;
+            ulong filled = 0;
+            int bits = 0;
+            for (int i = 0; i < count; i++)
+            {
+                ulong offset = values[i] - minimum;
+                filled |= (ulong)(uint)offset << bits;
+                bits += lowWidth;
+                if (bits >= 32)
+                {
+                    *at++ = (uint)filled;
+                    filled >>= 32;
+                    bits -= 32;
+                }
+                filled |= (offset >> 32) << bits;
+                bits += highWidth;
+                if (bits >= 32)
+                {
+                    *at++ = (uint)filled;
+                    filled >>= 32;
+                    bits -= 32;
+                }
+            }
+            if (bits > 0)
+                *at++ = (uint)filled;
+            return (int)(at - words);
+        }
+
+        /// <summary>Reads a whole column of up to 32 bits.</summary>
+        public static void Unpack(uint* words, uint minimum, int count, int width, uint* values)
+        {
+            if (width == 0)
+            {
+                for (int i = 0; i < count; i++)
+                    values[i] = minimum;
+                return;
+            }
+            byte* bytes = (byte*)words;
+            uint mask = width == 32 ? uint.MaxValue : (1u << width) - 1;
+            int bit = 0;
+            for (int i = 0; i < count; i++, bit += width)
+                values[i] = minimum + ((uint)(*(ulong*)(bytes + (bit >> 3)) >> (bit & 7)) & mask);
+        }
+
+        /// <summary>Reads a whole column of up to 64 bits.</summary>
+        public static void UnpackWide(uint* words, ulong minimum, int count, int width, ulong* values)
+        {
+            byte* bytes = (byte*)words;
+            for (int i = 0; i < count; i++)
+                values[i] = minimum + OffsetAt(bytes, (long)i * width, width);
+        }
+
+        /// <summary>Reads one value of a column.</summary>
+        public static ulong ValueAt(uint* words, ulong minimum, int width, int index) =>
+            minimum + OffsetAt((byte*)words, (long)index * width, width);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static ulong OffsetAt(byte* bytes, long bit, int width)
+        {
+            if (width == 0)
+                return 0;
+            byte* at = bytes + (bit >> 3);
+            int shift = (int)(bit & 7);
+            ulong value = *(ulong*)at >> shift;
+            // A value that starts within a byte and is wider than the rest of eight bytes ends in the ninth.
+            if (shift + width > 64)
+                value |= (ulong)at[8] << (64 - shift);
+            return width == 64 ? value : value & ((1UL << width) - 1);
+        }
+    }
+}

@@ -1,0 +1,266 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>What cloud.json says: everything that is true of the cloud as a whole. Text in, text out, no I/O.</summary>
+    public sealed class CloudManifest
+    {
+        const string FormatName = "fastpoints";
+
+        /// <summary>One file that the cloud was made from.</summary>
+        public struct Source
+        {
+            /// <summary>The file's name, without its folder.</summary>
+            public string Name;
+            public long FileBytes;
+            public long Points;
+        }
+
+        /// <summary>Smallest and largest value of an attribute, scaled as <see cref="PointAttribute"/> says.</summary>
+        public struct Range
+        {
+            public double Min;
+            public double Max;
+        }
+
+        /// <summary>One cloud's files carry one id: files of two builds never mix unseen.</summary>
+        public ulong CloudId;
+
+        /// <summary>Rises by one each time the file is replaced.</summary>
+        public long Generation = 1;
+
+        public long Points;
+
+        /// <summary>Points of the sources without a finite position on the grid.</summary>
+        public long PointsLeftOut;
+
+        /// <summary>Sum of all records' hashes, modulo 2^64: see RecordHash.</summary>
+        public ulong Checksum;
+
+        public CloudGrid Grid;
+        public GridCube Root;
+
+        /// <summary>Grid bounds of the points, both ends included. Meaningless for a cloud without points.</summary>
+        public Grid3 BoundsMin;
+        public Grid3 BoundsMax;
+
+        /// <summary>All attributes but the position.</summary>
+        public PointSchema Attributes;
+
+        /// <summary>By attribute: see <see cref="StoredColumn.Divisor"/>.</summary>
+        public int[] Divisors;
+
+        /// <summary>By attribute.</summary>
+        public Range[] Ranges;
+
+        public int NodeCount;
+        public int ChunkCount;
+        public string Sampler = "random";
+
+        /// <summary>For people: the coordinate system's one-line summary, its well-known text and codes, where known.</summary>
+        public string CrsName;
+        public string CrsWkt;
+        public int CrsEpsg;
+        public int CrsVerticalEpsg;
+
+        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        public double MetresPerUnit;
+
+        public readonly List<Source> Sources = new List<Source>();
+
+        /// <summary>Sizes of the two files beside the chunks, and the hash of all of hierarchy.bin.</summary>
+        public long HierarchyBytes;
+        public ulong HierarchyHash;
+        public long UpperBytes;
+
+        public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
+
+        public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors);
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("format", FormatName).Add("version", StoreFormat.Version)
+                .AddHex("id", CloudId).Add("generation", Generation)
+                .Add("points", Points).Add("pointsLeftOut", PointsLeftOut).AddHex("checksum", Checksum)
+                .Add("nodes", NodeCount).Add("chunks", ChunkCount);
+
+            json.BeginObject("grid").Add("origin", Grid.Origin.x, Grid.Origin.y, Grid.Origin.z)
+                .Add("step", Grid.Step.x, Grid.Step.y, Grid.Step.z).EndObject();
+            json.BeginObject("root").Add("corner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z)
+                .Add("sideLog2", Root.SideLog2).EndObject();
+            json.BeginObject("boundsGrid").Add("min", BoundsMin.X, BoundsMin.Y, BoundsMin.Z)
+                .Add("max", BoundsMax.X, BoundsMax.Y, BoundsMax.Z).EndObject();
+            var geo = BoundsGeo;
+            json.BeginObject("bounds").Add("min", geo.Min.x, geo.Min.y, geo.Min.z).Add("max", geo.Max.x, geo.Max.y, geo.Max.z)
+                .EndObject();
+
+            json.BeginArray("attributes");
+            for (int i = 0; i < Attributes.Count; i++)
+            {
+                json.BeginObject().Add("name", Attributes[i].Name).Add("type", Attributes[i].Type.ToString())
+                    .Add("scale", Attributes[i].Scale).Add("offset", Attributes[i].Offset).Add("divisor", Divisors[i])
+                    .Add("min", Ranges[i].Min).Add("max", Ranges[i].Max).EndObject();
+            }
+            json.EndArray();
+
+            json.BeginObject("crs").Add("name", CrsName).Add("epsg", CrsEpsg).Add("verticalEpsg", CrsVerticalEpsg)
+                .Add("metresPerUnit", MetresPerUnit).Add("wkt", CrsWkt).EndObject();
+            json.BeginObject("settings").Add("sampler", Sampler).EndObject();
+            json.BeginArray("sources");
+            foreach (var source in Sources)
+                json.BeginObject().Add("name", source.Name).Add("bytes", source.FileBytes).Add("points", source.Points).EndObject();
+            json.EndArray();
+            json.BeginObject("files").Add("hierarchyBytes", HierarchyBytes).AddHex("hierarchyHash", HierarchyHash)
+                .Add("upperBytes", UpperBytes).EndObject();
+            return json.EndObject().ToString();
+        }
+
+        /// <exception cref="PointCloudException">It is no cloud's JSON, or a member is missing or senseless: it names it.</exception>
+        public static CloudManifest FromJson(string text, string path)
+        {
+            string member = "";
+            try
+            {
+                return Read((Dictionary<string, object>)JsonReader.Parse(text), ref member);
+            }
+            catch (Exception e) when (e is FormatException || e is InvalidCastException || e is KeyNotFoundException ||
+                e is OverflowException)
+            {
+                throw new PointCloudException(FailureCode.BadInput, path, -1,
+                    (member.Length > 0 ? "\"" + member + "\": " : "") + (e is FormatException ? e.Message : "missing or of the wrong kind"), e);
+            }
+            catch (NotSupportedException e)
+            {
+                throw new PointCloudException(FailureCode.Unsupported, path, -1, e.Message, e);
+            }
+        }
+
+        static CloudManifest Read(Dictionary<string, object> json, ref string member)
+        {
+            object Get(Dictionary<string, object> of, string name, ref string current)
+            {
+                current = name;
+                return of[name];
+            }
+
+            if (!"fastpoints".Equals(Get(json, "format", ref member)))
+                throw new FormatException("wanted \"" + FormatName + "\"");
+            long version = JsonReader.ToLong(Get(json, "version", ref member));
+            if (version != StoreFormat.Version)
+            {
+                throw new NotSupportedException(string.Format(CultureInfo.InvariantCulture,
+                    "cloud format version: wanted {0}, got {1}", StoreFormat.Version, version));
+            }
+
+            var result = new CloudManifest
+            {
+                CloudId = Hex(Get(json, "id", ref member)),
+                Generation = JsonReader.ToLong(Get(json, "generation", ref member)),
+                Points = Count(Get(json, "points", ref member)),
+                PointsLeftOut = Count(Get(json, "pointsLeftOut", ref member)),
+                Checksum = Hex(Get(json, "checksum", ref member)),
+                NodeCount = checked((int)Count(Get(json, "nodes", ref member))),
+                ChunkCount = checked((int)Count(Get(json, "chunks", ref member))),
+            };
+
+            var grid = (Dictionary<string, object>)Get(json, "grid", ref member);
+            result.Grid.Origin = Double3(Get(grid, "origin", ref member));
+            result.Grid.Step = Double3(Get(grid, "step", ref member));
+            if (!math.all(result.Grid.Step > 0) || !math.all(math.isfinite(result.Grid.Step)) || !math.all(math.isfinite(result.Grid.Origin)))
+                throw new FormatException("wanted finite origins and positive steps");
+            var root = (Dictionary<string, object>)Get(json, "root", ref member);
+            result.Root.Corner = Place(Get(root, "corner", ref member));
+            long side = Count(Get(root, "sideLog2", ref member));
+            if (side > GridCube.MaxSideLog2)
+                throw new FormatException("wanted at most " + GridCube.MaxSideLog2 + ", got " + side);
+            result.Root.SideLog2 = (int)side;
+            var bounds = (Dictionary<string, object>)Get(json, "boundsGrid", ref member);
+            result.BoundsMin = Place(Get(bounds, "min", ref member));
+            result.BoundsMax = Place(Get(bounds, "max", ref member));
+
+            var attributes = (List<object>)Get(json, "attributes", ref member);
+            var schema = new List<PointAttribute>();
+            result.Divisors = new int[attributes.Count];
+            result.Ranges = new Range[attributes.Count];
+            for (int i = 0; i < attributes.Count; i++)
+            {
+                var attribute = (Dictionary<string, object>)attributes[i];
+                string name = (string)Get(attribute, "name", ref member);
+                string typeName = (string)Get(attribute, "type", ref member);
+                if (!Enum.TryParse(typeName, false, out AttributeType type) || type.ToString() != typeName)
+                    throw new FormatException("no such type: \"" + typeName + "\"");
+                schema.Add(new PointAttribute(name, type, JsonReader.ToDouble(Get(attribute, "scale", ref member)),
+                    JsonReader.ToDouble(Get(attribute, "offset", ref member))));
+                long divisor = JsonReader.ToLong(Get(attribute, "divisor", ref member));
+                if (divisor < 1 || divisor > ushort.MaxValue || (divisor > 1 && type != AttributeType.UInt16))
+                    throw new FormatException("wanted 1, or up to 65535 for UInt16, got " + divisor);
+                result.Divisors[i] = (int)divisor;
+                result.Ranges[i].Min = DoubleOrNaN(Get(attribute, "min", ref member));
+                result.Ranges[i].Max = DoubleOrNaN(Get(attribute, "max", ref member));
+            }
+            result.Attributes = new PointSchema(schema);
+
+            var crs = (Dictionary<string, object>)Get(json, "crs", ref member);
+            result.CrsName = (string)Get(crs, "name", ref member);
+            result.CrsWkt = (string)Get(crs, "wkt", ref member);
+            result.CrsEpsg = checked((int)JsonReader.ToLong(Get(crs, "epsg", ref member)));
+            result.CrsVerticalEpsg = checked((int)JsonReader.ToLong(Get(crs, "verticalEpsg", ref member)));
+            result.MetresPerUnit = DoubleOrNaN(Get(crs, "metresPerUnit", ref member));
+            var settings = (Dictionary<string, object>)Get(json, "settings", ref member);
+            result.Sampler = (string)Get(settings, "sampler", ref member);
+            foreach (object item in (List<object>)Get(json, "sources", ref member))
+            {
+                var source = (Dictionary<string, object>)item;
+                result.Sources.Add(new Source
+                {
+                    Name = (string)Get(source, "name", ref member),
+                    FileBytes = Count(Get(source, "bytes", ref member)),
+                    Points = Count(Get(source, "points", ref member)),
+                });
+            }
+            var files = (Dictionary<string, object>)Get(json, "files", ref member);
+            result.HierarchyBytes = Count(Get(files, "hierarchyBytes", ref member));
+            result.HierarchyHash = Hex(Get(files, "hierarchyHash", ref member));
+            result.UpperBytes = Count(Get(files, "upperBytes", ref member));
+            return result;
+        }
+
+        static long Count(object value)
+        {
+            long count = JsonReader.ToLong(value);
+            return count >= 0 ? count : throw new FormatException("wanted at least 0, got " + count);
+        }
+
+        static ulong Hex(object value) =>
+            value is string text && text.Length == 16 &&
+            ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
+                ? result
+                : throw new FormatException("wanted 16 hexadecimal digits in a string");
+
+        static double DoubleOrNaN(object value) => value == null ? double.NaN : JsonReader.ToDouble(value);
+
+        static List<object> Three(object value) =>
+            value is List<object> list && list.Count == 3 ? list : throw new FormatException("wanted three numbers");
+
+        static double3 Double3(object value)
+        {
+            var three = Three(value);
+            return new double3(JsonReader.ToDouble(three[0]), JsonReader.ToDouble(three[1]), JsonReader.ToDouble(three[2]));
+        }
+
+        static Grid3 Place(object value)
+        {
+            var three = Three(value);
+            var place = new Grid3(JsonReader.ToLong(three[0]), JsonReader.ToLong(three[1]), JsonReader.ToLong(three[2]));
+            const long limit = 1L << GridCube.MaxSideLog2;
+            if (place != Grid3.Max(Grid3.Min(place, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
+                throw new FormatException("wanted numbers within 2^" + GridCube.MaxSideLog2);
+            return place;
+        }
+    }
+}

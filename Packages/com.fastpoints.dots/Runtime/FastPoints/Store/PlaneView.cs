@@ -1,0 +1,97 @@
+using System.Runtime.CompilerServices;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Store
+{
+    /// <summary>One plane of one node in memory, of which <see cref="IsSound"/> has been asked. Blittable, for jobs.</summary>
+    public unsafe struct PlaneView
+    {
+        [NativeDisableUnsafePtrRestriction] public uint* Words;
+        public PlaneShape Shape;
+        public int BlockCount;
+
+        public PlaneView(void* bytes, PlaneShape shape, int blockCount)
+        {
+            Words = (uint*)bytes;
+            Shape = shape;
+            BlockCount = blockCount;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public uint* Descriptor(int block) => Words + (long)block * Shape.DescriptorWords;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int PointsOf(int block) => (int)(Descriptor(block)[1] >> 24) + 1;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int WidthOf(int block, int column) => (int)(Descriptor(block)[1] >> (column * 8) & 0xFF);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public ulong MinimumOf(int block, int column)
+        {
+            uint* minimum = Descriptor(block) + Shape.MinimumWord(column);
+            return Shape.IsWide(column) ? minimum[0] | (ulong)minimum[1] << 32 : minimum[0];
+        }
+
+        /// <summary>A block's column of 32-bit values.</summary>
+        /// <param name="values">Room for the block's points.</param>
+        public void Unpack(int block, int column, uint* values)
+        {
+            BlockCodec.Unpack(Packed(block, column), (uint)MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
+                values);
+        }
+
+        /// <summary>A block's column, whatever its width.</summary>
+        public void UnpackWide(int block, int column, ulong* values)
+        {
+            BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
+                values);
+        }
+
+        /// <summary>One value.</summary>
+        public ulong ValueAt(int block, int column, int index) =>
+            BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
+
+        uint* Packed(int block, int column)
+        {
+            uint* descriptor = Descriptor(block);
+            uint widths = descriptor[1];
+            int points = (int)(widths >> 24) + 1;
+            long word = descriptor[0];
+            for (int c = 0; c < column; c++)
+                word += PlaneShape.WordsOf(points, (int)(widths >> (c * 8) & 0xFF));
+            return Words + word;
+        }
+
+        /// <summary>
+        /// Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its columns
+        /// can have: what is read from disk is asked this before anything is unpacked.
+        /// </summary>
+        public static bool IsSound(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
+        {
+            long descriptorWords = (long)blockCount * shape.DescriptorWords;
+            if (blockCount < 0 || lengthBytes % PlaneShape.AlignmentBytes != 0 ||
+                PlaneShape.LengthBytes(descriptorWords) > lengthBytes)
+                return false;
+            var plane = new PlaneView(bytes, shape, blockCount);
+            long word = descriptorWords;
+            for (int block = 0; block < blockCount; block++)
+            {
+                uint* descriptor = plane.Descriptor(block);
+                int points = plane.PointsOf(block);
+                if (descriptor[0] != word || points > PlaneShape.MaxPointsPerBlock)
+                    return false;
+                for (int c = 0; c < PlaneShape.MaxColumns; c++)
+                {
+                    int width = plane.WidthOf(block, c);
+                    if (width > (c >= shape.ColumnCount ? 0 : shape.IsWide(c) ? 64 : 32))
+                        return false;
+                    word += PlaneShape.WordsOf(points, width);
+                }
+                if (PlaneShape.LengthBytes(word) > lengthBytes)
+                    return false;
+            }
+            return PlaneShape.LengthBytes(word) == lengthBytes;
+        }
+    }
+}
