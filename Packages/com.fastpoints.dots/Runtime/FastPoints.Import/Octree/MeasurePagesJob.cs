@@ -1,0 +1,37 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Octree
+{
+    /// <summary>The bounds of a chunk's records.</summary>
+    [BurstCompile]
+    public unsafe struct MeasurePagesJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+
+        /// <summary>Smallest, largest: two places.</summary>
+        public NativeArray<Grid3> Bounds;
+
+        public void Execute()
+        {
+            Grid3 min = PointFindings.None.Min, max = PointFindings.None.Max;
+            int stride = Layout.StrideBytes;
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    min = Grid3.Min(min, place);
+                    max = Grid3.Max(max, place);
+                }
+            }
+            Bounds[0] = min;
+            Bounds[1] = max;
+        }
+    }
+}

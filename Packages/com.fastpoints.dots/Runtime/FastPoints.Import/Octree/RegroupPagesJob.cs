@@ -1,0 +1,36 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Octree
+{
+    /// <summary>Distributes one chunk's records over the chunks that it is split into, and frees its pages as they are done.</summary>
+    [BurstCompile]
+    public unsafe struct RegroupPagesJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+        public CellFinder Cells;
+        [ReadOnly] public NativeArray<int> ChunkOfCell;
+        public NativeArray<RecordPages> Chunks;
+
+        public void Execute()
+        {
+            int stride = Layout.StrideBytes;
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            for (var page = Pages.First; page != null;)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]].Append(record, 1, stride);
+                }
+                var next = page->Next;
+                UnsafeUtility.Free(page, Allocator.Persistent);
+                page = next;
+            }
+        }
+    }
+}

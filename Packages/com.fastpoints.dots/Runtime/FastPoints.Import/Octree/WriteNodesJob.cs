@@ -1,0 +1,292 @@
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Octree
+{
+    /// <summary>
+    /// Writes a chunk's file, or the upper levels', in memory: every node's planes, then the table. A chunk's top node is not
+    /// written: its points go to the merge of the upper levels.
+    /// </summary>
+    [BurstCompile]
+    public unsafe struct WriteNodesJob : IJob
+    {
+        /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
+        public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
+
+        public int Count;
+        public RecordLayout Layout;
+
+        /// <summary>The corner of any cube of the octree that has all the points.</summary>
+        public Grid3 Corner;
+        public ulong CloudId;
+        public int Number;
+
+        /// <summary>A chunk: its top is kept out, and the table goes into the file.</summary>
+        public bool IsChunk;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<int> NodeOfPoint;
+        [ReadOnly] public NativeList<NodeDraft> Drafts;
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+
+        /// <summary>By attribute plane: the first of its columns, and one more.</summary>
+        [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
+
+        /// <summary>By attribute plane.</summary>
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>Out: the file. Empty where a chunk has no node but its top.</summary>
+        public NativeList<byte> File;
+
+        /// <summary>Out: the upper levels' table.</summary>
+        public NativeList<byte> Table;
+
+        /// <summary>Out: the top's points as records, in order.</summary>
+        public NativeList<byte> Top;
+
+        /// <summary>Out, by draft: its place in the table, or -1.</summary>
+        public NativeList<int> NodeOfDraft;
+
+        /// <summary>By plane, position first: bytes are added up.</summary>
+        public NativeArray<long> BytesOfPlane;
+
+        [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
+        [NativeDisableUnsafePtrRestriction] int* m_nodeOfDraft;
+        [NativeDisableUnsafePtrRestriction] int* m_draftOfNode;
+        [NativeDisableUnsafePtrRestriction] int* m_firstPointOfDraft;
+        [NativeDisableUnsafePtrRestriction] uint* m_points;
+        int m_nodeCount;
+        PlanePacker m_packer;
+
+        public void Execute()
+        {
+            File.Clear();
+            Table.Clear();
+            Top.Clear();
+            int drafts = Drafts.Length;
+            m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
+            NodeOfDraft.ResizeUninitialized(drafts);
+            m_nodeOfDraft = NodeOfDraft.GetUnsafePtr();
+            m_draftOfNode = Allocate<int>(drafts);
+            m_firstPointOfDraft = Allocate<int>(drafts);
+            m_points = Allocate<uint>(Count);
+            m_packer = new PlanePacker
+            {
+                Records = (byte*)Records.GetUnsafeReadOnlyPtr(),
+                Layout = Layout,
+                Columns = (StoredColumn*)Columns.GetUnsafeReadOnlyPtr(),
+            };
+
+            SortPoints(drafts);
+            int* firstChild = Allocate<int>(drafts);
+            int* childCount = Allocate<int>(drafts);
+            NumberNodes(drafts, firstChild, childCount);
+            if (IsChunk && drafts > 0)
+                CopyTop();
+            if (m_nodeCount > 0)
+                WriteFile(firstChild, childCount);
+
+            UnsafeUtility.Free(childCount, Allocator.Temp);
+            UnsafeUtility.Free(firstChild, Allocator.Temp);
+            UnsafeUtility.Free(m_points, Allocator.Temp);
+            UnsafeUtility.Free(m_firstPointOfDraft, Allocator.Temp);
+            UnsafeUtility.Free(m_draftOfNode, Allocator.Temp);
+        }
+
+        static T* Allocate<T>(int count) where T : unmanaged =>
+            (T*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(T), 16, Allocator.Temp);
+
+        /// <summary>Points of one node together, in their order along the curve.</summary>
+        void SortPoints(int drafts)
+        {
+            int sum = 0;
+            for (int d = 0; d < drafts; d++)
+            {
+                m_firstPointOfDraft[d] = sum;
+                sum += m_drafts[d].Count;
+            }
+            var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < Count; i++)
+                m_points[m_firstPointOfDraft[nodeOfPoint[i]]++] = (uint)i;
+            for (int d = 0; d < drafts; d++)
+                m_firstPointOfDraft[d] -= m_drafts[d].Count;
+        }
+
+        /// <summary>Breadth first by the parents that exist, so that children follow one another.</summary>
+        void NumberNodes(int drafts, int* firstChild, int* childCount)
+        {
+            // Chains of children in the drafts' order.
+            int* firstOf = Allocate<int>(drafts);
+            int* nextOf = Allocate<int>(drafts);
+            for (int d = 0; d < drafts; d++)
+                firstOf[d] = -1;
+            for (int d = drafts - 1; d > 0; d--)
+            {
+                int parent = m_drafts[d].Parent;
+                nextOf[d] = firstOf[parent];
+                firstOf[parent] = d;
+            }
+
+            m_nodeCount = 0;
+            if (drafts > 0)
+            {
+                m_nodeOfDraft[0] = -1;
+                if (IsChunk)
+                    Append(firstOf[0], nextOf);
+                else
+                    m_draftOfNode[m_nodeCount++] = 0;
+            }
+            for (int node = 0; node < m_nodeCount; node++)
+            {
+                int draft = m_draftOfNode[node];
+                m_nodeOfDraft[draft] = node;
+                firstChild[node] = m_nodeCount;
+                Append(firstOf[draft], nextOf);
+                childCount[node] = m_nodeCount - firstChild[node];
+            }
+            UnsafeUtility.Free(nextOf, Allocator.Temp);
+            UnsafeUtility.Free(firstOf, Allocator.Temp);
+        }
+
+        void Append(int draft, int* nextOf)
+        {
+            for (; draft >= 0; draft = nextOf[draft])
+                m_draftOfNode[m_nodeCount++] = draft;
+        }
+
+        void CopyTop()
+        {
+            int stride = Layout.StrideBytes, count = m_drafts[0].Count;
+            Top.ResizeUninitialized(count * stride);
+            byte* to = Top.GetUnsafePtr();
+            for (int i = 0; i < count; i++)
+                UnsafeUtility.MemCpy(to + (long)i * stride, m_packer.Records + (long)m_points[m_firstPointOfDraft[0] + i] * stride, stride);
+        }
+
+        void WriteFile(int* firstChild, int* childCount)
+        {
+            int planes = Shapes.Length + 1;
+            var nodes = Allocate<NodeRecord>(m_nodeCount);
+            var ranges = Allocate<PlaneRange>(m_nodeCount * planes);
+            long points = 0;
+            for (int node = 0; node < m_nodeCount; node++)
+            {
+                nodes[node] = Describe(node, firstChild[node], childCount[node]);
+                points += nodes[node].PointCount;
+            }
+
+            File.ResizeUninitialized(FileHeader.SizeBytes);
+            for (int node = 0; node < m_nodeCount; node++)
+            {
+                if (nodes[node].Host == node)
+                    WriteHost(node, nodes, ranges + (long)node * planes);
+                else
+                    UnsafeUtility.MemClear(ranges + (long)node * planes, (long)planes * sizeof(PlaneRange));
+            }
+
+            var header = new FileHeader
+            {
+                Magic = IsChunk ? StoreFormat.ChunkMagic : StoreFormat.UpperMagic,
+                Version = StoreFormat.Version,
+                Number = Number,
+                PlaneCount = planes,
+                NodeCount = IsChunk ? m_nodeCount : 0,
+                PointCount = points,
+                TableOffset = File.Length,
+                CloudId = CloudId,
+            };
+            var table = IsChunk ? File : Table;
+            int tableStart = table.Length;
+            table.AddRange(nodes, m_nodeCount * sizeof(NodeRecord));
+            table.AddRange(ranges, m_nodeCount * planes * sizeof(PlaneRange));
+            if (IsChunk)
+                header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
+            header.FileBytes = File.Length;
+            header.HeaderHash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
+            *(FileHeader*)File.GetUnsafePtr() = header;
+            UnsafeUtility.Free(ranges, Allocator.Temp);
+            UnsafeUtility.Free(nodes, Allocator.Temp);
+        }
+
+        NodeRecord Describe(int node, int firstChild, int childCount)
+        {
+            var draft = m_drafts[m_draftOfNode[node]];
+            int parent = draft.Parent < 0 ? -1 : m_nodeOfDraft[draft.Parent];
+            bool isGuest = draft.IsLeaf && draft.Count < TinyPoints && parent >= 0;
+            var place = Layout.PlaceOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            long whole = -1L << draft.SideLog2;
+            return new NodeRecord
+            {
+                Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
+                SideLog2 = draft.SideLog2,
+                CellLog2 = draft.CellLog2,
+                Flags = draft.IsLeaf ? NodeRecord.IsLeaf : (byte)0,
+                Parent = parent,
+                FirstChild = childCount > 0 ? firstChild : 0,
+                ChildCount = childCount,
+                PointCount = draft.Count,
+                BlockCount = PlaneShape.BlocksOf(draft.Count),
+                Host = isGuest ? parent : node,
+            };
+        }
+
+        void WriteHost(int host, NodeRecord* nodes, PlaneRange* ranges)
+        {
+            // The node's own points, then each guest's.
+            int first = nodes[host].FirstChild, end = first + nodes[host].ChildCount;
+            var runs = Allocate<PackedRun>(1 + nodes[host].ChildCount);
+            int* nodeOfRun = Allocate<int>(1 + nodes[host].ChildCount);
+            int runCount = 0, blocks = 0;
+            AddRun(host, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            for (int child = first; child < end; child++)
+                if (nodes[child].Host == host)
+                    AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            nodes[host].HostedBlocks = blocks;
+
+            ulong* min = Allocate<ulong>(3 * runCount);
+            ulong* max = Allocate<ulong>(3 * runCount);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
+            BytesOfPlane[0] += ranges[0].LengthBytes;
+            for (int p = 0; p < Shapes.Length; p++)
+            {
+                ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
+                BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+            }
+            for (int r = 0; r < runCount; r++)
+                SetBounds(ref nodes[nodeOfRun[r]], nodes[host].Corner, min + 3 * r, max + 3 * r);
+            UnsafeUtility.Free(max, Allocator.Temp);
+            UnsafeUtility.Free(min, Allocator.Temp);
+            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
+            UnsafeUtility.Free(runs, Allocator.Temp);
+        }
+
+        void AddRun(int node, NodeRecord* nodes, PackedRun* runs, int* nodeOfRun, ref int runCount, ref int blocks)
+        {
+            nodes[node].FirstBlock = blocks;
+            blocks += nodes[node].BlockCount;
+            nodeOfRun[runCount] = node;
+            runs[runCount++] = new PackedRun
+            {
+                Points = m_points + m_firstPointOfDraft[m_draftOfNode[node]],
+                Count = nodes[node].PointCount,
+            };
+        }
+
+        /// <summary>Offsets are from the host's corner, bounds from the node's own.</summary>
+        static void SetBounds(ref NodeRecord node, Grid3 hostCorner, ulong* min, ulong* max)
+        {
+            var corner = node.Corner - hostCorner;
+            int shift = node.BoundsShift;
+            node.MinX = (uint)(min[0] - (ulong)corner.X >> shift);
+            node.MinY = (uint)(min[1] - (ulong)corner.Y >> shift);
+            node.MinZ = (uint)(min[2] - (ulong)corner.Z >> shift);
+            node.MaxX = (uint)(max[0] - (ulong)corner.X >> shift);
+            node.MaxY = (uint)(max[1] - (ulong)corner.Y >> shift);
+            node.MaxZ = (uint)(max[2] - (ulong)corner.Z >> shift);
+        }
+    }
+}
