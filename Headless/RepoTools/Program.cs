@@ -1,7 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.RepoTools.Api;
+using FastPoints.RepoTools.Formats;
+using FastPoints.RepoTools.Hlsl;
+using FastPoints.RepoTools.Meta;
+
 namespace FastPoints.RepoTools
 {
+    /// <summary>Writes, and with --check proves, what in this repository is made from something else.</summary>
     public static class Program
     {
-        public static int Main(string[] args) => args.Length;
+        private const string Usage = """
+            usage: RepoTools VERB [--check] [--root DIR]
+
+              meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
+              api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
+                        (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
+              hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
+              formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
+
+              --check   writes nothing; says what is not as it should be
+              --root    the repository (default: the one that this program was built in)
+
+            Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
+            """;
+
+        /// <summary>Runs one verb; 0, 1 or 2 as the usage says.</summary>
+        public static int Main(string[] args)
+        {
+            string? verb = null;
+            string? root = null;
+            bool check = false;
+            for (int i = 0; i < args.Length; i++)
+            {
+                switch (args[i])
+                {
+                    case "--check":
+                        check = true;
+                        break;
+                    case "--root" when i + 1 < args.Length:
+                        root = args[++i];
+                        break;
+                    case "-h":
+                    case "--help":
+                        Console.WriteLine(Usage);
+                        return 0;
+                    default:
+                        if (verb != null || args[i].StartsWith('-'))
+                            return Misused($"not understood: {args[i]}");
+                        verb = args[i];
+                        break;
+                }
+            }
+            if (verb == null)
+                return Misused("no verb");
+            try
+            {
+                Repository repository = root == null ? Repository.Find() : new Repository(root);
+                return Report(verb, Run(verb, repository, check));
+            }
+            catch (ToolException failure)
+            {
+                Console.Error.WriteLine(failure.Message);
+                return 1;
+            }
+            catch (ArgumentException wrong) when (wrong.ParamName == nameof(verb))
+            {
+                return Misused($"no such verb: {verb}");
+            }
+            catch (IOException failure)
+            {
+                Console.Error.WriteLine(failure.Message);
+                return 1;
+            }
+        }
+
+        private static ToolResult Run(string verb, Repository repository, bool check)
+        {
+            switch (verb)
+            {
+                case "meta":
+                    return new MetaFiles(repository.PackageRoot).Run(check);
+                case "api":
+                    return ApiCommand.Run(repository, check);
+                case "hlsl":
+                    return HlslCommand.Run(repository, check);
+                case "formats":
+                    return FormatCommand.Run(repository);
+                default:
+                    throw new ArgumentException("no such verb", nameof(verb));
+            }
+        }
+
+        private static int Report(string verb, ToolResult result)
+        {
+            foreach (string problem in result.Problems)
+                Console.Error.WriteLine(problem);
+            Console.WriteLine($"{verb}: {result.Summary}" +
+                (result.Problems.Count == 0 ? "" : $"; {result.Problems.Count} problems"));
+            return result.Problems.Count == 0 ? 0 : 1;
+        }
+
+        private static int Misused(string why)
+        {
+            Console.Error.WriteLine(why);
+            Console.Error.WriteLine(Usage);
+            return 2;
+        }
     }
+
+    /// <summary>What a verb did or found: one line, and what is wrong, one line each.</summary>
+    public sealed record ToolResult(string Summary, IReadOnlyList<string> Problems);
 }

@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Mono.Cecil;
+
+namespace FastPoints.RepoTools.Api
+{
+    /// <summary>The package's assemblies as one generation of Unity compiles them, and the stand-ins beside them.</summary>
+    public sealed class GenerationBuilds : IDisposable
+    {
+        private static readonly string[] s_assemblies =
+        {
+            "FastPoints", "FastPoints.Import", "FastPoints.Benchmarks", "FastPoints.Tests",
+        };
+
+        private readonly DefaultAssemblyResolver m_resolver = new DefaultAssemblyResolver();
+
+        public GenerationBuilds(Repository repository, string generation)
+        {
+            Generation = generation;
+            List<string> files = s_assemblies.Select(a => Path.Combine(repository.BuildOf(a, generation), a + ".dll")).ToList();
+            string? absent = files.FirstOrDefault(f => !File.Exists(f));
+            if (absent != null)
+            {
+                throw new ToolException($"{Path.GetRelativePath(repository.Root, absent)} is not there: run " +
+                    "dotnet build Headless/Generations.proj");
+            }
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Tests", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks", generation));
+            foreach (string folder in NetStandardFolders())
+                m_resolver.AddSearchDirectory(folder);
+            Package = files.Select(Read).ToList();
+            StandIns = Directory.GetDirectories(Path.Combine(repository.Headless, "StandIns")).Select(Path.GetFileName)
+                .Select(name => Path.Combine(repository.BuildOf(name!, generation), name + ".dll"))
+                .Where(File.Exists).Select(Read).ToList();
+        }
+
+        public string Generation { get; }
+
+        public IReadOnlyList<ModuleDefinition> Package { get; }
+
+        public IReadOnlyList<ModuleDefinition> StandIns { get; }
+
+        public void Dispose()
+        {
+            foreach (ModuleDefinition module in Package.Concat(StandIns))
+                module.Dispose();
+            m_resolver.Dispose();
+        }
+
+        private ModuleDefinition Read(string file) => ModuleDefinition.ReadModule(file, new ReaderParameters
+        {
+            AssemblyResolver = m_resolver,
+            ReadSymbols = File.Exists(Path.ChangeExtension(file, ".pdb")),
+        });
+
+        /// <summary>Where the SDK keeps netstandard 2.1's reference assemblies; without them .NET's types are taken on trust.</summary>
+        private static IEnumerable<string> NetStandardFolders()
+        {
+            string packages = Environment.GetEnvironmentVariable("NUGET_PACKAGES")
+                ?? Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".nuget", "packages");
+            string inPackages = Path.Combine(packages, "netstandard.library.ref", "2.1.0", "ref", "netstandard2.1");
+            string? dotnet = Path.GetDirectoryName(Environment.ProcessPath);
+            string inSdk = Path.Combine(dotnet ?? "", "packs", "NETStandard.Library.Ref", "2.1.0", "ref", "netstandard2.1");
+            return new[] { inPackages, inSdk }.Where(Directory.Exists);
+        }
+    }
+}

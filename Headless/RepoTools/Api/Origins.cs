@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Mono.Cecil;
+
+namespace FastPoints.RepoTools.Api
+{
+    /// <summary>Whose an assembly is, and what Unity calls the one that a line of the list is in.</summary>
+    public static class Origins
+    {
+        private static readonly string[] s_notUnity =
+        {
+            "netstandard", "mscorlib", "System", "nunit.framework", "Newtonsoft.Json",
+        };
+
+        /// <summary>The assembly that a type is declared in, by name.</summary>
+        public static string AssemblyOf(TypeReference type)
+        {
+            IMetadataScope scope = type.GetElementType().Scope;
+            return scope is ModuleDefinition module ? module.Assembly.Name.Name : scope.Name;
+        }
+
+        /// <summary>.NET's, the package's own, or a library's that Unity does not publish.</summary>
+        public static bool IsUnity(string assembly) =>
+            !s_notUnity.Contains(assembly) && !assembly.StartsWith("System.", StringComparison.Ordinal)
+            && !assembly.StartsWith("FastPoints", StringComparison.Ordinal) && !assembly.StartsWith("Microsoft.", StringComparison.Ordinal);
+
+        /// <summary>What there is in Unity that is not Unity's.</summary>
+        public static bool IsThereInUnity(string assembly) =>
+            s_notUnity.Contains(assembly) || assembly.StartsWith("FastPoints", StringComparison.Ordinal);
+
+        /// <summary>The list's "A|B" (moved from A to B), UnityEngine:Core and so on, as names of assemblies.</summary>
+        public static IEnumerable<string> AssembliesOf(ApiRow row)
+        {
+            foreach (string part in row.Assembly.Split('|'))
+            {
+                int colon = part.IndexOf(':');
+                yield return colon < 0 ? part : part[..colon] + "." + part[(colon + 1)..] + "Module";
+            }
+        }
+
+        /// <summary>The package assembly that an asmdef must reference to name it; null for the engine's own.</summary>
+        public static string? ReferenceFor(ApiRow row) => row.Assembly.Split('|').FirstOrDefault(p => !p.Contains(':'));
+
+        public static bool IsEditor(ApiRow row) =>
+            row.Has("editor-only") || row.Assembly.StartsWith("UnityEditor:", StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,46 @@
+using System;
+using System.IO;
+
+namespace FastPoints.RepoTools
+{
+    /// <summary>Where things lie in a checkout.</summary>
+    public sealed class Repository
+    {
+        /// <summary>Unity's generations that the package is built for, oldest first.</summary>
+        public static readonly string[] Generations = { "6000.0", "6000.3", "6000.5" };
+
+        public Repository(string root)
+        {
+            Root = Path.GetFullPath(root);
+        }
+
+        public string Root { get; }
+
+        public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
+
+        public string Headless => Path.Combine(Root, "Headless");
+
+        public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
+
+        /// <summary>The full list of Unity's signatures; it may be absent.</summary>
+        public string FullApi => Path.Combine(DataRoot, "unity-api");
+
+        private string DataRoot =>
+            Environment.GetEnvironmentVariable("FASTPOINTS_DATA") ?? Path.Combine(Root, "..", "shared");
+
+        /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
+        public string BuildOf(string assembly, string generation) =>
+            Path.Combine(Headless, "artifacts", "bin", assembly, "unity-" + generation);
+
+        /// <summary>The checkout that this program was built in.</summary>
+        public static Repository Find()
+        {
+            for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)
+            {
+                if (File.Exists(Path.Combine(folder.FullName, "Packages", "com.fastpoints.dots", "package.json")))
+                    return new Repository(folder.FullName);
+            }
+            throw new ToolException($"no repository above {AppContext.BaseDirectory}; give it with --root");
+        }
+    }
+}
