@@ -43,7 +43,7 @@ namespace FastPoints.Files
         static readonly Kind[] s_kinds =
         {
             new Kind("LASF", LasReader.Open),
-            new Kind("ply", source => PlyReader.Open(source.Path)),
+            new Kind("ply", PlyReader.Open),
             new Kind("an E57 file", "ASTM-E57"),
             new Kind("a PCD file", "# .PCD"),
             new Kind("a PCD file", "VERSION .7"),
