@@ -1,0 +1,61 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Points
+{
+    /// <summary>Range of a column's finite values, and the values that given shares of them lie below.</summary>
+    /// <remarks>
+    /// The quantiles are those of at most 65,536 values taken at even distances: the share below one is then right within
+    /// 0.2 % of all values (4 sigma of a binomial at a half), whatever the outliers.
+    /// </remarks>
+    public struct ColumnQuantiles
+    {
+        const int MaxValuesTaken = 65536;
+
+        public ColumnRange Range;
+
+        /// <summary>Values of the column themselves (nearest rank); NaN where it has no finite value.</summary>
+        public double Low;
+        public double High;
+
+        /// <summary>Values that are sorted for a column of this length: the length of the scratch memory.</summary>
+        public static int ValuesTaken(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
+
+        static int Step(int count) => (count - 1) / MaxValuesTaken + 1;
+
+        /// <param name="keys">Scratch memory for <see cref="ValuesTaken"/> values, as is <paramref name="keyScratch"/>.</param>
+        public static unsafe ColumnQuantiles Measure(byte* column, AttributeType type, int count, double scale, double offset,
+            double lowShare, double highShare, ulong* keys, ulong* keyScratch)
+        {
+            var stored = ColumnRange.Measure(column, type, 0, count);
+            double a = stored.Min * scale + offset, b = stored.Max * scale + offset;
+            var found = new ColumnQuantiles { Range = stored, Low = double.NaN, High = double.NaN };
+            if (stored.IsEmpty)
+                return found;
+            found.Range.Min = math.min(a, b);
+            found.Range.Max = math.max(a, b);
+
+            int taken = 0;
+            int step = Step(count);
+            double value;
+            for (long i = 0; i < count; i += step)
+            {
+                ColumnValues.ToDoubles(column, type, (int)i, 1, &value);
+                value = value * scale + offset;
+                if (value - value == 0)
+                    keys[taken++] = ColumnValues.OrderedBits(value);
+            }
+            if (taken == 0)
+            {
+                found.Low = found.Range.Min;
+                found.High = found.Range.Max;
+                return found;
+            }
+            RadixSort.Sort(keys, null, keyScratch, null, taken);
+            found.Low = ColumnValues.FromOrderedBits(keys[Rank(lowShare, taken)]);
+            found.High = ColumnValues.FromOrderedBits(keys[Rank(highShare, taken)]);
+            return found;
+        }
+
+        static int Rank(double share, int count) => (int)math.clamp(share * (count - 1) + 0.5, 0, count - 1);
+    }
+}

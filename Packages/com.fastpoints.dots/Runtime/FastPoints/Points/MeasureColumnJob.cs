@@ -1,0 +1,37 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Points
+{
+    /// <summary>Range and quantiles of one column, of any type, as value = stored * Scale + Offset.</summary>
+    [BurstCompile]
+    public struct MeasureColumnJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Bytes;
+        public PointColumn Column;
+        public int Count;
+        public double Scale;
+        public double Offset;
+
+        /// <summary>Shares of the values that lie below <see cref="ColumnQuantiles.Low"/> and
+        /// <see cref="ColumnQuantiles.High"/>, 0 to 1.</summary>
+        public double LowShare;
+        public double HighShare;
+
+        public NativeReference<ColumnQuantiles> Found;
+
+        public unsafe void Execute()
+        {
+            byte* column = (byte*)Bytes.GetUnsafeReadOnlyPtr() + Column.OffsetBytes;
+            int capacity = ColumnQuantiles.ValuesTaken(Count);
+            var keys = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
+            var scratch = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
+            Found.Value = ColumnQuantiles.Measure(column, Column.Type, Count, Scale, Offset, LowShare, HighShare,
+                (ulong*)keys.GetUnsafePtr(), (ulong*)scratch.GetUnsafePtr());
+            scratch.Dispose();
+            keys.Dispose();
+        }
+    }
+}

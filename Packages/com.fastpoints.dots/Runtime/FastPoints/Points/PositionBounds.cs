@@ -1,0 +1,68 @@
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Points
+{
+    /// <summary>Georeferenced bounds of the finite positions among some points, and how many were not finite.</summary>
+    public struct PositionBounds
+    {
+        public BoundsGeo Bounds;
+
+        /// <summary>Points with a coordinate that is infinite or no number: outside of <see cref="Bounds"/>.</summary>
+        public long NonFinite;
+
+        public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
+
+        public void Include(in PositionBounds other)
+        {
+            Bounds.Include(other.Bounds);
+            NonFinite += other.NonFinite;
+        }
+
+        /// <summary>Includes a run of at most <see cref="ColumnValues.RunLength"/> georeferenced positions.</summary>
+        public unsafe void IncludeRun(double* x, double* y, double* z, int count)
+        {
+            double3 min = Bounds.Min, max = Bounds.Max;
+            for (int i = 0; i < count; i++)
+            {
+                double px = x[i], py = y[i], pz = z[i];
+                if (!IsFinite(px, py, pz))
+                {
+                    NonFinite++;
+                    continue;
+                }
+                min.x = px < min.x ? px : min.x;
+                min.y = py < min.y ? py : min.y;
+                min.z = pz < min.z ? pz : min.z;
+                max.x = px > max.x ? px : max.x;
+                max.y = py > max.y ? py : max.y;
+                max.z = pz > max.z ? pz : max.z;
+            }
+            Bounds = new BoundsGeo(min, max);
+        }
+
+        /// <summary>x - x is 0 for a finite x and NaN for any other.</summary>
+        public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
+
+        /// <summary>The bounds of points <paramref name="first"/> and on, in a batch's memory.</summary>
+        public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
+            int first, int count)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            var found = Empty;
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                columns.LoadGeo(bytes, transform, first + done, run, x, y, z);
+                found.IncludeRun(x, y, z, run);
+            }
+            return found;
+        }
+
+        /// <summary>On the calling thread.</summary>
+        public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
+            Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
+    }
+}

@@ -1,0 +1,52 @@
+using FastPoints.Points;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Points
+{
+    public class MortonTests
+    {
+        [TestCase(0u, 0u, 0u, 0UL)]
+        [TestCase(1u, 0u, 0u, 1UL)]
+        [TestCase(0u, 1u, 0u, 2UL)]
+        [TestCase(0u, 0u, 1u, 4UL)]
+        [TestCase(7u, 7u, 7u, 511UL)]
+        [TestCase(Morton.MaxCoordinate, Morton.MaxCoordinate, Morton.MaxCoordinate, 0x7FFFFFFFFFFFFFFFUL)]
+        [TestCase(1u << 20, 0u, 0u, 1UL << 60)]
+        [TestCase(0u, 0u, 1u << 20, 1UL << 62)]
+        public void Encode_KnownCoordinates_GivesTheirCode(uint x, uint y, uint z, ulong code)
+        {
+            Assert.That(Morton.Encode(x, y, z), Is.EqualTo(code));
+        }
+
+        [Test]
+        public void Encode_EachBit_GoesToItsPlace()
+        {
+            for (int bit = 0; bit < Morton.BitsPerAxis; bit++)
+            {
+                Assert.That(Morton.Spread(1u << bit), Is.EqualTo(1UL << (3 * bit)));
+                Assert.That(Morton.Gather(1UL << (3 * bit)), Is.EqualTo(1u << bit));
+            }
+        }
+
+        [Test]
+        public void Decode_OfEncoded_GivesTheCoordinatesBack()
+        {
+            var random = new Unity.Mathematics.Random(7);
+            for (int i = 0; i < 100_000; i++)
+            {
+                uint x = random.NextUInt() & Morton.MaxCoordinate;
+                uint y = random.NextUInt() & Morton.MaxCoordinate;
+                uint z = random.NextUInt() & Morton.MaxCoordinate;
+                Morton.Decode(Morton.Encode(x, y, z), out uint dx, out uint dy, out uint dz);
+                if (dx != x || dy != y || dz != z)
+                    Assert.Fail(x + ", " + y + ", " + z + " came back as " + dx + ", " + dy + ", " + dz);
+            }
+        }
+
+        [Test]
+        public void Encode_TooManyBits_LeavesThemOut()
+        {
+            Assert.That(Morton.Encode(0xFFFFFFFFu, 0, 0), Is.EqualTo(Morton.Encode(Morton.MaxCoordinate, 0, 0)));
+        }
+    }
+}

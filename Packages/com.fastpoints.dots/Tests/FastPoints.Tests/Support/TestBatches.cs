@@ -1,0 +1,122 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>Batches of points for tests, from arrays.</summary>
+    public static class TestBatches
+    {
+        /// <summary>Positions as float64 columns.</summary>
+        public static PointBatch OfPositions(params double3[] positions)
+        {
+            var batch = New(positions.Length, Xyz(AttributeType.Float64));
+            for (int i = 0; i < positions.Length; i++)
+                for (int axis = 0; axis < 3; axis++)
+                    Set(batch, axis, i, positions[i][axis]);
+            return batch;
+        }
+
+        /// <summary>Positions as float64 columns, with 8-bit colours packed as pictures have them.</summary>
+        public static PointBatch OfColoredPositions(double3[] positions, uint[] colors)
+        {
+            var attributes = Xyz(AttributeType.Float64);
+            attributes.Add(new PointAttribute(AttributeNames.Red, AttributeType.UInt8));
+            attributes.Add(new PointAttribute(AttributeNames.Green, AttributeType.UInt8));
+            attributes.Add(new PointAttribute(AttributeNames.Blue, AttributeType.UInt8));
+            var batch = New(positions.Length, attributes);
+            for (int i = 0; i < positions.Length; i++)
+            {
+                for (int axis = 0; axis < 3; axis++)
+                    Set(batch, axis, i, positions[i][axis]);
+                for (int channel = 0; channel < 3; channel++)
+                    Set(batch, 3 + channel, i, colors[i] >> (8 * channel) & 255);
+            }
+            return batch;
+        }
+
+        /// <summary>A seeded scan: int32 positions on an uneven surface, 16-bit colour, intensity, class; gpstime to be left
+        /// out.</summary>
+        public static PointBatch Scan(int count, uint seed)
+        {
+            var attributes = Xyz(AttributeType.Int32);
+            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            attributes.Add(new PointAttribute(AttributeNames.Classification, AttributeType.UInt8));
+            attributes.Add(new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64));
+            attributes.Add(new PointAttribute(AttributeNames.Red, AttributeType.UInt16));
+            attributes.Add(new PointAttribute(AttributeNames.Green, AttributeType.UInt16));
+            attributes.Add(new PointAttribute(AttributeNames.Blue, AttributeType.UInt16));
+            var batch = New(count, attributes);
+            var random = new Unity.Mathematics.Random(seed);
+            for (int i = 0; i < count; i++)
+            {
+                double x = random.NextDouble(0, 100_000), y = random.NextDouble(0, 60_000);
+                Set(batch, 0, i, Math.Floor(x));
+                Set(batch, 1, i, Math.Floor(y));
+                Set(batch, 2, i, Math.Floor(5000 + 4000 * Math.Sin(x * 1e-4) * Math.Cos(y * 2e-4)));
+                Set(batch, 3, i, random.NextInt(10, 4000));
+                Set(batch, 4, i, random.NextInt(0, 20));
+                Set(batch, 5, i, i * 0.25);
+                for (int channel = 0; channel < 3; channel++)
+                    Set(batch, 6 + channel, i, random.NextInt(0, 65536));
+            }
+            return batch;
+        }
+
+        public static List<PointAttribute> Xyz(AttributeType type) => new List<PointAttribute>
+        {
+            new PointAttribute(AttributeNames.X, type),
+            new PointAttribute(AttributeNames.Y, type),
+            new PointAttribute(AttributeNames.Z, type),
+        };
+
+        public static PointBatch New(int count, IEnumerable<PointAttribute> attributes) =>
+            new PointBatch(new PointSchema(attributes), Math.Max(1, count), Allocator.Persistent) { Count = count };
+
+        /// <summary>One value of a column of any type.</summary>
+        public static void Set(PointBatch batch, int column, int index, double value)
+        {
+            switch (batch.Schema[column].Type)
+            {
+                case AttributeType.UInt8:
+                    Put(batch, column, index, (byte)value);
+                    break;
+                case AttributeType.Int8:
+                    Put(batch, column, index, (sbyte)value);
+                    break;
+                case AttributeType.UInt16:
+                    Put(batch, column, index, (ushort)value);
+                    break;
+                case AttributeType.Int16:
+                    Put(batch, column, index, (short)value);
+                    break;
+                case AttributeType.UInt32:
+                    Put(batch, column, index, (uint)value);
+                    break;
+                case AttributeType.Int32:
+                    Put(batch, column, index, (int)value);
+                    break;
+                case AttributeType.UInt64:
+                    Put(batch, column, index, (ulong)value);
+                    break;
+                case AttributeType.Int64:
+                    Put(batch, column, index, (long)value);
+                    break;
+                case AttributeType.Float32:
+                    Put(batch, column, index, (float)value);
+                    break;
+                default:
+                    Put(batch, column, index, value);
+                    break;
+            }
+        }
+
+        public static void Put<T>(PointBatch batch, int column, int index, T value) where T : unmanaged
+        {
+            var values = batch.Column<T>(column);
+            values[index] = value;
+        }
+    }
+}
