@@ -1,0 +1,80 @@
+using System;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>
+    /// Where a picture is taken from: a place and three axes in georeferenced space, perspective or orthographic. There is no
+    /// near and no far plane; a perspective camera sees what lies in front of it, an orthographic one what lies along its
+    /// axis, behind it too.
+    /// </summary>
+    public struct Camera
+    {
+        public double3 EyeGeo;
+
+        /// <summary>Unit vectors; right, up and forward are those of the picture (forward goes into it).</summary>
+        public double3 Right;
+        public double3 Up;
+        public double3 Forward;
+
+        public bool IsOrthographic;
+
+        /// <summary>Vertical field of view of a perspective camera, in radians.</summary>
+        public double FovRadians;
+
+        /// <summary>Height of what an orthographic camera sees, in CRS units.</summary>
+        public double HeightGeo;
+
+        /// <param name="fovDegrees">Vertical field of view, more than 0 and less than 180 degrees.</param>
+        /// <param name="up">Any direction that is not the line of sight.</param>
+        public static Camera Perspective(double3 eyeGeo, double3 targetGeo, double3 up, double fovDegrees)
+        {
+            if (!(fovDegrees > 0 && fovDegrees < 180))
+                throw new ArgumentOutOfRangeException(nameof(fovDegrees), fovDegrees, "wanted more than 0 and less than 180");
+            var camera = Looking(eyeGeo, targetGeo - eyeGeo, up);
+            camera.FovRadians = math.radians(fovDegrees);
+            return camera;
+        }
+
+        /// <param name="heightGeo">Height of what the picture shows, in CRS units; more than 0.</param>
+        public static Camera Orthographic(double3 eyeGeo, double3 targetGeo, double3 up, double heightGeo)
+        {
+            if (!(heightGeo > 0))
+                throw new ArgumentOutOfRangeException(nameof(heightGeo), heightGeo, "wanted more than 0");
+            var camera = Looking(eyeGeo, targetGeo - eyeGeo, up);
+            camera.IsOrthographic = true;
+            camera.HeightGeo = heightGeo;
+            return camera;
+        }
+
+        /// <summary>A direction without length becomes +Y; an up along the line of sight, the axis farthest from it.</summary>
+        static Camera Looking(double3 eyeGeo, double3 direction, double3 up)
+        {
+            var forward = Unit(direction, new double3(0, 1, 0));
+            up = Unit(up, new double3(0, 0, 1));
+            if (math.abs(math.dot(forward, up)) > 1 - 1e-12)
+            {
+                var along = math.abs(forward);
+                up = along.y <= along.x && along.y <= along.z ? new double3(0, 1, 0)
+                    : along.z <= along.x ? new double3(0, 0, 1)
+                    : new double3(1, 0, 0);
+            }
+            var right = math.normalize(math.cross(forward, up));
+            return new Camera { EyeGeo = eyeGeo, Right = right, Up = math.cross(right, forward), Forward = forward };
+        }
+
+        /// <summary>Divided by its largest component first: lengths near the largest double do not overflow.</summary>
+        static double3 Unit(double3 direction, double3 instead)
+        {
+            double largest = math.cmax(math.abs(direction));
+            return largest > 0 && largest <= double.MaxValue ? math.normalize(direction / largest) : instead;
+        }
+
+        /// <summary>Right, up and forward of the eye, in CRS units.</summary>
+        public double3 ToView(double3 geo)
+        {
+            var fromEye = geo - EyeGeo;
+            return new double3(math.dot(fromEye, Right), math.dot(fromEye, Up), math.dot(fromEye, Forward));
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>From a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
+    public struct ColorMapping
+    {
+        /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
+        public ColorMode Mode;
+
+        /// <summary>Rgb: the three columns. Intensity, Classification: the first is the attribute's.</summary>
+        public PointColumn First;
+        public PointColumn Second;
+        public PointColumn Third;
+
+        /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), kept within 0 and 255.</summary>
+        public double Scale;
+        public double Bias;
+
+        /// <summary>Elevation: weights of the stored x, y and z in the value; the others are 0.</summary>
+        public double3 PositionWeights;
+
+        /// <summary>The mapping for a mode that the batch has the columns for (see <see
+        /// cref="DisplayRanges.Resolve"/>).</summary>
+        public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform)
+        {
+            var schema = batch.Schema;
+            var mapping = new ColorMapping { Mode = mode };
+            switch (mode)
+            {
+                case ColorMode.Rgb:
+                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
+                    mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
+                    mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
+                    mapping.Scale = ranges.Color == ColorDepth.Unit ? 255 : ranges.Color == ColorDepth.Bits16 ? 1 / 256.0 : 1;
+                    mapping.Bias = ranges.Color == ColorDepth.Unit ? 0.5 : 0;
+                    break;
+                case ColorMode.Intensity:
+                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Intensity));
+                    mapping.SetRange(ranges.IntensityLow, ranges.IntensityHigh);
+                    break;
+                case ColorMode.Classification:
+                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Classification));
+                    mapping.Scale = 1;
+                    break;
+                default:
+                    int axis = (int)ranges.UpAxis;
+                    mapping.SetRange(ranges.ElevationLow, ranges.ElevationHigh);
+                    mapping.Bias += transform.Offset[axis] * mapping.Scale;
+                    var weights = new double3(0, 0, 0);
+                    weights[axis] = transform.Scale[axis];
+                    mapping.PositionWeights = weights;
+                    break;
+            }
+            return mapping;
+        }
+
+        /// <summary>Low becomes entry 0 and high entry 255; one value alone becomes the middle.</summary>
+        void SetRange(double low, double high)
+        {
+            double extent = high - low;
+            bool varies = extent > 0 && extent <= double.MaxValue;
+            Scale = varies ? (Palettes.Length - 1) / extent : 0;
+            Bias = varies ? 0.5 - low * Scale : Palettes.Length / 2;
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using Unity.Collections;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Tables of 256 sRGB colours, one byte each from the lowest: red, green, blue, alpha.</summary>
+    public static class Palettes
+    {
+        public const int Length = 256;
+
+        /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
+        /// none.</summary>
+        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator)
+        {
+            var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < Length; i++)
+            {
+                double share = i / (Length - 1.0);
+                switch (mode)
+                {
+                    case ColorMode.Elevation:
+                        palette[i] = Viridis(share);
+                        break;
+                    case ColorMode.Classification:
+                        palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
+                        break;
+                    default:
+                        palette[i] = Gray(share);
+                        break;
+                }
+            }
+            return palette;
+        }
+
+        public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
+            red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
+
+        /// <summary>Grey of a share of white's light: linear in light, then encoded as sRGB (IEC 61966-2-1).</summary>
+        public static uint Gray(double light)
+        {
+            double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
+            byte value = ToByte(encoded);
+            return Pack(value, value, value);
+        }
+
+        /// <summary>
+        /// Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree six over
+        /// its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is interpolated.
+        /// </summary>
+        public static uint Viridis(double share)
+        {
+            double red = Polynomial(share, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
+            double green = Polynomial(share, 0.00540734, 1.40461353, 0.21484756, -5.79910097, 14.17993337, -13.74514538,
+                4.64585261);
+            double blue = Polynomial(share, 0.33409981, 1.38459016, 0.09509516, -19.33244096, 56.69055260, -65.35303263,
+                26.31243525);
+            return Pack(ToByte(red), ToByte(green), ToByte(blue));
+        }
+
+        static double Polynomial(double x, double c0, double c1, double c2, double c3, double c4, double c5, double c6) =>
+            c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6)))));
+
+        static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
+
+        /// <summary>By ASPRS class number (LAS 1.4 R15, table 17), colours as viewers usually have them; the last one is for all
+        /// that are reserved or the user's.</summary>
+        static readonly uint[] s_classes =
+        {
+            Pack(160, 160, 160), // 0 created, never classified
+            Pack(200, 200, 200), // 1 unclassified
+            Pack(165, 125, 80),  // 2 ground
+            Pack(125, 190, 90),  // 3 low vegetation
+            Pack(70, 155, 60),   // 4 medium vegetation
+            Pack(25, 110, 40),   // 5 high vegetation
+            Pack(225, 120, 85),  // 6 building
+            Pack(255, 0, 255),   // 7 low point (noise)
+            Pack(235, 225, 95),  // 8 model key point
+            Pack(60, 130, 215),  // 9 water
+            Pack(150, 100, 160), // 10 rail
+            Pack(105, 105, 115), // 11 road surface
+            Pack(245, 235, 200), // 12 overlap
+            Pack(240, 205, 60),  // 13 wire guard
+            Pack(255, 165, 0),   // 14 wire conductor
+            Pack(190, 70, 140),  // 15 transmission tower
+            Pack(255, 215, 130), // 16 wire connector
+            Pack(130, 160, 190), // 17 bridge deck
+            Pack(255, 60, 60),   // 18 high noise
+            Pack(200, 170, 110), // 19 overhead structure
+            Pack(120, 95, 70),   // 20 ignored ground
+            Pack(235, 245, 255), // 21 snow
+            Pack(180, 80, 80),   // 22 temporal exclusion
+            Pack(140, 200, 200), // others
+        };
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Picture
+{
+    /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. Owned by whoever made it; main thread.</summary>
+    public sealed class PictureCanvas : IDisposable
+    {
+        /// <summary>Both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
+        public const int MaxEdgePx = 16384;
+        const long MaxPixels = 1L << 27;
+
+        NativeArray<ulong> m_pixels;
+        NativeArray<uint> m_colors;
+        NativeArray<uint> m_palette;
+        NativeArray<int> m_coverage;
+
+        public PictureCanvas(int widthPx, int heightPx, Allocator allocator)
+        {
+            if (widthPx < 1 || heightPx < 1 || widthPx > MaxEdgePx || heightPx > MaxEdgePx ||
+                (long)widthPx * heightPx > MaxPixels)
+                throw new ArgumentOutOfRangeException(nameof(widthPx), widthPx + "x" + heightPx,
+                    "wanted edges of 1 to " + MaxEdgePx + " pixels, and at most " + MaxPixels + " pixels");
+            WidthPx = widthPx;
+            HeightPx = heightPx;
+            int pixels = widthPx * heightPx;
+            m_pixels = new NativeArray<ulong>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
+            m_colors = new NativeArray<uint>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
+            m_coverage = new NativeArray<int>(MeasureCoverageJob.Length, allocator);
+            m_palette = Palettes.Create(ColorMode.Rgb, allocator);
+            Clear();
+        }
+
+        public int WidthPx { get; }
+        public int HeightPx { get; }
+
+        /// <summary>Depth and colour: see <see cref="PointDrawing"/>.</summary>
+        public NativeArray<ulong> Pixels => m_pixels;
+
+        /// <summary>256 colours that values are looked up in.</summary>
+        public NativeArray<uint> Palette => m_palette;
+
+        /// <summary>See <see cref="MeasureCoverageJob.TilesByPixels"/>.</summary>
+        public NativeArray<int> Coverage => m_coverage;
+
+        /// <summary>Takes the colours of a mode. No drawing may be in flight.</summary>
+        public void UsePalette(ColorMode mode)
+        {
+            using var palette = Palettes.Create(mode, Allocator.Temp);
+            m_palette.CopyFrom(palette);
+        }
+
+        /// <summary>Takes away all points. No drawing may be in flight.</summary>
+        public unsafe void Clear() =>
+            UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
+
+        /// <summary>Draws some of a batch's points; any number of these may be in flight.</summary>
+        public JobHandle ScheduleDraw(PointBatch points, int first, int count, PointDrawing drawing, JobHandle inputDeps)
+        {
+            return new RasterizePointsJob
+            {
+                Bytes = points.Bytes,
+                Palette = m_palette,
+                Drawing = drawing,
+                First = first,
+                Count = count,
+                Pixels = m_pixels,
+            }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
+        }
+
+        /// <summary>Fills <see cref="Coverage"/>; after all drawing.</summary>
+        public JobHandle ScheduleMeasure(JobHandle inputDeps)
+        {
+            return new MeasureCoverageJob
+            {
+                Pixels = m_pixels,
+                WidthPx = WidthPx,
+                HeightPx = HeightPx,
+                TilesByPixels = m_coverage,
+            }.Schedule(inputDeps);
+        }
+
+        /// <summary>Makes the colours that <see cref="ToImage"/> takes; after all drawing.</summary>
+        /// <param name="background">Red, green, blue, alpha from the lowest byte.</param>
+        /// <param name="edlStrength">0 for no eye-dome lighting; 0.25 is usual.</param>
+        public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps)
+        {
+            return new ResolvePictureJob
+            {
+                Pixels = m_pixels,
+                Projection = drawing.Projection,
+                Background = background,
+                EdlStrength = edlStrength,
+                EdlRadiusPx = Math.Max(1, (int)Math.Round(drawing.SizePx * 0.5)),
+                Colors = m_colors,
+            }.ScheduleParallel(HeightPx, 16, inputDeps);
+        }
+
+        /// <summary>A copy of the resolved colours.</summary>
+        public RgbaImage ToImage()
+        {
+            var image = new RgbaImage(WidthPx, HeightPx);
+            m_colors.Reinterpret<byte>(sizeof(uint)).CopyTo(image.Rgba);
+            return image;
+        }
+
+        public void Dispose()
+        {
+            if (!m_pixels.IsCreated)
+                return;
+            m_pixels.Dispose();
+            m_colors.Dispose();
+            m_coverage.Dispose();
+            m_palette.Dispose();
+        }
+    }
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Globalization;
+
+namespace FastPoints.Picture
+{
+    /// <summary>What a picture should be.</summary>
+    public sealed class PictureOptions
+    {
+        /// <summary>Eye-dome lighting where it is on, and strong enough to read shapes by, not so strong that noise
+        /// shows.</summary>
+        public const float DefaultEdlStrength = 0.25f;
+
+        public int WidthPx = 1280;
+        public int HeightPx = 720;
+
+        /// <summary>Used where <see cref="Camera"/> is null.</summary>
+        public ViewDirection View = ViewDirection.Auto;
+
+        /// <summary>In place of a standard view.</summary>
+        public Camera? Camera;
+
+        public double FovDegrees = CameraFraming.DefaultFovDegrees;
+        public UpAxis UpAxis = UpAxis.Z;
+        public ColorMode Color = ColorMode.Auto;
+
+        /// <summary>In pixels; 0: as large as it takes for surfaces to look closed.</summary>
+        public float PointSizePx;
+
+        /// <summary>Discs in place of squares.</summary>
+        public bool RoundPoints;
+
+        /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
+        public uint Background = Palettes.Pack(24, 26, 30);
+
+        /// <summary>Strength of the eye-dome lighting: 0 for none; negative: 0 for RGB, the default for the others.</summary>
+        public float EdlStrength = -1;
+
+        /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
+        public float EdlFor(ColorMode mode) =>
+            EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
+
+        /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
+        public const string StyleHelp =
+            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS, points=square|round, " +
+            "edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
+
+        /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
+        /// <param name="error">What was wanted, or null.</param>
+        public bool TrySetStyle(string key, string value, out string error)
+        {
+            error = null;
+            float number;
+            switch (key)
+            {
+                case "color":
+                    return TryName(value, out Color, ref error);
+                case "up":
+                    return TryName(value, out UpAxis, ref error);
+                case "size":
+                    if (value == "auto")
+                        PointSizePx = 0;
+                    else if (TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
+                        PointSizePx = number;
+                    else
+                        error = "size: wanted auto or 1 to " + PointDrawing.MaxSizePx + " pixels, got " + value;
+                    break;
+                case "points":
+                    if (value != "square" && value != "round")
+                        error = "points: wanted square or round, got " + value;
+                    RoundPoints = value == "round";
+                    break;
+                case "edl":
+                    if (value == "auto" || value == "on" || value == "off")
+                        EdlStrength = value == "auto" ? -1 : value == "on" ? DefaultEdlStrength : 0;
+                    else if (TryNumber(value, 0, 100, out number))
+                        EdlStrength = number;
+                    else
+                        error = "edl: wanted auto, on, off or a strength, got " + value;
+                    break;
+                case "background":
+                    if (!TryColor(value, out Background))
+                        error = "background: wanted RRGGBB or RRGGBBAA in hexadecimal, got " + value;
+                    break;
+                default:
+                    error = "no such style: " + key + "; there are " + StyleHelp;
+                    break;
+            }
+            return error == null;
+        }
+
+        static bool TryName<T>(string text, out T value, ref string error) where T : struct, Enum
+        {
+            if (text.Length > 0 && char.IsLetter(text[0]) && Enum.TryParse(text, true, out value))
+                return true;
+            value = default;
+            error = "wanted " + string.Join(", ", Enum.GetNames(typeof(T))).ToLowerInvariant() + ", got " + text;
+            return false;
+        }
+
+        static bool TryNumber(string text, float min, float max, out float value) =>
+            float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && value >= min && value <= max;
+
+        static bool TryColor(string text, out uint color)
+        {
+            string hex = text.TrimStart('#');
+            color = 0;
+            if (hex.Length == 6)
+                hex += "FF";
+            if (hex.Length != 8 || !uint.TryParse(hex, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture,
+                out uint value))
+                return false;
+            color = Palettes.Pack((byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value);
+            return true;
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System.Collections.Generic;
+using FastPoints.Points;
+
+namespace FastPoints.Picture
+{
+    /// <summary>What a picture's options come to for one cloud: decided before a point is drawn, from the ranges of a
+    /// sample.</summary>
+    public sealed class PicturePlan
+    {
+        readonly PictureOptions m_options;
+        readonly DisplayRanges m_ranges;
+        readonly PositionTransform m_transform;
+
+        public PicturePlan(PictureOptions options, DisplayRanges ranges, PositionTransform transform)
+        {
+            m_options = options;
+            m_ranges = ranges;
+            m_transform = transform;
+            Mode = ranges.Resolve(options.Color);
+            EdlStrength = options.EdlFor(Mode);
+            SizePx = options.PointSizePx >= 1 ? options.PointSizePx : PointSizing.MinPx;
+            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, options.WidthPx, options.HeightPx,
+                options.UpAxis, options.FovDegrees);
+            Assumptions = new List<string>(ranges.Assumptions);
+            if (options.Color == ColorMode.Auto)
+                Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
+            else if (options.Color != Mode)
+                Assumptions.Add("no " + options.Color.ToString().ToLowerInvariant() + " to colour by: coloured by " +
+                    Mode.ToString().ToLowerInvariant());
+        }
+
+        public Camera Camera { get; }
+
+        /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
+        public ColorMode Mode { get; }
+
+        public float EdlStrength { get; }
+
+        /// <summary>Size of a point in pixels.</summary>
+        public float SizePx { get; set; }
+
+        /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
+        public bool WantsAutoSize => m_options.PointSizePx < 1;
+
+        /// <summary>What was assumed for want of better: a line for people each.</summary>
+        public List<string> Assumptions { get; }
+
+        /// <summary>The drawing of points that lie in batches like this one.</summary>
+        public PointDrawing DrawingOf(PointBatch batch)
+        {
+            return new PointDrawing
+            {
+                Positions = PositionColumns.Of(batch),
+                Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
+                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform),
+                SizePx = SizePx,
+                IsRound = m_options.RoundPoints,
+            };
+        }
+    }
+}

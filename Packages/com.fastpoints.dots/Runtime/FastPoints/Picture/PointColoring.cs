@@ -1,0 +1,54 @@
+using FastPoints.Points;
+
+namespace FastPoints.Picture
+{
+    /// <summary>The colours of a run of points.</summary>
+    public static unsafe class PointColoring
+    {
+        /// <param name="bytes">The batch's memory.</param>
+        /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>
+        /// <param name="x">The run's stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
+        /// <param name="palette">256 colours, one byte each from the lowest: red, green, blue, alpha.</param>
+        public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palette, int first, int count, double* x,
+            double* y, double* z, uint* colors)
+        {
+            double* values = stackalloc double[ColumnValues.RunLength];
+            if (mapping.Mode == ColorMode.Rgb)
+            {
+                for (int i = 0; i < count; i++)
+                    colors[i] = 0xFF000000u;
+                AddChannel(bytes, mapping, mapping.First, first, count, values, 0, colors);
+                AddChannel(bytes, mapping, mapping.Second, first, count, values, 8, colors);
+                AddChannel(bytes, mapping, mapping.Third, first, count, values, 16, colors);
+                return;
+            }
+            if (mapping.Mode == ColorMode.Elevation)
+            {
+                var weights = mapping.PositionWeights;
+                for (int i = 0; i < count; i++)
+                    values[i] = x[i] * weights.x + y[i] * weights.y + z[i] * weights.z;
+                Lookup(values, count, mapping, palette, colors);
+                return;
+            }
+            ColumnValues.ToDoubles(bytes + mapping.First.OffsetBytes, mapping.First.Type, first, count, values);
+            Lookup(values, count, mapping, palette, colors);
+        }
+
+        static void Lookup(double* values, int count, in ColorMapping mapping, uint* palette, uint* colors)
+        {
+            for (int i = 0; i < count; i++)
+                colors[i] = palette[ToIndex(values[i] * mapping.Scale + mapping.Bias)];
+        }
+
+        static void AddChannel(byte* bytes, in ColorMapping mapping, PointColumn column, int first, int count, double* values,
+            int shift, uint* colors)
+        {
+            ColumnValues.ToDoubles(bytes + column.OffsetBytes, column.Type, first, count, values);
+            for (int i = 0; i < count; i++)
+                colors[i] |= (uint)ToIndex(values[i] * mapping.Scale + mapping.Bias) << shift;
+        }
+
+        /// <summary>NaN becomes 0.</summary>
+        static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
+    }
+}

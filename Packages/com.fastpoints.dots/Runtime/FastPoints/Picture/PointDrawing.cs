@@ -1,0 +1,115 @@
+using System.Threading;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>
+    /// How the points of one batch layout are drawn: projection, colours, size. Draws into pixels of 64 bits, depth above
+    /// colour, of which the smallest wins:
+    /// <code>
+    /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
+    ///     depth (ordered)     alpha     blue      green    red
+    /// </code>
+    /// so that a picture depends on no order and on no number of threads; of two points at one depth the smaller colour
+    /// stays. Blittable, for jobs.
+    /// </summary>
+    public struct PointDrawing
+    {
+        /// <summary>What no point was drawn to.</summary>
+        public const ulong EmptyPixel = ulong.MaxValue;
+
+        public const float MaxSizePx = 64;
+
+        public PositionColumns Positions;
+        public PointProjection Projection;
+        public ColorMapping Colors;
+
+        /// <summary>Edge of a point's square, or diameter of its disc: the pixels whose centres lie in it are drawn. At least 1,
+        /// at most <see cref="MaxSizePx"/>.</summary>
+        public float SizePx;
+
+        public bool IsRound;
+
+        /// <summary>Draws points <paramref name="first"/> and on. Any number of threads may draw at once.</summary>
+        /// <param name="bytes">The batch's memory.</param>
+        /// <param name="pixels">Width times height of them, row by row from the top.</param>
+        public readonly unsafe void Draw(byte* bytes, uint* palette, int first, int count, ulong* pixels)
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            uint* colors = stackalloc uint[ColumnValues.RunLength];
+            for (int done = 0; done < count; done += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - done);
+                Positions.Load(bytes, first + done, run, x, y, z);
+                PointColoring.ColorRun(bytes, Colors, palette, first + done, run, x, y, z, colors);
+                if (SizePx <= 1)
+                    DrawPixels(x, y, z, colors, run, pixels);
+                else
+                    DrawSplats(x, y, z, colors, run, pixels);
+            }
+        }
+
+        readonly unsafe void DrawPixels(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        {
+            int width = Projection.WidthPx;
+            double widthPx = width, heightPx = Projection.HeightPx;
+            for (int i = 0; i < count; i++)
+            {
+                if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
+                    continue;
+                if (!(xPx >= 0 && xPx < widthPx && yPx >= 0 && yPx < heightPx))
+                    continue;
+                ulong key = (ulong)PointProjection.DepthToBits(depth) << 32 | colors[i];
+                Lower(pixels + ((long)(int)yPx * width + (int)xPx), key);
+            }
+        }
+
+        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        {
+            int width = Projection.WidthPx, height = Projection.HeightPx;
+            double half = math.min(SizePx, MaxSizePx) * 0.5;
+            for (int i = 0; i < count; i++)
+            {
+                if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
+                    continue;
+                if (!(xPx >= -half && xPx < width + half && yPx >= -half && yPx < height + half))
+                    continue;
+                ulong key = (ulong)PointProjection.DepthToBits(depth) << 32 | colors[i];
+
+                // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
+                int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
+                int right = math.min(width - 1, (int)math.floor(xPx + half - 0.5));
+                int top = math.max(0, (int)math.floor(yPx - half - 0.5) + 1);
+                int bottom = math.min(height - 1, (int)math.floor(yPx + half - 0.5));
+                for (int row = top; row <= bottom; row++)
+                {
+                    double dy = row + 0.5 - yPx;
+                    for (int column = left; column <= right; column++)
+                    {
+                        double dx = column + 0.5 - xPx;
+                        if (IsRound && dx * dx + dy * dy > half * half)
+                            continue;
+                        Lower(pixels + ((long)row * width + column), key);
+                    }
+                }
+            }
+        }
+
+        /// <summary>The smaller of two stays, whatever other threads do. Pixels only ever fall, so a value read too early costs
+        /// one more round; the plain read is whole on 64-bit processors.</summary>
+        static unsafe void Lower(ulong* pixel, ulong key)
+        {
+            ulong seen = *pixel;
+            while (key < seen)
+            {
+                ulong was = (ulong)Interlocked.CompareExchange(ref *(long*)pixel, (long)key, (long)seen);
+                if (was == seen)
+                    return;
+                seen = was;
+            }
+        }
+    }
+}

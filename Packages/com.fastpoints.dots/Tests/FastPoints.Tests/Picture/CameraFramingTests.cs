@@ -1,0 +1,105 @@
+using System;
+using FastPoints.Picture;
+using FastPoints.Points;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Picture
+{
+    public class CameraFramingTests
+    {
+        static readonly BoundsGeo[] s_boxes =
+        {
+            new BoundsGeo(new double3(691_000, 5_335_000, 500), new double3(691_400, 5_335_100, 540)),
+            new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0)),
+            new BoundsGeo(new double3(5e5, 5e6, 1), new double3(5e5, 5e6, 1)),
+            new BoundsGeo(new double3(-1, -1, -1), new double3(1, -1, 300)),
+            new BoundsGeo(new double3(-1e300, -1e300, -1e300), new double3(1e300, 1e300, 1e300)),
+            BoundsGeo.Empty,
+        };
+
+        [Test]
+        public void Frame_AnyBox_ShowsAllCornersAndFillsThePicture()
+        {
+            foreach (var box in s_boxes)
+            {
+                foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
+                {
+                    foreach (UpAxis up in Enum.GetValues(typeof(UpAxis)))
+                    {
+                        var camera = CameraFraming.Frame(view, box, 400, 300, up);
+                        var bounds = box.IsEmpty ? new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0)) : box;
+                        var projection = new PointProjection(camera, PositionTransform.Identity, 400, 300);
+                        double widest = 0;
+                        for (int corner = 0; corner < 8; corner++)
+                        {
+                            Assert.That(projection.Project((corner & 1) == 0 ? bounds.Min.x : bounds.Max.x,
+                                (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y, (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z,
+                                out double x, out double y, out float depth) || depth - depth != 0, Is.True, view + " " + up);
+                            Assert.That(x, Is.InRange(-0.01, 400.01), view + " " + up);
+                            Assert.That(y, Is.InRange(-0.01, 300.01), view + " " + up);
+                            widest = Math.Max(widest, Math.Max(Math.Abs(x - 200) / 200, Math.Abs(y - 150) / 150));
+                        }
+                        if (math.cmax(bounds.Size) > 0)
+                            Assert.That(widest, Is.GreaterThan(0.6), view + " " + up);
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void Frame_Top_HasNorthAtTheTopAndEastAtTheRight()
+        {
+            var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
+            var camera = CameraFraming.Frame(ViewDirection.Top, box, 100, 100, UpAxis.Z);
+            var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
+            projection.Project(0, 0, 5, out double westX, out double southY, out float low);
+            projection.Project(10, 10, 10, out double eastX, out double northY, out float high);
+            Assert.That(eastX, Is.GreaterThan(westX));
+            Assert.That(northY, Is.LessThan(southY));
+            Assert.That(high, Is.LessThan(low));
+        }
+
+        [Test]
+        public void Frame_Front_HasUpAtTheTopAndEastAtTheRight()
+        {
+            var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
+            foreach (UpAxis up in new[] { UpAxis.Z, UpAxis.Y })
+            {
+                var camera = CameraFraming.Frame(ViewDirection.Front, box, 100, 100, up);
+                var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
+                projection.Project(0, 0, 0, out double westX, out double lowY, out _);
+                projection.Project(10, up == UpAxis.Y ? 10 : 0, up == UpAxis.Z ? 10 : 0, out double eastX, out double highY,
+                    out _);
+                Assert.That(eastX, Is.GreaterThan(westX));
+                Assert.That(highY, Is.LessThan(lowY));
+            }
+        }
+
+        [Test]
+        public void Perspective_DegenerateDirections_StillHaveThreeAxes()
+        {
+            var eye = new double3(1, 2, 3);
+            var up = new double3(0, 0, 1);
+            double3[] targets = { eye, eye + up, eye - up, eye + new double3(1e300, 0, 1e300) };
+            foreach (var target in targets)
+            {
+                var camera = Camera.Perspective(eye, target, up, 60);
+                Assert.That(math.length(camera.Right), Is.EqualTo(1).Within(1e-12));
+                Assert.That(math.length(camera.Up), Is.EqualTo(1).Within(1e-12));
+                Assert.That(math.dot(camera.Right, camera.Forward), Is.EqualTo(0).Within(1e-12));
+                Assert.That(math.dot(camera.Up, camera.Forward), Is.EqualTo(0).Within(1e-12));
+                Assert.That(math.dot(math.cross(camera.Right, camera.Forward), camera.Up), Is.EqualTo(1).Within(1e-12));
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(180)]
+        [TestCase(double.NaN)]
+        public void Perspective_FieldOfViewOutOfRange_Throws(double fov)
+        {
+            Assert.That(() => Camera.Perspective(new double3(0, 0, 0), new double3(1, 0, 0), new double3(0, 0, 1), fov),
+                Throws.TypeOf<ArgumentOutOfRangeException>());
+        }
+    }
+}

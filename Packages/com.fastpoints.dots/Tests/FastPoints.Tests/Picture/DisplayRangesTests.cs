@@ -1,0 +1,133 @@
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Picture
+{
+    public class DisplayRangesTests
+    {
+        static DisplayRanges Measure(PointBatch batch)
+        {
+            var ranges = new DisplayRanges();
+            WorkPump.RunToEnd(ranges.Measure(batch, PositionTransform.Identity, UpAxis.Z));
+            return ranges;
+        }
+
+        /// <summary>A few points with one colour, of this type.</summary>
+        static PointBatch Colored(AttributeType type, params double[] values)
+        {
+            var attributes = TestBatches.Xyz(AttributeType.Float32);
+            attributes.Add(new PointAttribute(AttributeNames.Red, type));
+            attributes.Add(new PointAttribute(AttributeNames.Green, type));
+            attributes.Add(new PointAttribute(AttributeNames.Blue, type));
+            var batch = TestBatches.New(values.Length, attributes);
+            for (int i = 0; i < values.Length; i++)
+            {
+                for (int axis = 0; axis < 3; axis++)
+                    TestBatches.Set(batch, axis, i, i + axis);
+                for (int channel = 0; channel < 3; channel++)
+                    TestBatches.Set(batch, 3 + channel, i, channel == 1 ? values[i] : 0);
+            }
+            return batch;
+        }
+
+        [TestCase(AttributeType.UInt8, 200, ColorDepth.Bits8)]
+        [TestCase(AttributeType.UInt16, 255, ColorDepth.Bits8)]
+        [TestCase(AttributeType.UInt16, 256, ColorDepth.Bits16)]
+        [TestCase(AttributeType.UInt16, 65535, ColorDepth.Bits16)]
+        [TestCase(AttributeType.Float32, 1, ColorDepth.Unit)]
+        [TestCase(AttributeType.Float32, 0.25, ColorDepth.Unit)]
+        [TestCase(AttributeType.Float32, 254, ColorDepth.Bits8)]
+        [TestCase(AttributeType.Float64, double.NaN, ColorDepth.None)]
+        [TestCase(AttributeType.UInt16, 0, ColorDepth.None)]
+        [TestCase(AttributeType.Float32, 0, ColorDepth.None)]
+        public void Measure_Colour_DecidesOnceFromTheLargest(AttributeType type, double max, ColorDepth depth)
+        {
+            using var batch = Colored(type, 0, max, 0);
+            var ranges = Measure(batch);
+            Assert.That(ranges.Color, Is.EqualTo(depth));
+            Assert.That(ranges.Resolve(ColorMode.Auto),
+                Is.EqualTo(depth == ColorDepth.None ? ColorMode.Elevation : ColorMode.Rgb));
+            Assert.That(ranges.Resolve(ColorMode.Rgb), Is.EqualTo(ranges.Resolve(ColorMode.Auto)));
+        }
+
+        [Test]
+        public void Measure_EightBitsInSixteen_SaysSo()
+        {
+            using var batch = Colored(AttributeType.UInt16, 10, 255);
+            Assert.That(Measure(batch).Assumptions, Has.Some.Contains("read as 8-bit"));
+        }
+
+        [Test]
+        public void Measure_BlackColour_SaysSo()
+        {
+            using var batch = Colored(AttributeType.UInt16, 0, 0);
+            Assert.That(Measure(batch).Assumptions, Has.Some.Contains("black"));
+        }
+
+        [Test]
+        public void Measure_FewStrays_DoNotSpreadTheRobustBounds()
+        {
+            var positions = new double3[10_000];
+            var random = new Unity.Mathematics.Random(21);
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = random.NextDouble3(new double3(100, 200, 10), new double3(200, 300, 20));
+            positions[17] = new double3(1e9, 250, 1e6);
+            positions[5000] = new double3(150, -1e9, -1e6);
+            using var batch = TestBatches.OfPositions(positions);
+            var ranges = Measure(batch);
+            Assert.That(ranges.Full.Max.x, Is.EqualTo(1e9));
+            Assert.That(ranges.Robust.Max.x, Is.InRange(200, 215));
+            Assert.That(ranges.Robust.Min.y, Is.InRange(185, 200));
+            Assert.That(ranges.ElevationLow, Is.InRange(10, 10.2));
+            Assert.That(ranges.ElevationHigh, Is.InRange(19.8, 20));
+        }
+
+        [Test]
+        public void Measure_IntensityThatVaries_IsUsedBeforeElevation()
+        {
+            using var batch = TestBatches.Scan(5000, 4);
+            var ranges = Measure(batch);
+            Assert.That(ranges.IntensityVaries, Is.True);
+            Assert.That(ranges.IntensityLow, Is.InRange(10, 90));
+            Assert.That(ranges.IntensityHigh, Is.InRange(3900, 4000));
+            Assert.That(ranges.Color, Is.EqualTo(ColorDepth.Bits16));
+            ranges.Color = ColorDepth.None;
+            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Intensity));
+            ranges.IntensityVaries = false;
+            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Elevation));
+            Assert.That(ranges.Resolve(ColorMode.Classification), Is.EqualTo(ColorMode.Classification));
+        }
+
+        [Test]
+        public void Measure_OnePoint_HasBoundsOfThatPoint()
+        {
+            using var batch = TestBatches.OfPositions(new double3(1, 2, 3));
+            var ranges = Measure(batch);
+            Assert.That(ranges.Robust.Min, Is.EqualTo(new double3(1, 2, 3)));
+            Assert.That(ranges.Robust.Max, Is.EqualTo(new double3(1, 2, 3)));
+            Assert.That(ranges.ElevationLow, Is.EqualTo(ranges.ElevationHigh));
+        }
+
+        [Test]
+        public void Measure_NoFinitePosition_HasNoBoundsAndSaysSo()
+        {
+            using var batch = TestBatches.OfPositions(new double3(double.NaN, 0, 0), new double3(0, double.PositiveInfinity, 0));
+            var ranges = Measure(batch);
+            Assert.That(ranges.Full.IsEmpty, Is.True);
+            Assert.That(ranges.Robust.IsEmpty, Is.True);
+            Assert.That(ranges.NonFinite, Is.EqualTo(2));
+            Assert.That(ranges.Assumptions, Has.Some.Contains("no point has a position"));
+        }
+
+        [Test]
+        public void Measure_EmptyBatch_HasNoBounds()
+        {
+            using var batch = TestBatches.OfPositions();
+            Assert.That(Measure(batch).Full.IsEmpty, Is.True);
+        }
+    }
+}
