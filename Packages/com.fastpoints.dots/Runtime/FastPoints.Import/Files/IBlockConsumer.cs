@@ -1,7 +1,6 @@
-using FastPoints.Files;
 using Unity.Jobs;
 
-namespace FastPoints.Pipeline
+namespace FastPoints.Files
 {
     /// <summary>Something done with every block of a source: see <see cref="SourceScan"/>.</summary>
     public interface IBlockConsumer

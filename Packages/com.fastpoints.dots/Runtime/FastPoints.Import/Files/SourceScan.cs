@@ -1,18 +1,32 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
-using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
 
-namespace FastPoints.Pipeline
+namespace FastPoints.Files
 {
     /// <summary>Every point of a source once, block by block, several blocks in flight, in bounded memory.</summary>
     public static class SourceScan
     {
         /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
+
+        /// <summary>Memory that the slots of one scan may take: with it a scan's resident set is bounded, whatever the number of
+        /// cores and the size of the blocks.</summary>
+        public const long MaxSlotBytes = 96L << 20;
+
+        /// <summary>As many slots as <see cref="DefaultSlots"/>, or as fit into <see cref="MaxSlotBytes"/>: a block's columns and its
+        /// bytes in the file.</summary>
+        public static int SlotsFor(PointReader reader, PointSchema wanted)
+        {
+            if (reader.BlockCount == 0)
+                return 1;
+            long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
+            long bytesPerSlot = (long)reader.MaxPointsPerBlock * wanted.BytesPerPoint + fileBytes;
+            return (int)Math.Max(1, Math.Min(DefaultSlots, MaxSlotBytes / Math.Max(1, bytesPerSlot)));
+        }
 
         /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
         /// <param name="slots">Blocks in flight: memory is that of so many blocks.</param>

@@ -1,0 +1,73 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write disjoint places, so
+    /// any number of these may run at once.
+    /// </summary>
+    [BurstCompile]
+    public struct SampleBlockJob : IJob
+    {
+        const int RunLength = ColumnValues.RunLength;
+
+        [ReadOnly] public NativeArray<byte> Block;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+
+        /// <summary>Index of the block's first point over the whole source.</summary>
+        public long FirstPoint;
+
+        public SampleStrata Strata;
+
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+
+        /// <summary>Set to 1 at each place that is written.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+
+        public unsafe void Execute()
+        {
+            long end = FirstPoint + Result.Value.Points;
+            end = end < Strata.Points ? end : Strata.Points;
+            if (end <= FirstPoint)
+                return;
+            int* fromIndex = stackalloc int[RunLength];
+            int* toIndex = stackalloc int[RunLength];
+            int chosen = 0;
+            int last = Strata.StratumOf(end - 1);
+            for (int stratum = Strata.StratumOf(FirstPoint); stratum <= last; stratum++)
+            {
+                long point = Strata.Chosen(stratum);
+                if (point >= FirstPoint && point < end)
+                {
+                    fromIndex[chosen] = (int)(point - FirstPoint);
+                    toIndex[chosen] = stratum;
+                    chosen++;
+                }
+                if (chosen == RunLength || stratum == last)
+                {
+                    CopyRun(fromIndex, toIndex, chosen);
+                    chosen = 0;
+                }
+            }
+        }
+
+        unsafe void CopyRun(int* fromIndex, int* toIndex, int count)
+        {
+            byte* from = (byte*)Block.GetUnsafeReadOnlyPtr();
+            byte* to = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample);
+            for (int column = 0; column < ColumnsOfSample.Length; column++)
+                ColumnCopy.Scatter(from + ColumnsOfBlock[column].OffsetBytes, to + ColumnsOfSample[column].OffsetBytes,
+                    ColumnsOfSample[column].Type.SizeOf(), fromIndex, toIndex, count);
+            byte* filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
+            for (int i = 0; i < count; i++)
+                filled[toIndex[i]] = 1;
+        }
+    }
+}

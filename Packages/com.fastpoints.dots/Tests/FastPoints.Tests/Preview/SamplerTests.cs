@@ -1,0 +1,254 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Preview;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Preview
+{
+    public class SamplerTests
+    {
+        /// <summary>Points whose X is their index, with colour of it.</summary>
+        static PointBatch Numbered(int count)
+        {
+            var attributes = TestBatches.Xyz(AttributeType.Int32);
+            attributes.Add(new PointAttribute(AttributeNames.GpsTime, AttributeType.Float64));
+            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            var batch = TestBatches.New(count, attributes);
+            for (int i = 0; i < count; i++)
+            {
+                TestBatches.Set(batch, 0, i, i);
+                TestBatches.Set(batch, 1, i, -i);
+                TestBatches.Set(batch, 2, i, i % 1000);
+                TestBatches.Set(batch, 4, i, i % 60_000);
+            }
+            return batch;
+        }
+
+        static PreviewSample Uniform(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
+        {
+            using var sampler = new UniformSampler(reader, wanted, seed);
+            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
+            return sampler.TakeSample();
+        }
+
+        static PreviewSample Strided(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
+        {
+            using var sampler = new StridedSampler(reader, wanted, seed);
+            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
+            return sampler.TakeSample();
+        }
+
+        static int[] Indices(PreviewSample sample)
+        {
+            var column = sample.Points.Column<int>(AttributeNames.X);
+            var intensity = sample.Points.Column<ushort>(AttributeNames.Intensity);
+            var indices = new int[sample.Count];
+            for (int i = 0; i < indices.Length; i++)
+            {
+                indices[i] = column[i];
+                Assert.That((int)intensity[i], Is.EqualTo(column[i] % 60_000));
+            }
+            return indices;
+        }
+
+        [TestCase(1)]
+        [TestCase(999)]
+        [TestCase(50_000)]
+        public void Uniform_FewerWanted_TakesExactlyOneOfEachStratum(int wanted)
+        {
+            using var reader = new MemoryPointReader(Numbered(50_000), 3000);
+            using var sample = Uniform(reader, wanted, 3);
+            var indices = Indices(sample);
+            var strata = new SampleStrata(50_000, wanted, 1);
+            Assert.That(indices.Length, Is.EqualTo(wanted));
+            for (int i = 0; i < wanted; i++)
+                Assert.That(strata.StratumOf(indices[i]), Is.EqualTo(i));
+            Assert.That(sample.PointsInSource, Is.EqualTo(50_000));
+            Assert.That(sample.Share, Is.EqualTo(wanted / 50_000.0));
+            Assert.That(sample.IsFullScan, Is.True);
+            Assert.That(sample.Points.Schema.Has(AttributeNames.GpsTime), Is.False);
+        }
+
+        [Test]
+        public void Uniform_MoreWantedThanThere_IsTheWholeSourceInOrder()
+        {
+            using var reader = new MemoryPointReader(Numbered(1234), 100);
+            using var sample = Uniform(reader, 5000, 4);
+            var indices = Indices(sample);
+            Assert.That(indices.Length, Is.EqualTo(1234));
+            for (int i = 0; i < indices.Length; i++)
+                Assert.That(indices[i], Is.EqualTo(i));
+            Assert.That(sample.IsWhole, Is.True);
+            Assert.That(sample.Bounds.Max, Is.EqualTo(new double3(1233, 0, 999)));
+        }
+
+        [Test]
+        public void Samplers_AnySlotsWorkersAndBlocks_ChooseTheSamePoints()
+        {
+            int[] uniform = null, strided = null;
+            foreach (int workers in new[] { 1, 2, 7 })
+            {
+                foreach (int slots in new[] { 1, 2, 9 })
+                {
+                    using var count = new WorkerCount(workers);
+                    using var reader = new MemoryPointReader(Numbered(40_000), 1000 * slots + 17);
+                    using (var sample = Uniform(reader, 3000, slots))
+                    {
+                        uniform ??= Indices(sample);
+                        Assert.That(Indices(sample), Is.EqualTo(uniform));
+                    }
+                    using (var sample = Strided(reader, 3000, slots))
+                    {
+                        strided ??= Indices(sample);
+                        Assert.That(Indices(sample), Is.EqualTo(strided));
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void Samplers_AnotherSeed_ChooseOtherPoints()
+        {
+            using var reader = new MemoryPointReader(Numbered(40_000), 4096);
+            using var one = Uniform(reader, 1000, 2, 1);
+            using var other = Uniform(reader, 1000, 2, 2);
+            Assert.That(Indices(one), Is.Not.EqualTo(Indices(other)));
+        }
+
+        [TestCase(1000)]
+        [TestCase(4097)]
+        [TestCase(70_000)]
+        public void Strided_FewWanted_TakesExactlySoManyInShortRuns(int wanted)
+        {
+            using var reader = new MemoryPointReader(Numbered(400_000), 4096);
+            using var sample = Strided(reader, wanted, 5);
+            var indices = Indices(sample);
+            Assert.That(indices.Length, Is.EqualTo(wanted));
+            int runs = 1, length = 1;
+            for (int i = 1; i < wanted; i++)
+            {
+                Assert.That(indices[i], Is.GreaterThan(indices[i - 1]));
+                length = indices[i] == indices[i - 1] + 1 ? length + 1 : 1;
+                runs += length == 1 ? 1 : 0;
+            }
+            Assert.That(runs, Is.InRange(wanted / 256 * 0.8, wanted / 50 + 1));
+            // Every tenth of the file has its share, give or take two runs.
+            var tenths = new int[10];
+            foreach (int index in indices)
+                tenths[index / 40_000]++;
+            foreach (int tenth in tenths)
+                Assert.That(tenth, Is.EqualTo(wanted / 10).Within(2 * 256));
+            Assert.That(sample.BytesRead, Is.EqualTo((long)wanted * reader.Info.RecordBytes));
+            Assert.That(sample.IsFullScan, Is.False);
+        }
+
+        [Test]
+        public void Strided_NoFixedStride_FallsBackToAScanAndSaysSo()
+        {
+            using var reader = new MemoryPointReader(Numbered(10_000), 1000, fixedStride: false);
+            using var sample = Strided(reader, 100, 2);
+            Assert.That(sample.Count, Is.EqualTo(100));
+            Assert.That(sample.IsFullScan, Is.True);
+            Assert.That(sample.Method, Does.Contain("no fixed stride"));
+        }
+
+        [Test]
+        public void Strided_MostWanted_ScansAndSaysSo()
+        {
+            using var reader = new MemoryPointReader(Numbered(10_000), 1000);
+            using var sample = Strided(reader, 9000, 2);
+            Assert.That(sample.Count, Is.EqualTo(9000));
+            Assert.That(sample.Method, Does.Contain("most of it is wanted"));
+        }
+
+        [Test]
+        public void Samplers_NonFinitePositions_AreLeftOutAndCounted()
+        {
+            var positions = new double3[5000];
+            int bad = 0;
+            for (int i = 0; i < positions.Length; i++)
+            {
+                positions[i] = new double3(i, 1, 2);
+                if (i % 7 != 3)
+                    continue;
+                positions[i][i % 3] = i % 2 == 0 ? double.NaN : double.NegativeInfinity;
+                bad++;
+            }
+            using var reader = new MemoryPointReader(TestBatches.OfPositions(positions), 600);
+            using var sample = Uniform(reader, 10_000, 3);
+            Assert.That(sample.NonFinite, Is.EqualTo(bad));
+            Assert.That(sample.Count, Is.EqualTo(5000 - bad));
+            Assert.That(sample.IsWhole, Is.True);
+            var x = sample.Points.Column<double>(AttributeNames.X);
+            int next = 0;
+            for (int i = 0; i < positions.Length; i++)
+                if (i % 7 != 3)
+                    Assert.That(x[next++], Is.EqualTo(i));
+            Assert.That(sample.Bounds.IsFinite, Is.True);
+        }
+
+        [Test]
+        public void Samplers_SourceThatBreaksOff_GiveWhatIsThere()
+        {
+            using var reader = new MemoryPointReader(Numbered(10_000), 999, true, 4321);
+            using var sample = Uniform(reader, 100_000, 3);
+            Assert.That(sample.Count, Is.EqualTo(4321));
+            Assert.That(sample.PointsInSource, Is.EqualTo(4321));
+            Assert.That(Indices(sample)[4320], Is.EqualTo(4320));
+            using var strided = Strided(reader, 1000, 3);
+            Assert.That(strided.Count, Is.InRange(300, 600));
+            Assert.That(Indices(strided)[strided.Count - 1], Is.LessThan(4321));
+        }
+
+        [Test]
+        public void Samplers_NoPoints_GiveAnEmptySample()
+        {
+            using var reader = new MemoryPointReader(Numbered(0), 1000);
+            using var uniform = Uniform(reader, 100, 2);
+            using var strided = Strided(reader, 100, 2);
+            Assert.That(uniform.Count, Is.EqualTo(0));
+            Assert.That(strided.Count, Is.EqualTo(0));
+            Assert.That(uniform.Bounds.IsEmpty, Is.True);
+        }
+
+        [Test]
+        public void Samplers_SourceWithoutPositions_IsUnsupported()
+        {
+            var batch = TestBatches.New(3, new[] { new PointAttribute("Value", AttributeType.UInt8) });
+            using var reader = new MemoryPointReader(batch, 10);
+            Assert.That(() => new UniformSampler(reader, 10, 1),
+                Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Unsupported));
+        }
+
+        [Test]
+        public void Samplers_CancelledHalfway_FreeWhatTheyHold()
+        {
+            using var reader = new MemoryPointReader(Numbered(50_000), 500);
+            foreach (bool strided in new[] { false, true })
+            {
+                using var uniformSampler = new UniformSampler(reader, 5000, 1);
+                using var stridedSampler = new StridedSampler(reader, 5000, 1);
+                IEnumerator<JobHandle> work = strided ? stridedSampler.Run(4, null) : uniformSampler.Run(4, null);
+                for (int step = 0; step < 10; step++)
+                    Assert.That(work.MoveNext(), Is.True);
+                new WorkPump(work).Cancel();
+                Assert.That(uniformSampler.TakeSample(), Is.Null);
+                Assert.That(stridedSampler.TakeSample(), Is.Null);
+            }
+        }
+
+        [Test]
+        public void MaxPoints_LargestSample_StaysWithinItsMemory()
+        {
+            using var batch = Numbered(1);
+            int most = PreviewSample.MaxPoints(batch.Schema);
+            Assert.That((long)most * (batch.Schema.BytesPerPoint + 1), Is.LessThanOrEqualTo(PreviewSample.MaxBytes));
+            Assert.That(most, Is.GreaterThan(1_000_000));
+        }
+    }
+}
