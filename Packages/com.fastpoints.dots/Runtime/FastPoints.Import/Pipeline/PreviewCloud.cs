@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>
+    /// From an open source to a first picture: find the blocks where need be, take a sample, see what it holds, draw it. Owns the
+    /// sample.
+    /// </summary>
+    public sealed class PreviewCloud : IDisposable
+    {
+        readonly PointReader m_reader;
+        readonly PreviewOptions m_options;
+
+        public PreviewCloud(PointReader reader, PreviewOptions options)
+        {
+            m_reader = reader;
+            m_options = options;
+        }
+
+        public PreviewSample Sample { get; private set; }
+        public DisplayRanges Ranges { get; private set; }
+
+        /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
+        public PicturePlan Plan { get; private set; }
+
+        /// <summary>Null before the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            using (var sampling = TakeSample(progress))
+                while (sampling.MoveNext())
+                    yield return sampling.Current;
+
+            progress?.Begin("draw");
+            using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
+            {
+                canvas.UsePalette(Plan.Mode);
+                using (var size = SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count))
+                    while (size.MoveNext())
+                        yield return size.Current;
+                using (var drawing = SamplePicture.Draw(canvas, Sample.Points, Plan, progress))
+                    while (drawing.MoveNext())
+                        yield return drawing.Current;
+                using (var resolving = SamplePicture.Resolve(canvas, Sample.Points, Plan, m_options.Picture.Background))
+                    while (resolving.MoveNext())
+                        yield return resolving.Current;
+                Image = canvas.ToImage();
+            }
+            progress?.End();
+        }
+
+        /// <summary>Work for a pump: all but the picture.</summary>
+        public IEnumerator<JobHandle> TakeSample(StageProgress progress)
+        {
+            if (!m_reader.BlocksAreKnown)
+            {
+                progress?.Begin("find blocks");
+                using (var finding = m_reader.FindBlocks())
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+            }
+
+            progress?.Begin("sample");
+            if (m_options.Exact)
+            {
+                using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+                {
+                    using (var sampling = uniform.Run(0, progress))
+                        while (sampling.MoveNext())
+                            yield return sampling.Current;
+                    Sample = uniform.TakeSample();
+                }
+            }
+            else
+            {
+                using (var strided = new StridedSampler(m_reader, m_options.Points, m_options.Seed))
+                {
+                    using (var sampling = strided.Run(0, progress))
+                        while (sampling.MoveNext())
+                            yield return sampling.Current;
+                    Sample = strided.TakeSample();
+                }
+            }
+
+            Ranges = new DisplayRanges();
+            using (var measuring = Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis))
+                while (measuring.MoveNext())
+                    yield return measuring.Current;
+            Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
+            if (Sample.NonFinite > 0)
+                Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
+            progress?.End();
+        }
+
+        public void Dispose()
+        {
+            Sample?.Dispose();
+            Sample = null;
+        }
+    }
+}

@@ -1,0 +1,18 @@
+using FastPoints.Picture;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>What <see cref="PreviewCloud"/> should take and show.</summary>
+    public sealed class PreviewOptions
+    {
+        /// <summary>Points of the sample.</summary>
+        public int Points = 1_000_000;
+
+        public uint Seed = 1;
+
+        /// <summary>Choose from a scan of all points, not from short runs.</summary>
+        public bool Exact;
+
+        public PictureOptions Picture = new PictureOptions();
+    }
+}

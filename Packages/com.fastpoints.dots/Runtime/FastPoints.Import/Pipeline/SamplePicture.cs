@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Points;
+using Unity.Jobs;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>A sample drawn in slices.</summary>
+    static class SamplePicture
+    {
+        /// <summary>Points of one slice: about 4 ms of managed code.</summary>
+        const int PointsPerSlice = 1 << 17;
+
+        /// <summary>Work for a pump: draws the points, on top of what the canvas has.</summary>
+        public static IEnumerator<JobHandle> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            StageProgress progress)
+        {
+            var drawing = plan.DrawingOf(points);
+            for (int first = 0; first < points.Count; first += PointsPerSlice)
+            {
+                int count = Math.Min(PointsPerSlice, points.Count - first);
+                var drawn = canvas.ScheduleDraw(points, first, count, drawing, default);
+                try
+                {
+                    yield return drawn;
+                }
+                finally
+                {
+                    drawn.Complete();
+                }
+                progress?.Report((first + count) / (double)points.Count, first + count, 0);
+            }
+        }
+
+        /// <summary>Work for a pump: finds the plan's point size where that is left to us, from the sample drawn with single
+        /// pixels; leaves the canvas empty.</summary>
+        /// <param name="pointsToDraw">Points that the picture will have.</param>
+        public static IEnumerator<JobHandle> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            long pointsToDraw)
+        {
+            canvas.Clear();
+            if (!plan.WantsAutoSize || points.Count == 0)
+                yield break;
+            plan.SizePx = PointSizing.MinPx;
+            using (var drawing = Draw(canvas, points, plan, null))
+                while (drawing.MoveNext())
+                    yield return drawing.Current;
+            var measured = canvas.ScheduleMeasure(default);
+            try
+            {
+                yield return measured;
+            }
+            finally
+            {
+                measured.Complete();
+            }
+            plan.SizePx = PointSizing.Choose(canvas.Coverage, pointsToDraw / (double)points.Count);
+            canvas.Clear();
+        }
+
+        /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        public static IEnumerator<JobHandle> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        {
+            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points), background, plan.EdlStrength, default);
+            try
+            {
+                yield return resolved;
+            }
+            finally
+            {
+                resolved.Complete();
+            }
+        }
+    }
+}
