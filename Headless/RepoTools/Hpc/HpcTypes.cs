@@ -1,0 +1,89 @@
+using System.Collections.Generic;
+using System.Linq;
+using Mono.Cecil;
+
+namespace FastPoints.RepoTools.Hpc
+{
+    /// <summary>Which types Burst can hold in a variable, a field or a parameter.</summary>
+    internal static class HpcTypes
+    {
+        /// <summary>Why a value of that type cannot be; null where it can.</summary>
+        internal static string? Objection(TypeReference type) => Objection(type, new HashSet<string>());
+
+        /// <summary>An array of numbers, which Burst reads (and only reads) from a static readonly field.</summary>
+        internal static bool IsTable(TypeReference type) =>
+            type is ArrayType { IsVector: true } array && array.ElementType.IsValueType && Objection(array.ElementType) == null;
+
+        internal static bool IsException(TypeReference type)
+        {
+            for (TypeDefinition? at = Resolved(type); at != null; at = at.BaseType == null ? null : Resolved(at.BaseType))
+            {
+                if (at.FullName == "System.Exception")
+                    return true;
+            }
+            // Without .NET's own assemblies a name is all there is.
+            return Resolved(type) == null && type.Name.EndsWith("Exception", System.StringComparison.Ordinal);
+        }
+
+        internal static TypeDefinition? Resolved(TypeReference type)
+        {
+            try
+            {
+                return type.Resolve();
+            }
+            catch (AssemblyResolutionException)
+            {
+                return null;
+            }
+        }
+
+        private static string? Objection(TypeReference type, HashSet<string> seen)
+        {
+            switch (type)
+            {
+                case GenericParameter:
+                case PointerType:
+                case FunctionPointerType:
+                    return null;
+                case ByReferenceType reference:
+                    return Objection(reference.ElementType, seen);
+                case ArrayType:
+                    return "a managed array";
+                case PinnedType or IModifierType:
+                    return Objection(((TypeSpecification)type).ElementType, seen);
+            }
+            switch (type.MetadataType)
+            {
+                case MetadataType.Char:
+                    return "a char";
+                case MetadataType.String:
+                    return "a string";
+                case MetadataType.Object:
+                    return "an object";
+            }
+            if (type.FullName == "System.Decimal")
+                return "a decimal";
+            if (!type.IsValueType)
+                return type.MetadataType == MetadataType.Void ? null : $"of the class {type.FullName}";
+            if (type is GenericInstanceType instance
+                && instance.GenericArguments.Select(a => Objection(a, seen)).FirstOrDefault(o => o != null) is { } inArgument)
+                return inArgument;
+            // Unity's and .NET's structs are what their own rules say; a stand-in's fields are not theirs.
+            if (!IsPackage(type) || type.IsPrimitive || !seen.Add(type.FullName))
+                return null;
+            foreach (FieldDefinition field in Resolved(type)?.Fields.Where(f => !f.IsStatic) ?? Enumerable.Empty<FieldDefinition>())
+            {
+                if (Objection(field.FieldType, seen) is { } objection)
+                    return $"{type.Name} with {field.Name}, {objection}";
+            }
+            return null;
+        }
+
+        private static bool IsPackage(TypeReference type)
+        {
+            string assembly = Api.Origins.AssemblyOf(type);
+            return Api.Origins.IsThereInUnity(assembly) && assembly.StartsWith("FastPoints", System.StringComparison.Ordinal)
+                || assembly == "HostTests";
+        }
+    }
+}
