@@ -32,6 +32,12 @@ namespace StandIns.Safety
         {
             if (!s_accessesOfNode.TryGetValue(node->Index, out List<JobAccess> list))
                 s_accessesOfNode.Add(node->Index, list = new List<JobAccess>());
+            // A job that comes after a writer comes after all that the writer waited for: only the last writer and the readers
+            // since are looked at again. In a chain of readers, only the last.
+            if (access.Writes)
+                list.Clear();
+            else
+                list.RemoveAll(other => !other.Writes && access.Record.DependsDirectlyOn(other.Record));
             list.Add(access);
             node->InFlight |= access.Writes ? SafetyNode.WriterInFlight : SafetyNode.ReaderInFlight;
         }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using StandIns.Scheduling;
@@ -18,7 +19,7 @@ namespace StandIns.Safety
         // Grows with time: a job can only depend on smaller ones.
         readonly long m_id = Interlocked.Increment(ref s_lastId);
         JobRecord[] m_dependencies;
-        List<(System.IntPtr Node, JobAccess Access)> m_accesses;
+        List<(IntPtr Node, JobAccess Access)> m_accesses;
         long m_visit;
         bool m_synced;
 
@@ -55,10 +56,12 @@ namespace StandIns.Safety
 
         internal void Add(SafetyNode* node, JobAccess access)
         {
-            (m_accesses ??= new List<(System.IntPtr, JobAccess)>()).Add(((System.IntPtr)node, access));
+            (m_accesses ??= new List<(IntPtr, JobAccess)>()).Add(((IntPtr)node, access));
             access.Record = this;
             InFlightJobs.Add(node, access);
         }
+
+        internal bool DependsDirectlyOn(JobRecord other) => Array.IndexOf(m_dependencies, other) >= 0;
 
         /// <summary>Whether a job that depends on <paramref name="dependency"/> runs after this one.</summary>
         internal bool Precedes(JobHandle dependency)
@@ -106,7 +109,7 @@ namespace StandIns.Safety
                     stack.Push(before);
                 record.m_dependencies = s_none;
                 if (record.m_accesses != null)
-                    foreach ((System.IntPtr node, JobAccess access) in record.m_accesses)
+                    foreach ((IntPtr node, JobAccess access) in record.m_accesses)
                         InFlightJobs.Remove((SafetyNode*)node, access);
                 record.m_accesses = null;
                 JobHandle handle = record.Handle;
