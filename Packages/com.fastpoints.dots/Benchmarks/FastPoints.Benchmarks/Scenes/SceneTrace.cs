@@ -111,7 +111,7 @@ namespace FastPoints.Scenes
             hit.IsLost = luck < 0.6f;
             hit.Reflectance = 0.12f;
             hit.Color = new float3(0.05f, 0.075f, 0.1f);
-            if (luck > 0.85f)
+            if (luck > 0.96f)
             {
                 hit.Distance += 0.3f + 3 * SceneHash.Next(ref random);
                 hit.Color = new float3(0.16f, 0.13f, 0.11f);

@@ -30,6 +30,9 @@ namespace FastPoints.Base
 
         public IReadOnlyList<Stage> Finished => m_finished;
 
+        /// <summary>What the stages that begin from now on are part of: goes before their names. Null for nothing.</summary>
+        public string Group { get; set; }
+
         /// <summary>Name of the stage in progress, or null.</summary>
         public string Current => m_name;
 
@@ -48,7 +51,7 @@ namespace FastPoints.Base
         {
             if (m_name != null)
                 End();
-            m_name = name;
+            m_name = Group == null ? name : Group + ": " + name;
             m_points = 0;
             m_bytes = 0;
             Share = 0;
