@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using FastPoints.Scenes;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>Makes a cloud to try things on, or a larger one of a file.</summary>
+    public sealed class DemoCloudVerb : Verb
+    {
+        readonly Option<string> m_output = new("--output", "-o")
+        {
+            HelpName = "FILE",
+            Required = true,
+            Description = "What to write: .las (1.4, point format 7) or .ply (binary).",
+        };
+        readonly Option<long> m_points = new("--points")
+        {
+            HelpName = "N",
+            Description = "Points, exactly (default: 5,000,000).",
+            DefaultValueFactory = _ => DemoCloud.DefaultPoints,
+        };
+        readonly Option<uint> m_seed = new("--seed")
+        {
+            HelpName = "S",
+            Description = "Another seed is another street; the same seed gives the same bytes, whatever the threads (default: 1).",
+            DefaultValueFactory = _ => 1,
+        };
+        readonly Option<string> m_order = new("--order")
+        {
+            HelpName = "ORDER",
+            Description = "strip: as acquired, station by station and line by line (default); tile: by tiles of 50 m; class: by class; "
+                + "random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
+            DefaultValueFactory = _ => "strip",
+        };
+        readonly Option<string?> m_tile = new("--tile")
+        {
+            HelpName = "FILE",
+            Description = "In place of a scan, repeat this LAS file's points side by side along x, shifted by whole grid steps.",
+        };
+        readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
+
+        public DemoCloudVerb() : base(new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
+            + "colour, intensity, classes, several returns; UTM-sized coordinates), or a larger file of a file."))
+        {
+            Command.Add(m_output);
+            Command.Add(m_points);
+            Command.Add(m_seed);
+            Command.Add(m_order);
+            Command.Add(m_tile);
+            Command.Add(m_times);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints demo-cloud -o demo.las", "5 million points"),
+            ("./fastpoints demo-cloud -o demo.ply --points 200000 --seed 7", "a small one, as PLY"),
+            ("./fastpoints demo-cloud -o big.las --tile demo.las --times 100", "half a billion points"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            string output = parsed.GetRequiredValue(m_output);
+            long written;
+            if (parsed.GetValue(m_tile) is { } tile)
+            {
+                int times = parsed.GetValue(m_times);
+                if (times < 1)
+                    throw new UsageException("--tile wants --times, at least 1");
+                if (!HasExtension(output, ".las"))
+                    throw new UsageException("--tile writes .las files: " + output);
+                run.Inputs.Add(tile);
+                written = LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+            }
+            else
+            {
+                if (parsed.GetValue(m_times) != 0)
+                    throw new UsageException("--times belongs to --tile");
+                written = parsed.GetValue(m_points);
+                if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) || !Enum.IsDefined(order))
+                    throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
+                if (written < 1)
+                    throw new UsageException("--points is at least 1");
+                if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
+                    throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
+                        + Human.Count(DemoCloud.MostOrderedPoints));
+                if (!HasExtension(output, ".las") && !HasExtension(output, ".ply"))
+                    throw new UsageException("--output: wanted a name that ends in .las or .ply, got " + output);
+                DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
+            }
+            long bytes = new FileInfo(output).Length;
+            run.WriteKeys = json =>
+            {
+                json.WriteInteger("points", written);
+                json.WriteInteger("bytes", bytes);
+            };
+            run.Out.WriteLine(output + ": " + Human.Count(written) + " points, " + Human.Bytes(bytes));
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        static bool HasExtension(string path, string extension) =>
+            Path.GetExtension(path).Equals(extension, StringComparison.OrdinalIgnoreCase);
+    }
+}

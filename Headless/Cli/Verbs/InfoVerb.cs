@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using System.Text.Json;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>What files say of themselves, and, with a scan, what they hold.</summary>
+    public sealed class InfoVerb : Verb
+    {
+        readonly Argument<string[]> m_files = new("FILE")
+        {
+            Arity = ArgumentArity.OneOrMore,
+            Description = "Point clouds: LAS, PLY.",
+        };
+        readonly Option<bool> m_scan = new("--scan")
+        {
+            Description = "Decode every point: how many there are, their bounds, each attribute's range and sum.",
+        };
+
+        public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
+            + "system, oddities."))
+        {
+            Command.Add(m_files);
+            Command.Add(m_scan);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints info scan.las", "from the header, whatever the size"),
+            ("./fastpoints info --scan scan.ply --json facts.json", "from every point"),
+            ("./fastpoints info *.las --json - | jq '.files[].points'", "many files, for a script"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            var files = parsed.GetRequiredValue(m_files);
+            bool scan = parsed.GetValue(m_scan);
+            run.Inputs.AddRange(files);
+            var all = new List<SourceFacts>();
+            run.WriteKeys = json => WriteKeys(json, files.Length, all);
+            foreach (string file in files)
+            {
+                using var reader = PointReaders.Open(file);
+                var facts = new SourceFacts(reader);
+                all.Add(facts);
+                if (scan)
+                {
+                    var summarise = new SummariseCloud(reader);
+                    run.Pump(summarise.Run(run.Progress));
+                    facts.Found = summarise.Summary;
+                }
+                facts.Write(run.Out);
+                run.Out.WriteLine();
+                run.Warn(reader.Info, isShown: true);
+            }
+            if (scan)
+                StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        /// <summary>One file's keys stand in the summary itself, those of several in a list.</summary>
+        static void WriteKeys(Utf8JsonWriter json, int files, List<SourceFacts> all)
+        {
+            if (files == 1)
+            {
+                all.FirstOrDefault()?.WriteKeys(json);
+                return;
+            }
+            json.WriteStartArray("files");
+            foreach (var facts in all)
+            {
+                json.WriteStartObject();
+                json.WriteString("input", facts.Info.Path);
+                facts.WriteKeys(json);
+                json.WriteEndObject();
+            }
+            json.WriteEndArray();
+        }
+    }
+}

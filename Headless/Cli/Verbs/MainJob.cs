@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Pipeline;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>What the command does without a verb: everything, for one cloud after the other, and a page about it.</summary>
+    public sealed class MainJob : Verb
+    {
+        readonly Argument<string[]> m_files = new("FILE")
+        {
+            Arity = ArgumentArity.ZeroOrMore,
+            Description = "Point clouds: LAS, PLY. Without one, a street is scanned first (see demo-cloud).",
+        };
+        readonly Option<string?> m_out = new("--out")
+        {
+            HelpName = "DIR",
+            Description = "Where the report goes (default: ./NAME-report; with several files a folder for each, in DIR).",
+        };
+        readonly Option<long> m_points = new("--points")
+        {
+            HelpName = "N",
+            Description = "Points of the scan that is made without a FILE (default: 5,000,000).",
+            DefaultValueFactory = _ => DemoCloud.DefaultPoints,
+        };
+        readonly Option<uint> m_seed = new("--seed")
+        {
+            HelpName = "S",
+            Description = "Seed of that scan (default: 1).",
+            DefaultValueFactory = _ => 1,
+        };
+
+        public MainJob() : base(new RootCommand("Point clouds: says what a file is, draws a sample of it at once and then every point, and "
+            + "writes a page with pictures, facts and times."))
+        {
+            Command.Add(m_files);
+            Command.Add(m_out);
+            Command.Add(m_points);
+            Command.Add(m_seed);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints", "make a scan, and report on it"),
+            ("./fastpoints scan.las", "report on a file, in ./scan-report/"),
+            ("./fastpoints scan.las --out r --json - | jq .preview", "and a summary for scripts"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            var files = parsed.GetValue(m_files) ?? [];
+            string? outFolder = parsed.GetValue(m_out);
+            long points = parsed.GetValue(m_points);
+            if (points < 1)
+                throw new UsageException("--points is at least 1");
+            var reports = new List<Report>();
+            run.WriteKeys = json => WriteKeys(json, Math.Max(1, files.Length), reports);
+            if (files.Length == 0)
+            {
+                string folder = outFolder ?? "demo-report";
+                string demo = Path.Combine(folder, "demo.las");
+                OutputFile.MakeFolder(folder);
+                run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points) + " points into " + demo);
+                run.Out.Flush();
+                DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
+                reports.Add(Report.Make(demo, folder, run));
+            }
+            run.Inputs.AddRange(files);
+            foreach (string file in files)
+            {
+                string own = Path.GetFileNameWithoutExtension(file) + "-report";
+                reports.Add(Report.Make(file, outFolder == null ? own : files.Length == 1 ? outFolder : Path.Combine(outFolder, own), run));
+            }
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
+            run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
+            foreach (var report in reports)
+                run.Out.WriteLine(report.Page);
+        }
+
+        static void WriteKeys(Utf8JsonWriter json, int files, List<Report> reports)
+        {
+            if (files == 1)
+            {
+                reports.FirstOrDefault()?.WriteKeys(json);
+                return;
+            }
+            json.WriteStartArray("files");
+            foreach (var report in reports)
+            {
+                json.WriteStartObject();
+                json.WriteString("input", report.File);
+                report.WriteKeys(json);
+                json.WriteEndObject();
+            }
+            json.WriteEndArray();
+        }
+
+        /// <summary>One cloud's part of the job.</summary>
+        sealed class Report
+        {
+            const int PreviewPoints = 1_000_000;
+
+            public required string File { get; init; }
+            public required string Page { get; init; }
+            public required SourceFacts Facts { get; init; }
+            public required PreviewStep Preview { get; init; }
+            public required DrawStep Picture { get; init; }
+
+            public static Report Make(string file, string folder, CliRun run)
+            {
+                int firstStage = run.Progress.Finished.Count;
+                using var reader = PointReaders.Open(file);
+                var facts = new SourceFacts(reader);
+                facts.Write(run.Out);
+                run.Out.WriteLine();
+                run.Out.Flush();
+                run.Warn(reader.Info, isShown: true);
+                OutputFile.MakeFolder(folder);
+
+                string previewPath = Path.Combine(folder, "preview.png"), picturePath = Path.Combine(folder, "picture.png");
+                var picture = new PictureOptions();
+                run.Progress.Group = "preview";
+                var preview = PreviewStep.Run(reader, new PreviewOptions { Points = PreviewPoints, Picture = picture }, run);
+                OutputFile.Write(previewPath, preview.Png);
+                run.Out.WriteLine("  preview  " + preview.Describe());
+                run.Out.Flush();
+                // The same view, so that the two can be laid over each other.
+                picture.Camera = preview.Camera;
+                run.Progress.Group = "picture";
+                var drawn = DrawStep.Run(reader, picture, 0, run);
+                run.Progress.Group = null;
+                OutputFile.Write(picturePath, drawn.Png);
+                run.Out.WriteLine("  picture  " + drawn.Describe());
+                foreach (string assumption in drawn.Assumptions)
+                    run.Out.WriteLine("           " + assumption);
+                run.Out.WriteLine();
+
+                var page = new ReportPage(Path.GetFileName(file));
+                page.Facts(facts.Lines());
+                foreach (var warning in reader.Info.Warnings)
+                    page.Warning("warning: " + warning);
+                page.Heading("Preview");
+                page.Picture(preview.Png, preview.Describe());
+                page.Heading("Every point");
+                page.Picture(drawn.Png, string.Join("; ", drawn.Assumptions.Prepend(drawn.Describe())));
+                page.Heading("Attributes");
+                page.Table(facts.Attributes());
+                if (reader.Info.Facts.Count > 0)
+                {
+                    page.Heading("Header");
+                    page.Facts(reader.Info.Facts.Select(f => (f.Key, f.Value)));
+                }
+                page.Heading("What took how long");
+                page.Table(StageTable.Of(run.Progress, firstStage));
+                page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
+                string pagePath = Path.Combine(folder, "report.html");
+                OutputFile.Write(pagePath, page.ToBytes());
+                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Picture = drawn };
+            }
+
+            public void WriteKeys(Utf8JsonWriter json)
+            {
+                json.WriteStartObject("info");
+                Facts.WriteKeys(json);
+                json.WriteEndObject();
+                json.WriteStartObject("preview");
+                Preview.WriteKeys(json);
+                json.WriteEndObject();
+                json.WriteStartObject("picture");
+                Picture.WriteKeys(json);
+                json.WriteReal("seconds", Picture.Seconds);
+                json.WriteEndObject();
+                json.WriteString("report", Page);
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Picture;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>A picture of every point.</summary>
+    public sealed class PictureVerb : Verb
+    {
+        readonly Argument<string> m_cloud = new("CLOUD") { Description = "A point cloud: LAS, PLY." };
+        readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+        readonly Option<long> m_budget = new("--budget")
+        {
+            HelpName = "N",
+            Description = "Draw a sample of at most so many points (default: every point).",
+        };
+        readonly Option<string?> m_against = new("--against")
+        {
+            HelpName = "Q.png",
+            Description = "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, uncovered pixels).",
+        };
+        readonly PictureSettings m_picture;
+
+        public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
+        {
+            Command.Add(m_cloud);
+            Command.Add(m_output);
+            m_picture = new PictureSettings(Command);
+            Command.Add(m_budget);
+            Command.Add(m_against);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints picture scan.las -o top.png --view top", "a map"),
+            ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
+            ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            string cloud = parsed.GetRequiredValue(m_cloud), output = parsed.GetRequiredValue(m_output);
+            string? against = parsed.GetValue(m_against);
+            var options = m_picture.Read(parsed);
+            long budget = parsed.GetValue(m_budget);
+            if (budget < 0)
+                throw new UsageException("--budget is at least 1");
+            run.Inputs.Add(cloud);
+            if (against != null)
+                run.Inputs.Add(against);
+            var reference = against != null ? Png.Read(against) : null;
+            if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
+                throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size", options.WidthPx + "x" + options.HeightPx,
+                    reference.Width + "x" + reference.Height);
+
+            using var reader = PointReaders.Open(cloud);
+            run.Warn(reader.Info);
+            var result = DrawStep.Run(reader, options, budget, run);
+            if (reference != null)
+                result.Error = ImageError.Compare(result.Image, reference, options.Background);
+            run.WriteKeys = result.WriteKeys;
+            OutputFile.Write(output, result.Png);
+
+            run.Out.WriteLine(output + ": " + result.Describe());
+            foreach (string assumption in result.Assumptions)
+                run.Out.WriteLine("  " + assumption);
+            if (result.Error is { } error)
+                run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
+                    + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Pipeline;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
+    public sealed class PreviewVerb : Verb
+    {
+        readonly Argument<string> m_file = new("FILE") { Description = "A point cloud: LAS, PLY." };
+        readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+        readonly Option<int> m_points = new("--points")
+        {
+            HelpName = "N",
+            Description = "Points of the sample (default: 1,000,000).",
+            DefaultValueFactory = _ => new PreviewOptions().Points,
+        };
+        readonly Option<bool> m_exact = new("--exact")
+        {
+            Description = "Choose from a scan of all points, not from short runs of them: the reference.",
+        };
+        readonly Option<bool> m_report = new("--report")
+        {
+            Description = "Measure the error: the picture of the sample against that of a sample from a full scan.",
+        };
+        readonly PictureSettings m_picture;
+
+        public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
+        {
+            Command.Add(m_file);
+            Command.Add(m_output);
+            Command.Add(m_points);
+            Command.Add(m_exact);
+            Command.Add(m_report);
+            m_picture = new PictureSettings(Command);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints preview scan.las -o scan.png", "a million points"),
+            ("./fastpoints preview scan.las -o scan.png --report", "and how far it is from the truth"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            string file = parsed.GetRequiredValue(m_file);
+            int points = parsed.GetValue(m_points);
+            if (points < 1)
+                throw new UsageException("--points is at least 1");
+            var options = new PreviewOptions { Points = points, Exact = parsed.GetValue(m_exact), Picture = m_picture.Read(parsed) };
+            run.Inputs.Add(file);
+            using var reader = PointReaders.Open(file);
+            run.Warn(reader.Info);
+            var result = PreviewStep.Run(reader, options, run);
+            string output = parsed.GetRequiredValue(m_output);
+            OutputFile.Write(output, result.Png);
+            if (parsed.GetValue(m_report))
+                result.Error = Compare(reader, options, result, run);
+            run.WriteKeys = json => result.WriteKeys(json);
+
+            run.Out.WriteLine(output + ": " + result.Describe());
+            if (result.Error is { } error)
+                run.Out.WriteLine("error against a full scan: PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
+                    + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        /// <summary>The same camera and colours over as many points, chosen by the reference sampler.</summary>
+        static ImageError Compare(PointReader reader, PreviewOptions options, PreviewStep preview, CliRun run)
+        {
+            options.Picture.Camera = preview.Camera;
+            options.Picture.Color = preview.Mode;
+            using var exact = new PreviewCloud(reader, new PreviewOptions { Points = options.Points, Exact = true, Picture = options.Picture });
+            run.Progress.Group = "full scan";
+            run.Pump(exact.Run(run.Progress));
+            return ImageError.Compare(preview.Image, exact.Image, options.Picture.Background);
+        }
+    }
+}

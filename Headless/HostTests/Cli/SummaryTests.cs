@@ -1,0 +1,199 @@
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using FastPoints.Cli;
+using NUnit.Framework;
+
+namespace FastPoints.HostTests.Cli
+{
+    /// <summary>The keys that scripts rely on: each there, each of its type.</summary>
+    public sealed class SummaryTests
+    {
+        ScratchFolder m_scratch;
+        string m_demo;
+
+        [OneTimeSetUp]
+        public void MakeDemo()
+        {
+            m_scratch = new ScratchFolder();
+            m_demo = m_scratch.Demo();
+        }
+
+        [OneTimeTearDown]
+        public void RemoveDemo() => m_scratch.Dispose();
+
+        static void HasKey(JsonElement of, string name, params JsonValueKind[] kinds)
+        {
+            Assert.That(of.TryGetProperty(name, out var value), Is.True, name);
+            Assert.That(kinds, Does.Contain(value.ValueKind), name);
+        }
+
+        static JsonElement Summary(string verb, params string[] args)
+        {
+            var call = CliCall.Of(args.Append("--json").Append("-").ToArray());
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            var json = call.Json;
+            Assert.That(json.GetProperty("verb").GetString(), Is.EqualTo(verb));
+            HasKey(json, "inputs", JsonValueKind.Array);
+            HasKey(json, "seconds", JsonValueKind.Number);
+            HasKey(json, "peakResidentBytes", JsonValueKind.Number);
+            HasKey(json, "warnings", JsonValueKind.Array);
+            HasKey(json, "stages", JsonValueKind.Array);
+            foreach (var stage in json.GetProperty("stages").EnumerateArray())
+            {
+                HasKey(stage, "name", JsonValueKind.String);
+                HasKey(stage, "seconds", JsonValueKind.Number);
+                HasKey(stage, "points", JsonValueKind.Number, JsonValueKind.String);
+                HasKey(stage, "bytes", JsonValueKind.Number, JsonValueKind.String);
+            }
+            Assert.That(json.TryGetProperty("failure", out _), Is.False);
+            Assert.That(json.EnumerateObject().Select(p => p.Name), Is.Unique);
+            return json;
+        }
+
+        static void HasInfoKeys(JsonElement json, bool scanned)
+        {
+            Assert.That(json.GetProperty("format").GetString(), Is.EqualTo("LAS"));
+            Assert.That(json.GetProperty("version").GetString(), Is.EqualTo("1.4"));
+            Assert.That(json.GetProperty("pointFormat").GetInt32(), Is.EqualTo(7));
+            Assert.That(json.GetProperty("pointsClaimed").GetInt64(), Is.EqualTo(3000));
+            HasKey(json, "points", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+            HasKey(json, "bounds", scanned ? JsonValueKind.Object : JsonValueKind.Null);
+            Assert.That(json.GetProperty("boundsClaimed").GetProperty("min").GetArrayLength(), Is.EqualTo(3));
+            Assert.That(json.GetProperty("boundsClaimed").GetProperty("max").GetArrayLength(), Is.EqualTo(3));
+            Assert.That(json.GetProperty("scale").GetArrayLength(), Is.EqualTo(3));
+            Assert.That(json.GetProperty("offset").GetArrayLength(), Is.EqualTo(3));
+            Assert.That(json.GetProperty("crs").GetString(), Does.Contain("UTM zone 32N"));
+            HasKey(json, "columnSums", scanned ? JsonValueKind.Object : JsonValueKind.Null);
+            foreach (var attribute in json.GetProperty("attributes").EnumerateArray())
+            {
+                HasKey(attribute, "name", JsonValueKind.String);
+                HasKey(attribute, "type", JsonValueKind.String);
+                HasKey(attribute, "min", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+                HasKey(attribute, "max", scanned ? JsonValueKind.Number : JsonValueKind.Null);
+            }
+        }
+
+        [Test]
+        public void Info_FromTheHeader_HasItsKeys() => HasInfoKeys(Summary("info", "info", m_demo), false);
+
+        [Test]
+        public void Info_WithScan_FindsWhatTheHeaderClaims()
+        {
+            var json = Summary("info", "info", m_demo, "--scan");
+            HasInfoKeys(json, true);
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+            Assert.That(json.GetProperty("bounds").GetRawText(), Is.EqualTo(json.GetProperty("boundsClaimed").GetRawText()));
+            foreach (var sum in json.GetProperty("columnSums").EnumerateObject())
+                Assert.That(ulong.TryParse(sum.Value.GetString(), out _), Is.True, sum.Name);
+        }
+
+        [Test]
+        public void Info_WithAnyNumberOfThreads_FindsTheSame()
+        {
+            string one = Summary("info", "info", m_demo, "--scan", "--threads", "1").GetProperty("columnSums").GetRawText();
+            string three = Summary("info", "info", m_demo, "--scan", "--threads", "3").GetProperty("columnSums").GetRawText();
+            Assert.That(three, Is.EqualTo(one));
+        }
+
+        [Test]
+        public void Info_OfSeveralFiles_ListsThem()
+        {
+            var json = Summary("info", "info", m_demo, m_demo);
+            Assert.That(json.GetProperty("files").GetArrayLength(), Is.EqualTo(2));
+            HasInfoKeys(json.GetProperty("files")[1], false);
+        }
+
+        [Test]
+        public void Preview_HasItsKeysAndAPicture()
+        {
+            string png = m_scratch["preview.png"];
+            var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90", "--report");
+            HasPreviewKeys(json);
+            HasKey(json.GetProperty("error"), "ssim", JsonValueKind.Number);
+            Assert.That(File.ReadAllBytes(png).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+        }
+
+        static void HasPreviewKeys(JsonElement json)
+        {
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+            HasKey(json, "bytesRead", JsonValueKind.Number);
+            foreach (var wave in json.GetProperty("waves").EnumerateArray())
+            {
+                HasKey(wave, "points", JsonValueKind.Number);
+                HasKey(wave, "seconds", JsonValueKind.Number);
+            }
+        }
+
+        static void HasPictureKeys(JsonElement json)
+        {
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+            HasKey(json, "nodes", JsonValueKind.Null);
+            HasKey(json, "seconds", JsonValueKind.Number);
+            HasKey(json, "device", JsonValueKind.String);
+        }
+
+        [Test]
+        public void Picture_AgainstItself_HasNoError()
+        {
+            string first = m_scratch["first.png"], second = m_scratch["second.png"];
+            HasPictureKeys(Summary("picture", "picture", m_demo, "-o", first, "--size", "160x90", "--view", "iso"));
+            var json = Summary("picture", "picture", m_demo, "-o", second, "--size", "160x90", "--view", "iso", "--against", first);
+            HasPictureKeys(json);
+            Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
+            Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
+            Assert.That(json.GetProperty("uncovered").GetDouble(), Is.Zero);
+        }
+
+        [Test]
+        public void DemoCloud_HasItsKeys()
+        {
+            string file = m_scratch["keys.las"];
+            var json = Summary("demo-cloud", "demo-cloud", "-o", file, "--points", "1000");
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(1000));
+            Assert.That(json.GetProperty("bytes").GetInt64(), Is.EqualTo(new FileInfo(file).Length));
+        }
+
+        [Test]
+        public void Bench_HasItsKeys()
+        {
+            var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000");
+            var workload = json.GetProperty("workloads").EnumerateArray().Single();
+            HasKey(workload, "name", JsonValueKind.String);
+            foreach (string number in new[] { "ms", "pointsPerSecond", "bytesPerSecond", "error", "garbageBytes" })
+                HasKey(workload, number, JsonValueKind.Number);
+        }
+
+        [Test]
+        public void MainJob_OfAFile_WritesItsReport()
+        {
+            string folder = m_scratch["report"];
+            var json = Summary("", m_demo, "--out", folder);
+            HasInfoKeys(json.GetProperty("info"), false);
+            HasPreviewKeys(json.GetProperty("preview"));
+            HasPictureKeys(json.GetProperty("picture"));
+            Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
+            Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
+                Is.EquivalentTo(new[] { "report.html", "preview.png", "picture.png" }));
+            Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("data:image/png;base64,"));
+        }
+
+        [Test]
+        public void MainJob_WithoutAFile_MakesItsOwn()
+        {
+            string folder = m_scratch["own"];
+            var json = Summary("", "--out", folder, "--points", "3000");
+            HasInfoKeys(json.GetProperty("info"), false);
+            Assert.That(File.Exists(Path.Combine(folder, "demo.las")), Is.True);
+        }
+
+        [Test]
+        public void JsonFile_IsWrittenBesideTheTextForPeople()
+        {
+            string file = m_scratch["summary.json"];
+            var call = CliCall.Of("info", m_demo, "--json", file);
+            Assert.That(call.Output, Does.Contain("LAS 1.4, point format 7"));
+            Assert.That(JsonDocument.Parse(File.ReadAllBytes(file)).RootElement.GetProperty("verb").GetString(), Is.EqualTo("info"));
+        }
+    }
+}
