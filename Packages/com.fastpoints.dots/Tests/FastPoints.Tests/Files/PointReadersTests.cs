@@ -1,0 +1,101 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Text;
+using FastPoints.Base;
+using NUnit.Framework;
+
+namespace FastPoints.Files.Tests
+{
+    public class PointReadersTests
+    {
+        string m_path;
+
+        [SetUp]
+        public void NamePath() => m_path = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+
+        [TearDown]
+        public void Delete() => File.Delete(m_path);
+
+        [TestCase("ASTM-E57 and so on", "E57")]
+        [TestCase("# .PCD v.7 - Point Cloud Data", "PCD")]
+        [TestCase("PK\u0003\u0004rest", "zip")]
+        [TestCase("x y z\n1 2 3\n", "text \"x y z\"")]
+        [TestCase("\u0001\u0002", "bytes 01-02")]
+        [TestCase("LAS", "text \"LAS\"")]
+        public void Open_ForeignFile_NamesWhatItIs(string content, string name)
+        {
+            File.WriteAllBytes(m_path, Encoding.ASCII.GetBytes(content));
+            CheckFailure(FailureCode.Unsupported, name);
+        }
+
+        [Test]
+        public void Open_NothingThere_IsNotFound()
+        {
+            CheckFailure(FailureCode.NotFound, "no such file");
+        }
+
+        [Test]
+        public void Open_Folder_IsNotFound()
+        {
+            Directory.CreateDirectory(m_path);
+            CheckFailure(FailureCode.NotFound, "is a folder");
+            Directory.Delete(m_path);
+        }
+
+        [Test]
+        public void Open_EmptyFile_IsTruncated()
+        {
+            File.WriteAllBytes(m_path, new byte[0]);
+            CheckFailure(FailureCode.Truncated, "0 bytes");
+        }
+
+        [Test]
+        public void Open_Pipe_DoesNotWaitForAWriter()
+        {
+            Unix("mkfifo", m_path);
+            CheckFailure(FailureCode.Truncated, "0 bytes");
+        }
+
+        [Test]
+        public void Open_NoPermission_IsAccessDenied()
+        {
+            File.WriteAllText(m_path, "LASF");
+            Unix("chmod", "000 " + m_path);
+            try
+            {
+                File.ReadAllBytes(m_path);
+            }
+            catch (UnauthorizedAccessException)
+            {
+                CheckFailure(FailureCode.AccessDenied, "permission denied");
+                return;
+            }
+            Assert.Ignore("this user may read any file");
+        }
+
+        [TestCase(null)]
+        [TestCase("")]
+        [TestCase("no\0path")]
+        public void Open_NoPath_IsOneLine(string path)
+        {
+            Assert.That(() => PointReaders.Open(path), Throws.InstanceOf<PointCloudException>());
+        }
+
+        void CheckFailure(FailureCode code, string story)
+        {
+            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(m_path).Dispose());
+            Assert.That(failure.Code, Is.EqualTo(code));
+            Assert.That(failure.Path, Is.EqualTo(m_path));
+            Assert.That(failure.Message, Does.Contain(story).And.Not.Contain("\n"));
+        }
+
+        static void Unix(string command, string arguments)
+        {
+            if (Path.DirectorySeparatorChar != '/')
+                Assert.Ignore("pipes and file modes are made the Unix way");
+            using (var process = Process.Start(new ProcessStartInfo(command, arguments) { UseShellExecute = false }))
+                process.WaitForExit();
+        }
+    }
+}
