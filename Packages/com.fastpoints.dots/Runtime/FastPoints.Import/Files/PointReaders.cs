@@ -47,6 +47,7 @@ namespace FastPoints.Files
             new Kind("an E57 file", "ASTM-E57"),
             new Kind("a PCD file", "# .PCD"),
             new Kind("a PCD file", "VERSION .7"),
+            new Kind("a PCD file", "VERSION 0.7"),
             new Kind("a zip archive", (byte)'P', (byte)'K', 3, 4),
             new Kind("a gzip file (decompress it first)", 0x1F, 0x8B),
             new Kind("a zstd file (decompress it first)", 0x28, 0xB5, 0x2F, 0xFD),

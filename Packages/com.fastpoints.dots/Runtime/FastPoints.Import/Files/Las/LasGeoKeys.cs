@@ -56,7 +56,7 @@ namespace FastPoints.Files
                 count = room;
             }
 
-            int model = 0, geographic = 0, projected = 0, unit = 0;
+            int model = 0, geographic = 0, projected = 0, unit = 0, empty = 0;
             double unitSize = 0;
             string name = null, citation = null;
             for (int i = 1; i <= count; i++)
@@ -68,6 +68,9 @@ namespace FastPoints.Files
                 long at = record.DataOffset + i * EntryBytes;
                 switch (key)
                 {
+                    case 0:
+                        empty++;
+                        break;
                     case ModelTypeKey:
                         model = Code(location, value, key, at, info);
                         break;
@@ -98,6 +101,9 @@ namespace FastPoints.Files
                         break;
                 }
             }
+            if (empty > 0)
+                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + Text(empty) + " times among "
+                    + Text(count) + " keys: left out");
             crs.Epsg = projected != 0 ? projected : geographic;
             crs.Name = name ?? citation;
             if (model == GeographicModel || projected == 0 && geographic != 0 && unit == 0 && unitSize == 0)

@@ -1,0 +1,150 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Tests;
+using NUnit.Framework;
+
+namespace FastPoints.Files.Tests
+{
+    /// <summary>
+    /// Seeded damage to small files: flipped bits, cuts, insertions, fields set to their extremes. Whatever comes of it is a
+    /// result or a <see cref="PointCloudException"/>, in memory that the file's real size justifies.
+    /// </summary>
+    public class LasMutationTests
+    {
+        const int CasesPerFile = 300;
+
+        static readonly string[] s_samples =
+        {
+            "las/1.0_0.las", "las/extrabytes.las", "las/1_4_w_evlr.las", "las/pdrf9-1.5.las", "las/simple1_3.las",
+            "las/5points_14.las", "las/interesting.las", "broken/bad-geotiff-keys.las",
+        };
+
+        static IEnumerable<TestCaseData> OwnFiles()
+        {
+            foreach (var (minor, format) in new[] { (0, 0), (1, 1), (2, 2), (2, 3), (3, 4), (3, 5), (4, 6), (4, 7), (4, 8), (5, 9), (5, 10) })
+                yield return new TestCaseData(minor, format).SetName("Mutation_OwnLas1" + minor + "Format" + format + "_EndsInALineOrAResult");
+        }
+
+        static IEnumerable<TestCaseData> Samples()
+        {
+            foreach (string sample in s_samples)
+                yield return new TestCaseData(sample).SetName("Mutation_Sample_" + sample + "_EndsInALineOrAResult");
+        }
+
+        [TestCaseSource(nameof(OwnFiles))]
+        public void MutateOwn(int minor, int format)
+        {
+            using (var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 }.RandomPoints(40, format))
+            {
+                file.Vlr("LASF_Projection", 34735, Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0))
+                    .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3)).Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
+                var extra = new byte[2 * 192];
+                extra[2] = 3;
+                extra[3] = 8;
+                extra[4] = (byte)'a';
+                extra[112] = 1;
+                extra[192 + 2] = 15;
+                extra[192 + 4] = (byte)'b';
+                file.Vlr("LASF_Spec", 4, extra);
+                if (minor >= 4)
+                    file.Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]")).Evlr("u", 1, new byte[9]);
+                Mutate(file.ToBytes(), file.PointsOffset, 1000 + 16 * minor + format);
+            }
+        }
+
+        [TestCaseSource(nameof(Samples))]
+        public void MutateSample(string sample)
+        {
+            var bytes = File.ReadAllBytes(TestData.SampleOrIgnore(sample));
+            Mutate(bytes, Math.Min(bytes.Length, BitConverter.ToInt32(bytes, 96)), bytes.Length);
+        }
+
+        static void Mutate(byte[] sound, int pointsOffset, int seed)
+        {
+            var random = new Random(seed);
+            int opened = 0;
+            using (var file = new LasTestFile())
+                for (int i = 0; i < CasesPerFile; i++)
+                {
+                    file.Save(Damaged(sound, pointsOffset, random));
+                    if (Survives(file.Path, "seed " + seed + ", case " + i))
+                        opened++;
+                }
+            Assert.That(opened, Is.GreaterThan(0));
+        }
+
+        /// <returns>Whether the file could be opened.</returns>
+        static bool Survives(string path, string which)
+        {
+            try
+            {
+                using (var reader = PointReaders.Open(path))
+                {
+                    long bytes = new FileInfo(path).Length;
+                    Assert.That((double)reader.PointCount * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
+                    Assert.That((long)reader.MaxPointsPerBlock * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
+                    Assert.That(reader.Info.Facts.Count, Is.LessThan(100 + bytes / 32), which);
+                    Assert.That(reader.Info.Warnings.Count, Is.LessThan(100 + bytes / 4), which);
+                    Assert.That(reader.Info.Transform.Scale.x, Is.Not.NaN.And.Not.EqualTo(0), which);
+                    ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+                    return true;
+                }
+            }
+            catch (PointCloudException failure)
+            {
+                Assert.That(failure.Message, Does.Not.Contain("\n"), which);
+                return false;
+            }
+        }
+
+        /// <summary>Most of the damage goes where the header and its records are: that is what is believed or not.</summary>
+        static byte[] Damaged(byte[] sound, int pointsOffset, Random random)
+        {
+            var bytes = (byte[])sound.Clone();
+            int head = Math.Max(1, Math.Min(bytes.Length, pointsOffset));
+            int hits = random.Next(1, 5);
+            for (int i = 0; i < hits; i++)
+            {
+                int range = random.Next(4) == 0 ? bytes.Length : random.Next(2) == 0 ? Math.Min(head, 393) : head;
+                int at = random.Next(Math.Min(range, bytes.Length));
+                switch (random.Next(6))
+                {
+                    case 0:
+                        bytes[at] ^= (byte)(1 << random.Next(8));
+                        break;
+                    case 1:
+                        bytes[at] = (byte)random.Next(256);
+                        break;
+                    case 2:
+                        for (int b = at; b < Math.Min(at + (1 << random.Next(4)), bytes.Length); b++)
+                            bytes[b] = 255;
+                        break;
+                    case 3:
+                        for (int b = at; b < Math.Min(at + (1 << random.Next(4)), bytes.Length); b++)
+                            bytes[b] = 0;
+                        break;
+                    case 4:
+                        Array.Resize(ref bytes, Math.Max(1, random.Next(2) == 0 ? random.Next(bytes.Length) : at));
+                        break;
+                    default:
+                        var longer = new List<byte>(bytes);
+                        longer.InsertRange(at, new byte[random.Next(1, 70)]);
+                        bytes = longer.ToArray();
+                        break;
+                }
+            }
+            return bytes;
+        }
+
+        static byte[] Shorts(params int[] values)
+        {
+            var bytes = new byte[2 * values.Length];
+            for (int i = 0; i < values.Length; i++)
+                BitConverter.GetBytes((ushort)values[i]).CopyTo(bytes, 2 * i);
+            return bytes;
+        }
+    }
+}
