@@ -59,6 +59,15 @@ namespace FastPoints.Octree
             }
         }
 
+        /// <summary>The same for one stored number: exact for whole numbers below 2^53.</summary>
+        public static long ToGrid(in SourceAxis axis, double stored)
+        {
+            if (axis.IsInteger)
+                return (long)stored * axis.Factor + axis.Shift;
+            double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * (1 / axis.Step);
+            return math.abs(steps) < Limit ? (long)math.round(steps) : Nowhere;
+        }
+
         static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift, long* grid)
         {
             switch (type)

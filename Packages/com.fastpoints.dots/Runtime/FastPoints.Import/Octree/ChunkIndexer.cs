@@ -1,0 +1,210 @@
+using System;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Octree
+{
+    /// <summary>
+    /// Makes one chunk at a time into nodes: order, gather, sample, write into memory. Its memory is as large as its largest chunk
+    /// was and is used again for the next.
+    /// </summary>
+    public sealed class ChunkIndexer : IDisposable
+    {
+        readonly RecordLayout m_records;
+        readonly NativeStoreLayout m_store;
+        readonly Grid3 m_rootCorner;
+        readonly ulong m_cloudId;
+
+        NativeArray<ulong> m_keys;
+        NativeArray<ulong> m_scratch;
+        NativeArray<uint> m_order;
+        NativeArray<byte> m_sorted;
+        NativeArray<byte> m_common;
+        NativeArray<uint> m_priority;
+        NativeArray<int> m_nodeOfPoint;
+        NativeArray<ChunkTop> m_tops;
+        NativeReference<ulong> m_checksum;
+        NativeArray<long> m_bytesOfPlane;
+        int m_capacity;
+
+        public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId)
+        {
+            m_records = records;
+            m_store = store;
+            m_rootCorner = rootCorner;
+            m_cloudId = cloudId;
+            m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            m_checksum = new NativeReference<ulong>(Allocator.Persistent);
+            m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
+            Drafts = new NativeList<NodeDraft>(64, Allocator.Persistent);
+            File = new NativeList<byte>(1024, Allocator.Persistent);
+            Table = new NativeList<byte>(64, Allocator.Persistent);
+            Top = new NativeList<byte>(1024, Allocator.Persistent);
+            NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
+        }
+
+        /// <summary>The chunk in work.</summary>
+        public ChunkSet.Chunk Chunk { get; private set; }
+        public int Number { get; private set; }
+        public JobHandle Job { get; private set; }
+
+        /// <summary>When the job is done: the chunk's file, empty where all points are in the top.</summary>
+        public NativeList<byte> File { get; }
+
+        /// <summary>When an upper job is done: the upper nodes' table.</summary>
+        public NativeList<byte> Table { get; }
+
+        /// <summary>When the job is done: the records of the top node.</summary>
+        public NativeList<byte> Top { get; }
+        public NativeList<NodeDraft> Drafts { get; }
+        public NativeList<int> NodeOfDraft { get; }
+
+        /// <summary>Sum of the hashes of the points that went through.</summary>
+        public ulong Checksum => m_checksum.Value;
+
+        /// <summary>Bytes written by plane, over all chunks so far.</summary>
+        public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
+
+        /// <summary>Starts on a chunk. Its pages are freed on the way.</summary>
+        public void Begin(ChunkSet.Chunk chunk, int number)
+        {
+            Chunk = chunk;
+            Number = number;
+            var pages = chunk.Pages;
+            chunk.Pages = default;
+            int count = checked((int)pages.Count);
+            Reserve(count);
+            var ordered = new OrderChunkJob
+            {
+                Pages = pages,
+                Layout = m_records,
+                Cube = chunk.Cube,
+                Keys = m_keys,
+                Scratch = m_scratch,
+                Order = m_order,
+            }.Schedule();
+            var gathered = new GatherRecordsJob
+            {
+                Pages = pages,
+                Layout = m_records,
+                Cube = chunk.Cube,
+                Order = m_order,
+                Records = m_sorted,
+                CommonCubeLog2 = m_common,
+                Priority = m_priority,
+                Checksum = m_checksum,
+            }.Schedule(ordered);
+            var sampled = Sample(count, chunk.Cube.SideLog2, m_common, m_priority, m_tops, m_nodeOfPoint, gathered);
+            Job = Write(count, chunk.Cube.Corner, true, m_sorted, m_nodeOfPoint, sampled);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>Starts on the upper levels: the chunks' tops, in Morton order.</summary>
+        /// <param name="records">All tops' records.</param>
+        /// <param name="tops">By chunk; gets the attach nodes, as drafts.</param>
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube root)
+        {
+            Number = 0;
+            int count = records.Length / m_records.StrideBytes;
+            Reserve(count);
+            var prepared = new PrepareUpperJob
+            {
+                Count = count,
+                Layout = m_records,
+                Corner = root.Corner,
+                Records = records,
+                CommonCubeLog2 = m_common,
+                Priority = m_priority,
+            }.Schedule();
+            var sampled = Sample(count, root.SideLog2, m_common, m_priority, tops, m_nodeOfPoint, prepared);
+            Job = Write(count, root.Corner, false, records, m_nodeOfPoint, sampled);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        public void Dispose()
+        {
+            Job.Complete();
+            if (!m_checksum.IsCreated)
+                return;
+            FreePoints();
+            m_tops.Dispose();
+            m_checksum.Dispose();
+            m_bytesOfPlane.Dispose();
+            Drafts.Dispose();
+            File.Dispose();
+            Table.Dispose();
+            Top.Dispose();
+            NodeOfDraft.Dispose();
+        }
+
+        JobHandle Sample(int count, int sideLog2, NativeArray<byte> common, NativeArray<uint> priority, NativeArray<ChunkTop> tops,
+            NativeArray<int> nodeOfPoint, JobHandle inputDeps)
+        {
+            return new SampleRandomJob
+            {
+                Count = count,
+                RootSideLog2 = sideLog2,
+                CommonCubeLog2 = common,
+                Priority = priority,
+                Tops = tops,
+                NodeOfPoint = nodeOfPoint,
+                Nodes = Drafts,
+            }.Schedule(inputDeps);
+        }
+
+        JobHandle Write(int count, Grid3 corner, bool isChunk, NativeArray<byte> records, NativeArray<int> nodeOfPoint, JobHandle inputDeps)
+        {
+            return new WriteNodesJob
+            {
+                Count = count,
+                Layout = m_records,
+                Corner = corner,
+                CloudId = m_cloudId,
+                Number = Number,
+                IsChunk = isChunk,
+                Records = records,
+                NodeOfPoint = nodeOfPoint,
+                Drafts = Drafts,
+                Columns = m_store.Columns,
+                FirstColumnOfPlane = m_store.FirstColumnOfPlane,
+                Shapes = m_store.Shapes,
+                File = File,
+                Table = Table,
+                Top = Top,
+                NodeOfDraft = NodeOfDraft,
+                BytesOfPlane = m_bytesOfPlane,
+            }.Schedule(inputDeps);
+        }
+
+        void Reserve(int count)
+        {
+            if (count <= m_capacity && m_keys.IsCreated)
+                return;
+            FreePoints();
+            m_capacity = Math.Max(1, count);
+            const NativeArrayOptions raw = NativeArrayOptions.UninitializedMemory;
+            m_keys = new NativeArray<ulong>(m_capacity, Allocator.Persistent, raw);
+            m_scratch = new NativeArray<ulong>(m_capacity, Allocator.Persistent, raw);
+            m_order = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
+            m_sorted = new NativeArray<byte>(checked(m_capacity * m_records.StrideBytes), Allocator.Persistent, raw);
+            m_common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
+            m_priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
+            m_nodeOfPoint = new NativeArray<int>(m_capacity, Allocator.Persistent, raw);
+        }
+
+        void FreePoints()
+        {
+            if (!m_keys.IsCreated)
+                return;
+            m_keys.Dispose();
+            m_scratch.Dispose();
+            m_order.Dispose();
+            m_sorted.Dispose();
+            m_common.Dispose();
+            m_priority.Dispose();
+            m_nodeOfPoint.Dispose();
+        }
+    }
+}

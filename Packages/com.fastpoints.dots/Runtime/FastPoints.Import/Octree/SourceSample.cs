@@ -1,0 +1,142 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Octree
+{
+    /// <summary>
+    /// Stored positions of some points of one source, spread evenly over its records: enough to guess how dense it is where, read in
+    /// milliseconds. A guess: nothing that follows relies on it.
+    /// </summary>
+    public sealed class SourceSample : IDisposable
+    {
+        // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then came out a tenth off its target.
+        const int MaxRuns = 1024;
+        const int MinRuns = 16;
+        const int RunPoints = 1024;
+        const int PointsPerRun = 8 * RunPoints;
+
+        NativeList<double3> m_stored;
+
+        SourceSample()
+        {
+            m_stored = new NativeList<double3>(RunPoints, Allocator.Persistent);
+        }
+
+        /// <summary>As the file stores them, not finite ones among them.</summary>
+        public NativeArray<double3> Stored => m_stored.AsArray();
+
+        /// <summary>Points of the source that each one stands for.</summary>
+        public double Weight { get; private set; }
+
+        /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
+        /// <param name="slots">Runs in flight.</param>
+        /// <param name="take">Gets the sample at the end; the caller disposes it.</param>
+        public static IEnumerator<JobHandle> Read(PointReader reader, int slots, Action<SourceSample> take)
+        {
+            var sample = new SourceSample();
+            var runs = ChooseRuns(reader);
+            int longest = 1;
+            foreach (var run in runs)
+                longest = Math.Max(longest, run.Count);
+            var positions = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
+            slots = Math.Min(runs.Count, slots);
+            var reads = new BlockRead[slots];
+            var buffers = new NativeArray<double3>[slots];
+            var jobs = new JobHandle[slots];
+            try
+            {
+                for (int s = 0; s < slots; s++)
+                {
+                    reads[s] = reader.CreateRead(positions, longest, Allocator.Persistent);
+                    buffers[s] = new NativeArray<double3>(longest, Allocator.Persistent);
+                }
+                for (int r = 0; r < runs.Count + slots; r++)
+                {
+                    int s = slots == 0 ? 0 : r % slots;
+                    if (r >= slots && r - slots < runs.Count)
+                    {
+                        yield return jobs[s];
+                        jobs[s].Complete();
+                        reads[s].Complete();
+                        sample.m_stored.AddRange(buffers[s].GetSubArray(0, reads[s].Points.Count));
+                    }
+                    if (r < runs.Count)
+                    {
+                        reads[s].Begin(runs[r]);
+                        var batch = reads[s].Points;
+                        jobs[s] = new SampleRunJob
+                        {
+                            Columns = batch.Bytes,
+                            Decoded = reads[s].Result,
+                            X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
+                            Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
+                            Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                            Stored = buffers[s],
+                        }.Schedule(reads[s].Decoded);
+                        JobHandle.ScheduleBatchedJobs();
+                    }
+                }
+                sample.Weight = sample.m_stored.Length > 0 ? reader.PointCount / (double)sample.m_stored.Length : 0;
+                take(sample);
+                sample = null;
+            }
+            finally
+            {
+                for (int s = 0; s < slots; s++)
+                {
+                    jobs[s].Complete();
+                    reads[s]?.Dispose();
+                    if (buffers[s].IsCreated)
+                        buffers[s].Dispose();
+                }
+                sample?.Dispose();
+            }
+        }
+
+        public void Dispose()
+        {
+            if (m_stored.IsCreated)
+                m_stored.Dispose();
+        }
+
+        static List<BlockRange> ChooseRuns(PointReader reader)
+        {
+            var runs = new List<BlockRange>();
+            long points = reader.PointCount;
+            int blocks = reader.BlockCount;
+            if (points == 0)
+                return runs;
+            long wanted = Math.Max(MinRuns, Math.Min(MaxRuns, points / PointsPerRun));
+            long length = Math.Max(1, Math.Min(RunPoints, points / wanted));
+            if (!reader.HasFixedStride)
+            {
+                // Only the beginnings of blocks are cheap: longer ones where there are fewer.
+                long chosen = Math.Min(wanted, blocks);
+                length = wanted * length / chosen;
+                for (long i = 0; i < chosen; i++)
+                {
+                    int block = (int)(i * blocks / chosen);
+                    int count = (int)Math.Min(length, reader.PointsInBlock(block));
+                    if (count > 0)
+                        runs.Add(new BlockRange(block, 0, count));
+                }
+                return runs;
+            }
+            int at = 0;
+            for (long i = 0; i < wanted && i < points; i++)
+            {
+                long first = points / wanted * i;
+                while (first >= reader.FirstPointOfBlock(at) + reader.PointsInBlock(at))
+                    at++;
+                int inBlock = (int)(first - reader.FirstPointOfBlock(at));
+                runs.Add(new BlockRange(at, inBlock, (int)Math.Min(length, reader.PointsInBlock(at) - inBlock)));
+            }
+            return runs;
+        }
+    }
+}

@@ -1,0 +1,374 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Octree;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>
+    /// From files to a stored octree. A sample guesses how dense the cloud is where; one pass over the points distributes them over
+    /// chunks; chunks that came out too large are split, small ones merged; each is made into nodes; their tops become the upper levels.
+    /// </summary>
+    public sealed class ConvertCloud : IDisposable
+    {
+        const long MaxPointsPerChunk = 1000000;
+        const long MinPointsPerChunk = 100000;
+
+        readonly IReadOnlyList<PointReader> m_readers;
+        readonly ConvertSettings m_settings;
+        readonly StageProgress m_progress;
+        readonly CloudFolderWriter m_folder;
+        readonly List<SourceSample> m_samples = new List<SourceSample>();
+        readonly List<SampleFindings> m_sampleFindings = new List<SampleFindings>();
+        readonly CloudManifest m_manifest = new CloudManifest();
+
+        readonly PointSchema m_attributes;
+        GridChoice m_grid;
+        PartitionMap m_map;
+        ScatterPoints m_scatter;
+        ChunkSet m_chunks;
+        NativeStoreLayout m_store;
+        OctreeBuild m_build;
+        long m_pointsPerChunk;
+
+        ConvertCloud(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
+        {
+            m_readers = readers;
+            m_settings = settings;
+            m_progress = progress;
+            m_attributes = ChooseAttributes();
+            m_folder = new CloudFolderWriter(target);
+        }
+
+        /// <summary>Work for a pump: converts. The target is there, whole, when the work has ended; nothing is there when it was
+        /// cancelled or failed.</summary>
+        /// <param name="readers">The sources: open, of the same attributes. They make one cloud.</param>
+        /// <param name="target">The folder to make.</param>
+        /// <param name="done">Gets what was made.</param>
+        /// <exception cref="PointCloudException">A source or the target is at fault.</exception>
+        public static IEnumerator<JobHandle> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
+            Action<ConvertResult> done, StageProgress progress)
+        {
+            using (var convert = new ConvertCloud(readers, target, settings, progress))
+            {
+                progress?.Begin("sample");
+                using (var work = convert.Sample())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                using (var work = convert.Partition())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                progress?.Begin("read");
+                using (var work = convert.Distribute())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                using (var work = convert.SettleChunks())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                using (var work = convert.Build())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                done(convert.Finish());
+                progress?.End();
+            }
+        }
+
+        public void Dispose()
+        {
+            m_build?.Dispose();
+            m_store?.Dispose();
+            m_chunks?.Dispose();
+            m_scatter?.Dispose();
+            m_map?.Dispose();
+            foreach (var sample in m_samples)
+                sample.Dispose();
+            m_samples.Clear();
+            m_folder.Dispose();
+        }
+
+        PointSchema ChooseAttributes()
+        {
+            var chosen = new List<PointAttribute>();
+            foreach (var attribute in m_readers[0].Info.Schema)
+            {
+                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y || attribute.Name == AttributeNames.Z;
+                if (!isPosition && (m_settings.Attributes == null || Array.IndexOf(m_settings.Attributes, attribute.Name) >= 0))
+                    chosen.Add(attribute);
+            }
+            foreach (var reader in m_readers)
+            {
+                var schema = reader.Info.Schema;
+                foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
+                {
+                    int column = schema.IndexOf(axis);
+                    if (column < 0 || schema[column].Type == AttributeType.Int64 || schema[column].Type == AttributeType.UInt64)
+                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis + " of up to 32 bits or as floats");
+                }
+                foreach (var attribute in chosen)
+                {
+                    int column = schema.IndexOf(attribute.Name);
+                    if (column < 0 || !schema[column].Equals(attribute))
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1,
+                            "an attribute of the first file", attribute, column < 0 ? "none" : schema[column].ToString());
+                }
+            }
+            return new PointSchema(chosen);
+        }
+
+        IEnumerator<JobHandle> Sample()
+        {
+            var findings = new NativeReference<SampleFindings>(Allocator.Persistent);
+            var job = default(JobHandle);
+            try
+            {
+                foreach (var reader in m_readers)
+                {
+                    if (!reader.BlocksAreKnown)
+                        using (var blocks = reader.FindBlocks())
+                            while (blocks.MoveNext())
+                                yield return blocks.Current;
+                    using (var sample = SourceSample.Read(reader, SourceScan.DefaultSlots, m_samples.Add))
+                        while (sample.MoveNext())
+                            yield return sample.Current;
+                    job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Findings = findings }.Schedule();
+                    yield return job;
+                    job.Complete();
+                    m_sampleFindings.Add(findings.Value);
+                }
+            }
+            finally
+            {
+                job.Complete();
+                findings.Dispose();
+            }
+        }
+
+        /// <summary>The grid, the first cube, and the chunks as the sample suggests them.</summary>
+        IEnumerator<JobHandle> Partition()
+        {
+            var infos = new List<SourceInfo>();
+            long points = 0;
+            foreach (var reader in m_readers)
+            {
+                infos.Add(reader.Info);
+                points += reader.PointCount;
+            }
+            m_grid = GridChoice.Choose(infos, m_sampleFindings, m_attributes.BytesPerPoint);
+            m_pointsPerChunk = m_settings.PointsPerChunk > 0
+                ? m_settings.PointsPerChunk
+                : Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
+
+            var cube = FirstCube();
+            int levels = PartitionMap.LevelsFor(cube.SideLog2, PartitionMap.MaxLevels);
+            var counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
+            var job = default(JobHandle);
+            try
+            {
+                for (int i = 0; i < m_samples.Count; i++)
+                {
+                    job = new CountSampleJob
+                    {
+                        Stored = m_samples[i].Stored,
+                        Grid = m_grid.Sources[i],
+                        Cells = new CellFinder(cube, levels),
+                        Weight1024 = (long)(m_samples[i].Weight * 1024),
+                        PointsOfCell = counts,
+                    }.Schedule();
+                    yield return job;
+                    job.Complete();
+                }
+                m_map = PartitionMap.Plan(cube, levels, counts, m_pointsPerChunk * 1024);
+            }
+            finally
+            {
+                job.Complete();
+                counts.Dispose();
+            }
+        }
+
+        /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be anything.</summary>
+        GridCube FirstCube()
+        {
+            const double believed = 4;
+            var min = PointFindings.None.Min;
+            var max = PointFindings.None.Max;
+            for (int i = 0; i < m_samples.Count; i++)
+            {
+                var found = m_sampleFindings[i];
+                if (!math.all(found.Min <= found.Max))
+                    continue;
+                // A negative scale turns the box around.
+                var a = ToGrid(i, found.Min);
+                var b = ToGrid(i, found.Max);
+                min = Grid3.Min(min, Grid3.Min(a, b));
+                max = Grid3.Max(max, Grid3.Max(a, b));
+            }
+            if (min.X > max.X)
+                return RootCube.Around(default, default);
+            const long limit = SourceGrid.Limit - 1;
+            min = Grid3.Max(min, new Grid3(-limit, -limit, -limit));
+            max = Grid3.Min(max, new Grid3(limit, limit, limit));
+
+            var extent = m_grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y, max.Z - min.Z)));
+            double sampled = math.cmax(extent);
+            foreach (var reader in m_readers)
+            {
+                var claim = reader.Info.BoundsClaimed;
+                if (!reader.Info.HasBoundsClaimed || claim.IsEmpty || !claim.IsFinite)
+                    continue;
+                var low = math.round((claim.Min - m_grid.Grid.Origin) / m_grid.Grid.Step);
+                var high = math.round((claim.Max - m_grid.Grid.Origin) / m_grid.Grid.Step);
+                if (!math.all(math.abs(low) < limit) || !math.all(math.abs(high) < limit) || math.cmax(claim.Size) > believed * sampled)
+                    continue;
+                var lowGrid = new Grid3((long)low.x, (long)low.y, (long)low.z);
+                var highGrid = new Grid3((long)high.x, (long)high.y, (long)high.z);
+                var allMin = Grid3.Min(min, lowGrid);
+                var allMax = Grid3.Max(max, highGrid);
+                var size = (allMax - allMin);
+                if (math.cmax(m_grid.Grid.Step * new double3(size.X, size.Y, size.Z)) > believed * sampled)
+                    continue;
+                min = allMin;
+                max = allMax;
+            }
+            return RootCube.Around(min, max);
+        }
+
+        Grid3 ToGrid(int source, double3 stored)
+        {
+            var grid = m_grid.Sources[source];
+            return new Grid3(SourceGrid.ToGrid(grid.X, stored.x), SourceGrid.ToGrid(grid.Y, stored.y), SourceGrid.ToGrid(grid.Z, stored.z));
+        }
+
+        IEnumerator<JobHandle> Distribute()
+        {
+            m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map);
+            for (int i = 0; i < m_readers.Count; i++)
+            {
+                var reader = m_readers[i];
+                var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+                foreach (var attribute in m_attributes)
+                    names.Add(attribute.Name);
+                m_scatter.BeginSource(m_grid.Sources[i], reader.MaxPointsPerBlock);
+                using (var scan = SourceScan.Run(reader, reader.Info.Schema.Select(names.ToArray()), m_scatter, SourceScan.DefaultSlots, m_progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+                var found = m_scatter.EndSource();
+                m_manifest.Sources.Add(new CloudManifest.Source
+                {
+                    Name = Path.GetFileName(reader.Info.Path),
+                    FileBytes = reader.Info.FileBytes,
+                    Points = found.Count + found.LeftOut,
+                });
+                Warn(reader.Info, found);
+            }
+            foreach (var sample in m_samples)
+                sample.Dispose();
+            m_samples.Clear();
+        }
+
+        void Warn(SourceInfo info, in PointFindings found)
+        {
+            if (found.LeftOut > 0)
+                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out", found.LeftOut));
+            if (found.WorstLossSteps > 0)
+            {
+                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "positions were rounded, by up to {0:R}, to the grid's steps",
+                    found.WorstLossSteps * math.cmax(m_grid.Grid.Step)));
+            }
+        }
+
+        /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
+        IEnumerator<JobHandle> SettleChunks()
+        {
+            m_chunks = new ChunkSet(m_grid.Records);
+            var found = m_scatter.Findings;
+            var lists = m_scatter.Chunks;
+            if (found.Count == 0)
+                yield break;
+            for (int c = 0; c < m_map.Chunks.Length; c++)
+            {
+                var pages = lists[c];
+                lists[c] = default;
+                m_chunks.Add(m_map.Chunks[c], ref pages);
+            }
+            var root = m_map.Cube;
+            if (lists[m_map.Outside].Count > 0)
+            {
+                var shells = RootCube.Grow(root, found.Min, found.Max);
+                root = shells[shells.Length - 1];
+                using (var work = m_chunks.AddOutside(shells, lists.GetSubArray(m_map.Outside, 1)))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            }
+            using (var work = m_chunks.SplitLarge(2 * m_pointsPerChunk, m_pointsPerChunk))
+                while (work.MoveNext())
+                    yield return work.Current;
+            m_manifest.Root = RootCube.Shrink(root, found.Min, found.Max);
+            m_chunks.MergeSmall(m_manifest.Root, m_pointsPerChunk);
+        }
+
+        IEnumerator<JobHandle> Build()
+        {
+            var found = m_scatter.Findings;
+            m_manifest.Points = found.Count;
+            m_manifest.PointsLeftOut = found.LeftOut;
+            m_manifest.Checksum = found.Checksum;
+            m_manifest.Grid = m_grid.Grid;
+            m_manifest.BoundsMin = found.Count > 0 ? found.Min : default;
+            m_manifest.BoundsMax = found.Count > 0 ? found.Max : default;
+            m_manifest.Attributes = m_attributes;
+            AttributeSummary.Describe(m_attributes, m_scatter.Attributes, m_manifest);
+            DescribeCrs(m_readers[0].Info.Crs);
+            // Different where content, attributes or partition differ: enough to tell one build's files from another's.
+            m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_pointsPerChunk << 40 ^
+                (ulong)m_attributes.Count << 32;
+
+            m_store = new NativeStoreLayout(m_manifest.CreateLayout());
+            m_build = new OctreeBuild(m_chunks, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId, m_folder);
+            int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
+            using (var work = m_build.Run(atOnce, m_manifest, m_progress))
+                while (work.MoveNext())
+                    yield return work.Current;
+            if (m_build.Checksum != m_manifest.Checksum)
+            {
+                throw PointCloudException.Wanted(FailureCode.WriteFailed, m_readers[0].Info.Path, -1,
+                    "checksum of the points on their way into the octree", m_manifest.Checksum, m_build.Checksum);
+            }
+        }
+
+        void DescribeCrs(CoordinateSystem crs)
+        {
+            m_manifest.CrsName = crs.Summary;
+            m_manifest.CrsWkt = crs.Wkt;
+            m_manifest.CrsEpsg = crs.Epsg;
+            m_manifest.CrsVerticalEpsg = crs.VerticalEpsg;
+            m_manifest.MetresPerUnit = crs.MetresPerUnit;
+        }
+
+        ConvertResult Finish()
+        {
+            m_progress?.Begin("finish");
+            m_folder.Complete(m_manifest);
+            var result = new ConvertResult
+            {
+                Manifest = m_manifest,
+                LevelCount = m_build.LevelCount,
+                BytesOnDisk = m_folder.BytesWritten,
+                BytesOfPlane = m_build.BytesOfPlane,
+                PlaneNames = new string[m_build.BytesOfPlane.Length],
+            };
+            for (int p = 0; p < result.PlaneNames.Length; p++)
+                result.PlaneNames[p] = m_store.Layout.Planes[p].Name;
+            return result;
+        }
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Store
+{
+    /// <summary>
+    /// An opened cloud: its manifest, the upper nodes, and one record a chunk; chunks' tables are loaded when asked for. Everything is
+    /// checked before it is believed.
+    /// </summary>
+    public sealed unsafe class CloudFolder : IDisposable
+    {
+        CloudFolder(string path, CloudManifest manifest)
+        {
+            FolderPath = path;
+            Manifest = manifest;
+            Layout = manifest.CreateLayout();
+        }
+
+        public string FolderPath { get; }
+        public CloudManifest Manifest { get; }
+        public StoreLayout Layout { get; }
+
+        /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
+        public NodeTable Upper { get; private set; }
+
+        /// <summary>In the order of the upper nodes that they hang on.</summary>
+        public NativeArray<ChunkRecord> Chunks { get; private set; }
+
+        public string UpperPath => Path.Combine(FolderPath, StoreFormat.UpperName);
+
+        public string ChunkPath(int chunk) => Path.Combine(FolderPath, StoreFormat.ChunkPath(Chunks[chunk].Number));
+
+        /// <summary>Whether a path looks like a cloud's folder.</summary>
+        public static bool IsCloud(string path) =>
+            Directory.Exists(path) && File.Exists(Path.Combine(path, StoreFormat.ManifestName));
+
+        /// <exception cref="PointCloudException">It is no cloud, or its manifest or hierarchy are damaged.</exception>
+        public static CloudFolder Open(string path)
+        {
+            string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
+            var folder = new CloudFolder(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+            try
+            {
+                folder.ReadHierarchy();
+                return folder;
+            }
+            catch
+            {
+                folder.Dispose();
+                throw;
+            }
+        }
+
+        public void Dispose()
+        {
+            Upper?.Dispose();
+            if (Chunks.IsCreated)
+                Chunks.Dispose();
+            Chunks = default;
+        }
+
+        /// <summary>The nodes of one chunk; the caller disposes the table.</summary>
+        public NodeTable LoadTable(int chunk)
+        {
+            var record = Chunks[chunk];
+            string path = ChunkPath(chunk);
+            var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);
+            if (header.CloudId != Manifest.CloudId || header.Number != record.Number || header.NodeCount != record.NodeCount ||
+                header.PointCount != record.PointCount || header.FileBytes != record.FileBytes || header.PlaneCount != Layout.Planes.Count ||
+                header.TableOffset != record.TableOffset || header.TableHash != record.TableHash || header.ChunkCount != 0)
+                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
+            using (var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset, Allocator.Persistent))
+            {
+                if (ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length) != header.TableHash)
+                    throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, "the node table is damaged: its hash does not fit");
+                var table = Take(bytes, header.NodeCount, header.PlaneCount);
+                string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table, header.PointCount);
+                if (problem == null)
+                    return table;
+                table.Dispose();
+                throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, problem);
+            }
+        }
+
+        void ReadHierarchy()
+        {
+            string path = Path.Combine(FolderPath, StoreFormat.HierarchyName);
+            var header = StoreFile.ReadHeader(path, StoreFormat.HierarchyMagic);
+            if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points || header.FileBytes != Manifest.HierarchyBytes ||
+                header.PlaneCount != Layout.Planes.Count || header.ChunkCount != Manifest.ChunkCount || header.TableOffset != FileHeader.SizeBytes)
+                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that " + StoreFormat.ManifestName + " means");
+            long upperBytes = header.NodeCount == 0 ? 0 : StoreFile.ReadHeader(UpperPath, StoreFormat.UpperMagic).FileBytes;
+            if (upperBytes != Manifest.UpperBytes)
+                throw PointCloudException.Wanted(FailureCode.BadInput, UpperPath, -1, "size", Manifest.UpperBytes, upperBytes);
+            using (var bytes = StoreFile.Read(path, 0, header.FileBytes, Allocator.Persistent))
+            {
+                var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
+                if (ContentHash.Of(start, bytes.Length) != Manifest.HierarchyHash ||
+                    ContentHash.Of(start + FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes) != header.TableHash)
+                    throw new PointCloudException(FailureCode.BadInput, path, -1, "is damaged: its hash does not fit");
+                var table = bytes.GetSubArray(FileHeader.SizeBytes, bytes.Length - FileHeader.SizeBytes);
+                Upper = Take(table, header.NodeCount, header.PlaneCount);
+                int chunkBytes = header.ChunkCount * ChunkRecord.SizeBytes;
+                var chunks = new NativeArray<ChunkRecord>(header.ChunkCount, Allocator.Persistent);
+                UnsafeUtility.MemCpy(chunks.GetUnsafePtr(), start + bytes.Length - chunkBytes, chunkBytes);
+                Chunks = chunks;
+            }
+            string problem = Upper.FindProblem(Manifest.Root, upperBytes, Layout, false) ?? FindChunkProblem();
+            if (problem != null)
+                throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
+        }
+
+        static NodeTable Take(NativeArray<byte> bytes, int nodeCount, int planeCount)
+        {
+            var nodes = new NativeArray<NodeRecord>(nodeCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var planes = new NativeArray<PlaneRange>(nodeCount * planeCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
+            long nodeBytes = (long)nodeCount * NodeRecord.SizeBytes;
+            UnsafeUtility.MemCpy(nodes.GetUnsafePtr(), start, nodeBytes);
+            UnsafeUtility.MemCpy(planes.GetUnsafePtr(), start + nodeBytes, (long)planes.Length * PlaneRange.SizeBytes);
+            return new NodeTable(nodes, planes, planeCount);
+        }
+
+        static string FindCountProblem(NodeTable table, long points)
+        {
+            long sum = 0;
+            foreach (var node in table.Nodes)
+                sum += node.PointCount;
+            return sum == points ? null : "wanted " + points + " points in all nodes, got " + sum;
+        }
+
+        string FindChunkProblem()
+        {
+            long points = 0, nodes = Upper.Nodes.Length;
+            var numbers = new HashSet<int>();
+            int at = 0;
+            for (int n = 0; n < Upper.Nodes.Length; n++)
+            {
+                var node = Upper.Nodes[n];
+                points += node.PointCount;
+                if (node.ChunkCount < 0 || (node.ChunkCount > 0 && node.FirstChunk != at) || node.ChunkCount > Chunks.Length - at)
+                    return "node " + n + ": chunks " + node.FirstChunk + " to " + ((long)node.FirstChunk + node.ChunkCount);
+                for (int end = at + node.ChunkCount; at < end; at++)
+                {
+                    var chunk = Chunks[at];
+                    if (chunk.AttachNode != n || chunk.SideLog2 < 0 || chunk.SideLog2 > GridCube.MaxSideLog2 ||
+                        !Manifest.Root.Contains(chunk.Cube) || chunk.Number < 0 || !numbers.Add(chunk.Number))
+                        return "chunk " + at + ": number " + chunk.Number + " at " + chunk.Cube + " on node " + chunk.AttachNode;
+                    points += chunk.PointCount;
+                    nodes += chunk.NodeCount;
+                }
+            }
+            if (at != Chunks.Length)
+                return "chunks " + at + " and on hang on no node";
+            if (nodes != Manifest.NodeCount)
+                return "wanted " + Manifest.NodeCount + " nodes, got " + nodes;
+            return points == Manifest.Points ? null : "wanted " + Manifest.Points + " points, got " + points;
+        }
+    }
+}
