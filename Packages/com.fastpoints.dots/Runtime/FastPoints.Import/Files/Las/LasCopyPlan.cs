@@ -34,7 +34,25 @@ namespace FastPoints.Files
                 if (three)
                     i += 2;
             }
+            JoinPositionAndColor(copies);
             return copies.ToArray();
+        }
+
+        static void JoinPositionAndColor(List<LasFieldCopy> copies)
+        {
+            int at = copies.FindIndex(copy => copy.Kind == LasCopyKind.ThreeOfFour && copy.RecordByte == 0);
+            int colorAt = copies.FindIndex(copy => copy.Kind == LasCopyKind.ThreeOfTwo);
+            if (at < 0 || colorAt < 0)
+                return;
+            var joined = copies[at];
+            var color = copies[colorAt];
+            joined.Kind = LasCopyKind.PositionAndColor;
+            joined.ColorByte = color.RecordByte;
+            joined.Red = color.Column0;
+            joined.Green = color.Column1;
+            joined.Blue = color.Column2;
+            copies[at] = joined;
+            copies.RemoveAt(colorAt);
         }
 
         /// <summary>Whether two fields of two or of four bytes lie side by side, as the axes and the colours do.</summary>

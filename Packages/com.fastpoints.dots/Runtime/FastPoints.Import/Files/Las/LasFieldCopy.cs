@@ -1,6 +1,6 @@
 namespace FastPoints.Files
 {
-    /// <summary>From a place in each record to one column, or three. Blittable: jobs carry arrays of these.</summary>
+    /// <summary>From a place in each record to one column, or several. Blittable: jobs carry arrays of these.</summary>
     public struct LasFieldCopy
     {
         /// <summary>Byte of the value in the record.</summary>
@@ -12,6 +12,12 @@ namespace FastPoints.Files
         /// <summary>The second and third column of the kinds that have them.</summary>
         public int Column1;
         public int Column2;
+
+        /// <summary>As the first four, for the colour of <see cref="LasCopyKind.PositionAndColor"/>.</summary>
+        public int ColorByte;
+        public int Red;
+        public int Green;
+        public int Blue;
 
         public LasCopyKind Kind;
         public byte BitShift;

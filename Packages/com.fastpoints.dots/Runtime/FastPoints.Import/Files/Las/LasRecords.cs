@@ -70,6 +70,9 @@ namespace FastPoints.Files
                     ToThreeOfFour(from, stride, count, (uint*)to + first, (uint*)(columns + copy->Column1) + first,
                         (uint*)(columns + copy->Column2) + first);
                     break;
+                case LasCopyKind.PositionAndColor:
+                    ToPositionAndColor(records, stride, count, copy, columns, first);
+                    break;
             }
         }
 
@@ -123,6 +126,26 @@ namespace FastPoints.Files
             }
         }
 
+        static void ToPositionAndColor(byte* records, int stride, int count, LasFieldCopy* copy, byte* columns, int first)
+        {
+            uint* x = (uint*)(columns + copy->Column0) + first;
+            uint* y = (uint*)(columns + copy->Column1) + first;
+            uint* z = (uint*)(columns + copy->Column2) + first;
+            ushort* red = (ushort*)(columns + copy->Red) + first;
+            ushort* green = (ushort*)(columns + copy->Green) + first;
+            ushort* blue = (ushort*)(columns + copy->Blue) + first;
+            byte* color = records + copy->ColorByte;
+            for (int i = 0; i < count; i++, records += stride, color += stride)
+            {
+                x[i] = ((uint*)records)[0];
+                y[i] = ((uint*)records)[1];
+                z[i] = ((uint*)records)[2];
+                red[i] = ((ushort*)color)[0];
+                green[i] = ((ushort*)color)[1];
+                blue[i] = ((ushort*)color)[2];
+            }
+        }
+
         static void FromColumn(byte* columns, int first, int count, LasFieldCopy* copy, byte* records, int stride)
         {
             byte* to = records + copy->RecordByte;
@@ -155,6 +178,14 @@ namespace FastPoints.Files
                     FromFour((uint*)from + first, count, to, stride);
                     FromFour((uint*)(columns + copy->Column1) + first, count, to + 4, stride);
                     FromFour((uint*)(columns + copy->Column2) + first, count, to + 8, stride);
+                    break;
+                case LasCopyKind.PositionAndColor:
+                    FromFour((uint*)from + first, count, to, stride);
+                    FromFour((uint*)(columns + copy->Column1) + first, count, to + 4, stride);
+                    FromFour((uint*)(columns + copy->Column2) + first, count, to + 8, stride);
+                    FromTwo((ushort*)(columns + copy->Red) + first, count, records + copy->ColorByte, stride);
+                    FromTwo((ushort*)(columns + copy->Green) + first, count, records + copy->ColorByte + 2, stride);
+                    FromTwo((ushort*)(columns + copy->Blue) + first, count, records + copy->ColorByte + 4, stride);
                     break;
             }
         }

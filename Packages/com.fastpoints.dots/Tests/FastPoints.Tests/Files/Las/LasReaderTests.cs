@@ -82,6 +82,29 @@ namespace FastPoints.Files.Tests
             }
         }
 
+        [TestCase(AttributeNames.X, AttributeNames.Y, AttributeNames.Z)]
+        [TestCase(AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue)]
+        [TestCase(AttributeNames.X, AttributeNames.Z, AttributeNames.Green, AttributeNames.Blue)]
+        [TestCase(AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue)]
+        public void Read_NeighboursInOnePassOrAlone_AreTheSame(params string[] names)
+        {
+            using (var file = new LasTestFile { Format = 2 }.RandomPoints(2000).Save())
+            using (var reader = PointReaders.Open(file.Path))
+                ReadPoints.EachBlock(reader, reader.Info.Schema.Select(names), slot =>
+                {
+                    for (int i = 0; i < 2000; i++)
+                        foreach (string name in names)
+                        {
+                            int axis = Array.IndexOf(new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }, name);
+                            int color = Array.IndexOf(new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue }, name);
+                            if (axis >= 0)
+                                Check<int>(slot.Points, i, name, BitConverter.ToInt32(file.Points, i * 26 + 4 * axis));
+                            else
+                                Check<ushort>(slot.Points, i, name, BitConverter.ToUInt16(file.Points, i * 26 + 20 + 2 * color));
+                        }
+                });
+        }
+
         [Test]
         public void Read_ManyBlocks_GivesEachPointOnce()
         {

@@ -1,0 +1,55 @@
+using System;
+using System.IO;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>The seeded LAS file that the LAS workloads share: point format 2, 26 bytes a point.</summary>
+    static class LasBenchmarkFile
+    {
+        public const int PointFormat = 2;
+        public const int RecordBytes = 26;
+
+        /// <summary>Points of one slice of work, as the reader cuts them.</summary>
+        public const int BlockPoints = 65536;
+
+        /// <summary>Byte of the red value in a record.</summary>
+        public const int ColorByte = 20;
+
+        static readonly string[] s_wanted =
+        {
+            AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
+        };
+
+        /// <summary>Position and colour.</summary>
+        public static PointSchema Wanted(PointSchema schema) => schema.Select(s_wanted);
+
+        /// <summary>The file, written where it is not there yet.</summary>
+        public static string Make(WorkloadContext context)
+        {
+            string path = Path.Combine(context.ScratchFolder, "las-" + context.Points + "-" + context.Seed + ".las");
+            if (File.Exists(path))
+                return path;
+            var settings = new LasWriterSettings
+            {
+                VersionMinor = 2,
+                PointFormat = PointFormat,
+                Offset = new double3(500000, 4500000, 0),
+            };
+            var records = new byte[BlockPoints * RecordBytes];
+            var random = new System.Random((int)context.Seed);
+            using (var writer = LasWriter.Create(path, settings))
+            {
+                for (int first = 0; first < context.Points; first += BlockPoints)
+                {
+                    random.NextBytes(records);
+                    writer.AppendRecords(records, Math.Min(BlockPoints, context.Points - first));
+                }
+                writer.Complete();
+            }
+            return path;
+        }
+    }
+}
