@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Records in memory to position and colour columns by <see cref="DecodeLasJob"/>, one block after the other.</summary>
+    /// <summary>Records in memory to position and colour columns by <see cref="DecodeLasJob"/>, block by block.</summary>
     public struct LasDecodeWorkload : IWorkload
     {
         const int Blocks = 64;
@@ -42,7 +42,11 @@ namespace FastPoints.Benchmarks
                     RecordBytes = LasBenchmarkFile.RecordBytes,
                     Count = LasBenchmarkFile.BlockPoints,
                 }.Run();
-            return new WorkloadResult { Points = (long)Blocks * LasBenchmarkFile.BlockPoints, Bytes = (long)Blocks * m_records.Length };
+            return new WorkloadResult
+            {
+                Points = (long)Blocks * LasBenchmarkFile.BlockPoints,
+                Bytes = (long)Blocks * m_records.Length,
+            };
         }
 
         public void Dispose()

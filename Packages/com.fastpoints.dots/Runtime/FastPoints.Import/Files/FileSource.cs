@@ -70,7 +70,8 @@ namespace FastPoints.Files
             return ReadAtMost(offset, count);
         }
 
-        /// <summary>Up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's end.</summary>
+        /// <summary>Up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
+        /// end.</summary>
         public ByteReader ReadAtMost(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);

@@ -219,7 +219,8 @@ namespace FastPoints.Files.Tests
                     folder = end > 0 ? line.Substring(3, end - 3) : null;
                     columnOfName = null;
                 }
-                if (folder == null || System.Array.IndexOf(folders, folder) < 0 || !line.StartsWith("|") || line.StartsWith("| ---"))
+                bool isRow = line.StartsWith("|") && !line.StartsWith("| ---");
+                if (!isRow || folder == null || System.Array.IndexOf(folders, folder) < 0)
                     continue;
                 var cells = line.Trim('|').Split('|');
                 if (columnOfName == null)
@@ -245,6 +246,8 @@ namespace FastPoints.Files.Tests
 
         /// <summary>"1,065"; -1 where the cell has no number.</summary>
         static long Count(string cell) =>
-            long.TryParse(cell.Trim().Replace(",", ""), NumberStyles.None, CultureInfo.InvariantCulture, out long count) ? count : -1;
+            long.TryParse(cell.Trim().Replace(",", ""), NumberStyles.None, CultureInfo.InvariantCulture, out long count)
+                ? count
+                : -1;
     }
 }

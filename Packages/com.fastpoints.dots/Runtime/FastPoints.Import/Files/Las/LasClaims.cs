@@ -35,7 +35,8 @@ namespace FastPoints.Files
             long readable = bytes / header.RecordBytes;
             long cut = bytes % header.RecordBytes;
             string story = "the header claims " + Text(claimed) + " points, the file holds " + Text((ulong)readable)
-                + (cut > 0 ? " and " + Text((ulong)cut) + " of the " + Text((ulong)header.RecordBytes) + " bytes of the next" : "");
+                + (cut == 0 ? "" : " and " + Text((ulong)cut) + " of the " + Text((ulong)header.RecordBytes)
+                    + " bytes of the next");
             if (readable == 0)
                 throw new PointCloudException(FailureCode.Truncated, info.Path, start, story);
             info.Warn(header.PointsClaimedAt, story);
@@ -95,8 +96,9 @@ namespace FastPoints.Files
                 Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
             long rest = end - pointsEnd;
             if (rest >= header.RecordBytes)
-                info.Warn(header.PointsClaimedAt, "behind the " + Text(header.PointsClaimed) + " points that the header claims lie "
-                    + Text((ulong)rest) + " bytes, room for " + Text((ulong)(rest / header.RecordBytes)) + " more");
+                info.Warn(header.PointsClaimedAt, "behind the " + Text(header.PointsClaimed)
+                    + " points that the header claims lie " + Text((ulong)rest) + " bytes, room for "
+                    + Text((ulong)(rest / header.RecordBytes)) + " more");
             else if (rest > 0)
                 info.Fact("bytes behind the points", Text((ulong)rest));
         }

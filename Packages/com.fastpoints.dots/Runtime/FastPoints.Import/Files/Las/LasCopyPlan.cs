@@ -4,7 +4,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>The passes over records that fill the wanted columns of a batch; the same plan packs columns into records.</summary>
+    /// <summary>The passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
     public static class LasCopyPlan
     {
         /// <param name="layout">Of the records.</param>

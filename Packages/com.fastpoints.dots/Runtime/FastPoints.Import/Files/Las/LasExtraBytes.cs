@@ -30,7 +30,7 @@ namespace FastPoints.Files
             AttributeType.Int32, AttributeType.UInt64, AttributeType.Int64, AttributeType.Float32, AttributeType.Float64,
         };
 
-        /// <summary>The described fields, one for each component (<c>Name[0]</c>, <c>Name[1]</c>, ... where there are several).</summary>
+        /// <summary>The described fields, one for each component (<c>Name[0]</c>, <c>Name[1]</c>, ... of several).</summary>
         /// <param name="first">Byte of the record at which the extra bytes start.</param>
         /// <param name="recordBytes">End of the record: descriptions that do not fit into it are left out with a warning.</param>
         public static List<LasField> Read(ByteReader entries, int first, int recordBytes, SourceInfo info)

@@ -41,7 +41,8 @@ namespace FastPoints.Files
             }
             foreach (var record in vlrs.Records)
                 info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + Text(record.RecordId) + ", "
-                    + Text((ulong)record.DataBytes) + " bytes" + (record.Description.Length > 0 ? ", " + record.Description : ""));
+                    + Text((ulong)record.DataBytes) + " bytes"
+                    + (record.Description.Length > 0 ? ", " + record.Description : ""));
         }
 
         static void TellText(string name, string value, SourceInfo info)

@@ -14,7 +14,7 @@ namespace FastPoints.Files
         /// reader to judge, since only it knows how points lie in the file.</summary>
         public SourceInfo Info { get; private set; }
 
-        /// <exception cref="PointCloudException">The header makes the points unreadable; see <see cref="LasHeader.Read"/>.</exception>
+        /// <exception cref="PointCloudException">The points are unreadable: see <see cref="LasHeader.Read"/>.</exception>
         public static LasFile Read(FileSource source)
         {
             var header = LasHeader.Read(source);

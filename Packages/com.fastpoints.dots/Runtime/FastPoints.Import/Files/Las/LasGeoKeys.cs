@@ -116,7 +116,7 @@ namespace FastPoints.Files
                 crs.MetresPerUnit = 1;
         }
 
-        /// <summary>UTM zones on WGS 84 north and south, ETRS89, NAD83 and NAD27: metres, though files often do not say so.</summary>
+        /// <summary>UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.</summary>
         static bool IsUtm(int epsg) =>
             epsg >= 32601 && epsg <= 32660 || epsg >= 32701 && epsg <= 32760 || epsg >= 25828 && epsg <= 25838
             || epsg >= 26901 && epsg <= 26923 || epsg >= 26701 && epsg <= 26722;

@@ -89,7 +89,8 @@ namespace FastPoints.Files
         /// <summary>Bytes that the header of a version has.</summary>
         public static int BytesOf(int minorVersion) => s_bytesOfMinor[minorVersion];
 
-        /// <summary>Whether the version has the field that ends at <paramref name="end"/> and the header is long enough for it.</summary>
+        /// <summary>Whether the version has the field that ends at <paramref name="end"/>, and the header is long enough for
+        /// it.</summary>
         public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= LeastBytes || end <= HeaderBytes);
 
         public bool Has64BitCount => HasBytes(At.ByReturn);

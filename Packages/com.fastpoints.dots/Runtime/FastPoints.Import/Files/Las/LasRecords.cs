@@ -12,7 +12,8 @@ namespace FastPoints.Files
         const int TileBytes = 16 << 10;
 
         /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points.</summary>
-        public static void ToColumns(byte* records, int recordBytes, int count, LasFieldCopy* copies, int copyCount, byte* columns)
+        public static void ToColumns(byte* records, int recordBytes, int count, LasFieldCopy* copies, int copyCount,
+            byte* columns)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)

@@ -101,7 +101,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Appends the batch's valid points. Attributes that it lacks are zero.</summary>
-        /// <exception cref="ArgumentException">The batch has an attribute that the records have not, or in another type.</exception>
+        /// <exception cref="ArgumentException">The records lack an attribute of the batch, or type it otherwise.</exception>
         /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void Append(PointBatch batch)
         {

@@ -14,7 +14,8 @@ namespace FastPoints.Files.Tests
         [Test]
         public void Wkt1_Projected_GivesNameCodeAndUnit()
         {
-            var crs = Read(new LasTestFile { Minor = 4, Format = 6 }.Vlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes(Utm + "\0")));
+            var crs = Read(new LasTestFile { Minor = 4, Format = 6 }
+                .Vlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes(Utm + "\0")));
             Assert.That(crs.Wkt, Is.EqualTo(Utm));
             Assert.That(crs.Summary, Is.EqualTo("NAD83 / UTM zone 10N (EPSG:26910)"));
             Assert.That(crs.MetresPerUnit, Is.EqualTo(1));
@@ -33,7 +34,7 @@ namespace FastPoints.Files.Tests
         }
 
         [TestCase("GEOGCS[\"WGS 84\",UNIT[\"degree\",0.01745],AUTHORITY[\"EPSG\",\"4326\"]]", "WGS 84", 4326, double.NaN)]
-        [TestCase("GEOGCRS[\"WGS 84\",CS[ellipsoidal,2],ANGLEUNIT[\"degree\",0.01745],ID[\"EPSG\",4326]]", "WGS 84", 4326, double.NaN)]
+        [TestCase("GEOGCRS[\"WGS\",CS[ellipsoidal,2],ANGLEUNIT[\"degree\",0.01745],ID[\"EPSG\",4326]]", "WGS", 4326, double.NaN)]
         [TestCase("GEODCRS[\"ECEF\",CS[Cartesian,3],LENGTHUNIT[\"metre\",1],ID[\"EPSG\",4978]]", "ECEF", 4978, 1)]
         [TestCase("PROJCRS[\"a \"\"b\"\"\",CS[Cartesian,2],AXIS[\"x\",east,LENGTHUNIT[\"ft\",0.3]]]", "a \"b\"", 0, 0.3)]
         [TestCase("PROJCS(\"round\" , UNIT ( \"m\" , 2.5e0 ) )", "round", 0, 2.5)]

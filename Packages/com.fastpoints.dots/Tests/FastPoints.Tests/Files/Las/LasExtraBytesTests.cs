@@ -52,7 +52,8 @@ namespace FastPoints.Files.Tests
             using (var reader = PointReaders.Open(file.Path))
                 Assert.That(Extra(reader), Is.EqualTo(new[]
                 {
-                    new PointAttribute("Both", AttributeType.UInt16, 0.5, 100), new PointAttribute("Scaled", AttributeType.UInt16, 0.25),
+                    new PointAttribute("Both", AttributeType.UInt16, 0.5, 100),
+                    new PointAttribute("Scaled", AttributeType.UInt16, 0.25),
                     new PointAttribute("Plain", AttributeType.Int16),
                 }));
         }
@@ -90,7 +91,8 @@ namespace FastPoints.Files.Tests
         public void Schema_NamesThatAreTaken_AreNumbered()
         {
             var file = new LasTestFile { Format = 3, ExtraBytes = 3 }.RandomPoints(3)
-                .Vlr("LASF_Spec", 4, Entry(1, 0, "Intensity").Concat(Entry(1, 0, "Twice")).Concat(Entry(1, 0, "Twice")).ToArray());
+                .Vlr("LASF_Spec", 4, Entry(1, 0, "Intensity").Concat(Entry(1, 0, "Twice"))
+                    .Concat(Entry(1, 0, "Twice")).ToArray());
             using (file.Save())
             using (var reader = PointReaders.Open(file.Path))
             {
@@ -106,7 +108,8 @@ namespace FastPoints.Files.Tests
         [TestCase(30, 23)]
         public void Schema_DescriptionThatCannotBe_LeavesSingleBytes(int type, int bytes)
         {
-            var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3).Vlr("LASF_Spec", 4, Entry(type, 0, "Bad"));
+            var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3)
+                .Vlr("LASF_Spec", 4, Entry(type, 0, "Bad"));
             using (file.Save())
             using (var reader = PointReaders.Open(file.Path))
             {

@@ -24,8 +24,10 @@ namespace FastPoints.Files.Tests
 
         static IEnumerable<TestCaseData> OwnFiles()
         {
-            foreach (var (minor, format) in new[] { (0, 0), (1, 1), (2, 2), (2, 3), (3, 4), (3, 5), (4, 6), (4, 7), (4, 8), (5, 9), (5, 10) })
-                yield return new TestCaseData(minor, format).SetName("Mutation_OwnLas1" + minor + "Format" + format + "_EndsInALineOrAResult");
+            var minorOfFormat = new[] { 0, 1, 2, 2, 3, 3, 4, 4, 4, 5, 5 };
+            for (int format = 0; format < minorOfFormat.Length; format++)
+                yield return new TestCaseData(minorOfFormat[format], format)
+                    .SetName("Mutation_OwnPointFormat" + format + "_EndsInALineOrAResult");
         }
 
         static IEnumerable<TestCaseData> Samples()
@@ -37,10 +39,12 @@ namespace FastPoints.Files.Tests
         [TestCaseSource(nameof(OwnFiles))]
         public void MutateOwn(int minor, int format)
         {
-            using (var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 }.RandomPoints(40, format))
+            using (var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 })
             {
+                file.RandomPoints(40, format);
                 file.Vlr("LASF_Projection", 34735, Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0))
-                    .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3)).Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
+                    .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3))
+                    .Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
                 var extra = new byte[2 * 192];
                 extra[2] = 3;
                 extra[3] = 8;
@@ -50,7 +54,8 @@ namespace FastPoints.Files.Tests
                 extra[192 + 4] = (byte)'b';
                 file.Vlr("LASF_Spec", 4, extra);
                 if (minor >= 4)
-                    file.Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]")).Evlr("u", 1, new byte[9]);
+                    file.Evlr("u", 1, new byte[9])
+                        .Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]"));
                 Mutate(file.ToBytes(), file.PointsOffset, 1000 + 16 * minor + format);
             }
         }

@@ -20,7 +20,8 @@ namespace FastPoints.Files.Tests
         [TestCaseSource(nameof(VersionsAndFormats))]
         public void Open_EachVersionAndFormat_TellsWhatTheHeaderSays(int[] versionAndFormat)
         {
-            using (var file = new LasTestFile { Minor = versionAndFormat[0], Format = versionAndFormat[1] }.RandomPoints(7).Save())
+            var built = new LasTestFile { Minor = versionAndFormat[0], Format = versionAndFormat[1] };
+            using (var file = built.RandomPoints(7).Save())
             using (var reader = PointReaders.Open(file.Path))
             {
                 Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
@@ -88,6 +89,8 @@ namespace FastPoints.Files.Tests
         [TestCase(AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue)]
         public void Read_NeighboursInOnePassOrAlone_AreTheSame(params string[] names)
         {
+            var positions = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            var colors = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
             using (var file = new LasTestFile { Format = 2 }.RandomPoints(2000).Save())
             using (var reader = PointReaders.Open(file.Path))
                 ReadPoints.EachBlock(reader, reader.Info.Schema.Select(names), slot =>
@@ -95,8 +98,7 @@ namespace FastPoints.Files.Tests
                     for (int i = 0; i < 2000; i++)
                         foreach (string name in names)
                         {
-                            int axis = Array.IndexOf(new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }, name);
-                            int color = Array.IndexOf(new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue }, name);
+                            int axis = Array.IndexOf(positions, name), color = Array.IndexOf(colors, name);
                             if (axis >= 0)
                                 Check<int>(slot.Points, i, name, BitConverter.ToInt32(file.Points, i * 26 + 4 * axis));
                             else
@@ -144,7 +146,8 @@ namespace FastPoints.Files.Tests
             {
                 Assert.That(ReadPoints.Column<int>(reader, AttributeNames.X),
                     Is.EqualTo(new[] { int.MinValue, int.MaxValue, -1 }));
-                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Y), Is.EqualTo(new[] { int.MaxValue, int.MinValue, 1 }));
+                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Y),
+                    Is.EqualTo(new[] { int.MaxValue, int.MinValue, 1 }));
                 Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 0, 1, int.MinValue }));
                 var geo = reader.Info.Transform.ToGeo(new double3(-1, 1, 1));
                 Assert.That(geo.x, Is.EqualTo(1e7 - 1e-7));

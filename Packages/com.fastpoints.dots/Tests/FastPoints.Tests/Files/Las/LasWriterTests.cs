@@ -30,7 +30,7 @@ namespace FastPoints.Files.Tests
             {
                 new PointAttribute("Height", AttributeType.Float32), new PointAttribute("Grade", AttributeType.Int16, 0.5, -3),
             };
-            var settings = new LasWriterSettings { VersionMinor = 4, PointFormat = format, ExtraBytes = extra, Wkt = "LOCAL_CS[\"here\"]" };
+            var settings = new LasWriterSettings { PointFormat = format, ExtraBytes = extra, Wkt = "LOCAL_CS[\"here\"]" };
             using (var source = new LasTestFile { Minor = 4, Format = format, ExtraBytes = 6 }.RandomPoints(3000).Save())
             {
                 using (var batch = Batch(settings, source, out var schema))
@@ -63,8 +63,10 @@ namespace FastPoints.Files.Tests
             };
             var schema = new PointSchema(new[]
             {
-                new PointAttribute(AttributeNames.X, AttributeType.Int32), new PointAttribute(AttributeNames.Y, AttributeType.Int32),
-                new PointAttribute(AttributeNames.Z, AttributeType.Int32), new PointAttribute(AttributeNames.ReturnNumber, AttributeType.UInt8),
+                new PointAttribute(AttributeNames.X, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Y, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Z, AttributeType.Int32),
+                new PointAttribute(AttributeNames.ReturnNumber, AttributeType.UInt8),
             });
             using (var batch = new PointBatch(schema, 3, Allocator.Persistent))
             using (var writer = LasWriter.Create(m_path, settings))
@@ -123,7 +125,8 @@ namespace FastPoints.Files.Tests
             Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
             Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { PointFormat = 11 }), Throws.ArgumentException);
             Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { VersionMinor = 6 }), Throws.ArgumentException);
-            Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { Scale = new double3(1, 0, 1) }), Throws.ArgumentException);
+            Assert.That(() => LasWriter.Create(m_path, new LasWriterSettings { Scale = new double3(1, 0, 1) }),
+                Throws.ArgumentException);
         }
 
         /// <summary>The points of a file, under the schema of a writer's settings.</summary>
