@@ -11,55 +11,10 @@ namespace FastPoints.Pipeline
     /// <summary>Takes every block of a source into the chunks of a partition. Owns the records until they are handed over.</summary>
     public sealed class ScatterPoints : IBlockConsumer, IDisposable
     {
-        /// <summary>What one block in flight needs.</summary>
-        sealed class Slot : IDisposable
-        {
-            public NativeArray<byte> Records;
-            public NativeArray<int> FirstOfChunk;
-            public NativeArray<int> ChunkOfPoint;
-            public NativeArray<RecordField> Fields;
-            public NativeReference<PointFindings> Findings;
-            public NativeArray<AttributeFindings> Attributes;
-
-            public Slot(int capacity, int strideBytes, int chunks, PointSchema attributes, PointBatch batch)
-            {
-                Records = new NativeArray<byte>(checked(Math.Max(1, capacity) * strideBytes), Allocator.Persistent,
-                    NativeArrayOptions.UninitializedMemory);
-                FirstOfChunk = new NativeArray<int>(chunks + 1, Allocator.Persistent);
-                ChunkOfPoint = new NativeArray<int>(Math.Max(1, capacity), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-                Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
-                Attributes = new NativeArray<AttributeFindings>(attributes.Count, Allocator.Persistent);
-                Fields = new NativeArray<RecordField>(attributes.Count, Allocator.Persistent);
-                int offset = 0;
-                for (int a = 0; a < attributes.Count; a++)
-                {
-                    Attributes[a] = AttributeFindings.None;
-                    Fields[a] = new RecordField
-                    {
-                        Column = batch.Column(batch.Schema.IndexOf(attributes[a].Name)),
-                        RecordOffset = offset,
-                        Attribute = a,
-                    };
-                    offset += attributes[a].Type.SizeOf();
-                }
-            }
-
-            public void Dispose()
-            {
-                Records.Dispose();
-                FirstOfChunk.Dispose();
-                ChunkOfPoint.Dispose();
-                Fields.Dispose();
-                Findings.Dispose();
-                Attributes.Dispose();
-            }
-        }
-
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;
         readonly PartitionMap m_map;
-        readonly CellFinder m_cells;
-        readonly List<Slot> m_slots = new List<Slot>();
+        readonly List<RecordSlot> m_slots = new List<RecordSlot>();
         NativeArray<RecordPages> m_chunks;
         SourceGrid m_grid;
         int m_capacity;
@@ -70,7 +25,6 @@ namespace FastPoints.Pipeline
             m_attributes = attributes;
             m_layout = layout;
             m_map = map;
-            m_cells = new CellFinder(map.Cube, map.Levels);
             m_chunks = new NativeArray<RecordPages>(map.Chunks.Length + 1, Allocator.Persistent);
             Attributes = new AttributeFindings[attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
@@ -97,27 +51,9 @@ namespace FastPoints.Pipeline
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
         {
             while (m_slots.Count <= slot)
-                m_slots.Add(new Slot(m_capacity, m_layout.StrideBytes, m_map.Chunks.Length + 1, m_attributes, read.Points));
+                m_slots.Add(new RecordSlot(m_capacity, m_attributes, m_layout, m_map, read.Points));
             var s = m_slots[slot];
-            var batch = read.Points;
-            var grouped = new GroupRecordsJob
-            {
-                Columns = batch.Bytes,
-                Decoded = read.Result,
-                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
-                Fields = s.Fields,
-                Grid = m_grid,
-                Layout = m_layout,
-                Cells = m_cells,
-                ChunkOfCell = m_map.ChunkOfCell,
-                Records = s.Records,
-                FirstOfChunk = s.FirstOfChunk,
-                ChunkOfPoint = s.ChunkOfPoint,
-                Findings = s.Findings,
-                Attributes = s.Attributes,
-            }.Schedule(decoded);
+            var grouped = s.ScheduleGrouping(read, m_grid, decoded);
             m_lastAppend = new AppendRecordsJob
             {
                 Records = s.Records,

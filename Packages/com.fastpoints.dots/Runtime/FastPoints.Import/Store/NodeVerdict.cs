@@ -1,0 +1,30 @@
+namespace FastPoints.Store
+{
+    /// <summary>What reading one node's points showed. Blittable.</summary>
+    public struct NodeVerdict
+    {
+        /// <summary>What is wrong with a node; 0 for nothing.</summary>
+        public enum Fault
+        {
+            None,
+            PlaneHash,
+            PlaneShape,
+            BlockCounts,
+            OutsideCube,
+            Bounds,
+            Value,
+        }
+
+        public Fault What;
+
+        /// <summary>The plane at fault.</summary>
+        public int Plane;
+
+        /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
+        public ulong FirstSum;
+        public ulong SecondSum;
+
+        /// <summary>Smallest distance between two of the node's points, in CRS units; infinity for a single one.</summary>
+        public double MinDistance;
+    }
+}

@@ -1,0 +1,154 @@
+using FastPoints.Octree;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>Reads every point of a file's nodes: hashes, shapes, cubes, bounds, sums. The table has been checked.</summary>
+    [BurstCompile]
+    public unsafe struct VerifyNodesJob : IJobParallelFor
+    {
+        [ReadOnly] public NativeArray<byte> File;
+        [ReadOnly] public NativeArray<NodeRecord> Nodes;
+        [ReadOnly] public NativeArray<PlaneRange> Planes;
+        public int PlaneCount;
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+        [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+        public int AttributeBytes;
+        public double3 Step;
+
+        /// <summary>By node.</summary>
+        [NativeDisableParallelForRestriction] public NativeArray<NodeVerdict> Verdicts;
+
+        public void Execute(int index)
+        {
+            if (Nodes[index].Host != index)
+                return;
+            var verdict = new NodeVerdict { MinDistance = double.PositiveInfinity };
+            CheckPlanes(index, ref verdict);
+            var node = Nodes[index];
+            Verdicts[index] = CheckPoints(index, verdict);
+            // The guests' verdicts are nobody else's to write.
+            for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
+                if (Nodes[child].Host == index)
+                    Verdicts[child] = CheckPoints(child, verdict);
+        }
+
+        PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
+
+        PlaneView ViewOf(int host, int plane)
+        {
+            var node = Nodes[host];
+            return new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Planes[host * PlaneCount + plane].OffsetBytes,
+                ShapeOf(plane, node.IsWide), node.HostedBlocks);
+        }
+
+        void CheckPlanes(int index, ref NodeVerdict verdict)
+        {
+            var file = (byte*)File.GetUnsafeReadOnlyPtr();
+            for (int p = 0; p < PlaneCount && verdict.What == NodeVerdict.Fault.None; p++)
+            {
+                var range = Planes[index * PlaneCount + p];
+                verdict.Plane = p;
+                if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
+                    verdict.What = NodeVerdict.Fault.PlaneHash;
+                else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide), Nodes[index].HostedBlocks))
+                    verdict.What = NodeVerdict.Fault.PlaneShape;
+            }
+        }
+
+        NodeVerdict CheckPoints(int index, NodeVerdict verdict)
+        {
+            if (verdict.What != NodeVerdict.Fault.None)
+                return verdict;
+            var node = Nodes[index];
+            var host = Nodes[node.Host];
+            var points = (double3*)UnsafeUtility.Malloc((long)node.PointCount * sizeof(double3), 16, Allocator.Temp);
+            ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
+            var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16, Allocator.Temp);
+            UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
+            var min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
+            var max = new Grid3(long.MinValue, long.MinValue, long.MinValue);
+            int done = 0;
+            for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount && verdict.What == NodeVerdict.Fault.None; b++)
+            {
+                var position = ViewOf(node.Host, 0);
+                int count = position.PointsOf(b);
+                if (count != math.min(PlaneShape.MaxPointsPerBlock, node.PointCount - done))
+                {
+                    verdict.What = NodeVerdict.Fault.BlockCounts;
+                    verdict.Plane = 0;
+                    break;
+                }
+                for (int c = 0; c < 3; c++)
+                    position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
+                LoadAttributes(node.Host, b, count, values, records, recordBytes, ref verdict);
+                if (verdict.What != NodeVerdict.Fault.None)
+                    break;
+                for (int i = 0; i < count; i++)
+                {
+                    var place = host.Corner + new Grid3((long)places[i], (long)places[PlaneShape.MaxPointsPerBlock + i],
+                        (long)places[2 * PlaneShape.MaxPointsPerBlock + i]);
+                    if (!node.Cube.Contains(place))
+                    {
+                        verdict.What = NodeVerdict.Fault.OutsideCube;
+                        verdict.Plane = 0;
+                        break;
+                    }
+                    var offset = place - node.Corner;
+                    min = Grid3.Min(min, offset);
+                    max = Grid3.Max(max, offset);
+                    points[done + i] = new double3(offset.X, offset.Y, offset.Z) * Step;
+                    verdict.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
+                    verdict.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
+                }
+                done += count;
+            }
+            if (verdict.What == NodeVerdict.Fault.None)
+            {
+                int shift = node.BoundsShift;
+                if (node.MinX != min.X >> shift || node.MinY != min.Y >> shift || node.MinZ != min.Z >> shift ||
+                    node.MaxX != max.X >> shift || node.MaxY != max.Y >> shift || node.MaxZ != max.Z >> shift)
+                    verdict.What = NodeVerdict.Fault.Bounds;
+                verdict.MinDistance = ClosestPair.Distance(points, node.PointCount);
+            }
+            UnsafeUtility.Free(records, Allocator.Temp);
+            UnsafeUtility.Free(points, Allocator.Temp);
+            return verdict;
+        }
+
+        void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes, ref NodeVerdict verdict)
+        {
+            for (int p = 1; p < PlaneCount; p++)
+            {
+                var plane = ViewOf(host, p);
+                verdict.Plane = p;
+                if (plane.PointsOf(block) != count)
+                {
+                    verdict.What = NodeVerdict.Fault.BlockCounts;
+                    return;
+                }
+                for (int c = 0; c < plane.Shape.ColumnCount; c++)
+                {
+                    var column = Columns[FirstColumnOfPlane[p - 1] + c];
+                    plane.UnpackWide(block, c, values);
+                    int bits = column.Type.SizeOf() * 8;
+                    for (int i = 0; i < count; i++)
+                    {
+                        ulong value = values[i] * (ulong)column.Divisor;
+                        if (bits < 64 && value >> bits != 0)
+                            verdict.What = NodeVerdict.Fault.Value;
+                        OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
+                    }
+                }
+            }
+        }
+    }
+}

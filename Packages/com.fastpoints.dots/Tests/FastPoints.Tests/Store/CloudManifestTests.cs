@@ -1,0 +1,92 @@
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Store;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Store
+{
+    public class CloudManifestTests
+    {
+        static CloudManifest Example()
+        {
+            var manifest = new CloudManifest
+            {
+                CloudId = 0xFEDCBA9876543210UL,
+                Points = 1L << 40,
+                PointsLeftOut = 3,
+                Checksum = ulong.MaxValue,
+                Grid = new CloudGrid { Origin = new double3(1e7, -0.1, 1.0 / 3), Step = new double3(1e-4, 0.01, math.pow(2.0, -30)) },
+                Root = new GridCube(new Grid3(-5, 1L << 60, 0), 43),
+                BoundsMin = new Grid3(-1, 2, 3),
+                BoundsMax = new Grid3(1L << 59, 5, 6),
+                Attributes = new PointSchema(new[]
+                {
+                    new PointAttribute("Red", AttributeType.UInt16),
+                    new PointAttribute("odd \"name\"\n\\", AttributeType.Float64, 0.1, -7),
+                }),
+                Divisors = new[] { 257, 1 },
+                Ranges = new[] { new CloudManifest.Range { Min = 0, Max = 65535 }, new CloudManifest.Range { Min = double.NaN, Max = double.NaN } },
+                MetresPerUnit = double.NaN,
+                CrsName = "EPSG:26910",
+                HierarchyBytes = 12345,
+                HierarchyHash = 42,
+                UpperBytes = 67890,
+            };
+            manifest.Sources.Add(new CloudManifest.Source { Name = "a.las", FileBytes = 5, Points = 6 });
+            return manifest;
+        }
+
+        [Test]
+        public void ToJson_ReadBack_SaysTheSame()
+        {
+            string json = Example().ToJson();
+            var back = CloudManifest.FromJson(json, "cloud.json");
+            Assert.That(back.ToJson(), Is.EqualTo(json));
+            Assert.That(back.Points, Is.EqualTo(1L << 40));
+            Assert.That(back.Checksum, Is.EqualTo(ulong.MaxValue));
+            Assert.That(back.Grid.Origin.z, Is.EqualTo(1.0 / 3));
+            Assert.That(back.Attributes[1].Name, Is.EqualTo("odd \"name\"\n\\"));
+            Assert.That(back.Divisors[0], Is.EqualTo(257));
+        }
+
+        [TestCase("\"points\": 1099511627776", "\"points\": -1", "\"points\"")]
+        [TestCase("\"points\": 1099511627776", "\"points\": 1.5", "\"points\"")]
+        [TestCase("\"points\": 1099511627776", "\"points\": \"1\"", "\"points\"")]
+        [TestCase("\"pointsLeftOut\"", "\"left\"", "\"pointsLeftOut\"")]
+        [TestCase("\"sideLog2\": 43", "\"sideLog2\": 63", "\"sideLog2\"")]
+        [TestCase("\"Float64\"", "\"Float65\"", "Float65")]
+        [TestCase("\"divisor\": 257", "\"divisor\": 0", "\"divisor\"")]
+        [TestCase("\"version\": 1", "\"version\": 2", "version")]
+        [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
+        [TestCase("{", "[", "character")]
+        public void FromJson_SomethingWrong_NamesIt(string good, string bad, string named)
+        {
+            string json = Example().ToJson();
+            int at = json.IndexOf(good, System.StringComparison.Ordinal);
+            Assert.That(at, Is.GreaterThanOrEqualTo(0));
+            string broken = json.Substring(0, at) + bad + json.Substring(at + good.Length);
+            Assert.That(() => CloudManifest.FromJson(broken, "cloud.json"),
+                Throws.TypeOf<PointCloudException>().With.Message.Contains(named).And.Message.Contains("cloud.json"));
+        }
+
+        [TestCase("")]
+        [TestCase("{")]
+        [TestCase("{\"a\": 01}")]
+        [TestCase("{\"a\": 1,}")]
+        [TestCase("{\"a\": 1} x")]
+        [TestCase("{\"a\": \"\\x\"}")]
+        [TestCase("{\"a\": 1, \"a\": 2}")]
+        [TestCase("nul")]
+        public void Parse_NoJson_Throws(string text)
+        {
+            Assert.That(() => JsonReader.Parse(text), Throws.TypeOf<System.FormatException>());
+        }
+
+        [Test]
+        public void Parse_ManyLevels_ThrowsBeforeTheStackEnds()
+        {
+            Assert.That(() => JsonReader.Parse(new string('[', 100000)), Throws.TypeOf<System.FormatException>());
+        }
+    }
+}

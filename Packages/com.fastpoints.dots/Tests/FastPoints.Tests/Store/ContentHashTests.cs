@@ -1,0 +1,21 @@
+using System.Text;
+using FastPoints.Store;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Store
+{
+    public unsafe class ContentHashTests
+    {
+        // Published results of XXH64 with seed 0.
+        [TestCase("", 0xEF46DB3751D8E999UL)]
+        [TestCase("a", 0xD24EC4F1A98C6E5BUL)]
+        [TestCase("abc", 0x44BC2CF5AD770999UL)]
+        [TestCase("Nobody inspects the spammish repetition", 0xFBCEA83C8A378BF1UL)]
+        public void Of_KnownText_GivesThePublishedHash(string text, ulong wanted)
+        {
+            byte[] bytes = Encoding.ASCII.GetBytes(text + "?");
+            fixed (byte* b = bytes)
+                Assert.That(ContentHash.Of(b, text.Length), Is.EqualTo(wanted));
+        }
+    }
+}
