@@ -92,7 +92,7 @@ namespace FastPoints.Tests.Pipeline
         [Test]
         public void Convert_UniformCube_KeepsEveryPointInSmallNodes()
         {
-            var made = Prove(MemoryReader.Of(Uniform(150000, 100000), s_centimetres), new ConvertSettings { PointsPerChunk = 40000 });
+            var made = Prove(MemoryReader.Of(Uniform(240000, 100000), s_centimetres, 20000), new ConvertSettings { PointsPerChunk = 100000 });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
             using (var folder = CloudFolder.Open(Target()))
                 foreach (var node in folder.Upper.Nodes)
@@ -217,13 +217,15 @@ namespace FastPoints.Tests.Pipeline
         [Test]
         public void Convert_OneTwoSevenWorkers_WriteTheSameBytes()
         {
-            var places = Uniform(80000, 3000);
+            var places = Uniform(120000, 3000);
+            for (int i = 0; i < places.Length; i++)
+                places[i].z /= 1000;
             var before = new Dictionary<string, byte[]>();
             foreach (int workers in new[] { 1, 2, 7 })
             {
                 JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
                 string name = "w" + workers;
-                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings { PointsPerChunk = 10000, ChunksAtOnce = workers });
+                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings { PointsPerChunk = 60000, ChunksAtOnce = workers });
                 foreach (string file in Directory.GetFiles(Target(name), "*", SearchOption.AllDirectories))
                 {
                     string relative = file.Substring(Target(name).Length);
