@@ -102,10 +102,11 @@ namespace StandIns.Memory
             }
         }
 
-        /// <summary>Ends a frame; the host's stand-in for the player loop.</summary>
+        /// <summary>Ends a frame on the main thread; the host's stand-in for the player loop.</summary>
         /// <exception cref="InvalidOperationException">TempJob memory is older than it may be; Unity logs the same.</exception>
         internal static void AdvanceFrame()
         {
+            TempMemory.FreeSince(default);
             string problem = null;
             lock (s_lock)
             {

@@ -1,19 +1,28 @@
 using System;
 using System.Collections.Generic;
+using StandIns.Safety;
 
 namespace StandIns.Memory
 {
     /// <summary>
     /// Allocator.Temp: memory of one thread that nobody has to give back. What a job leaves is freed when it ends, what the main
-    /// thread leaves when the frame ends.
+    /// thread leaves when the frame ends; containers in it are disposed then.
     /// </summary>
     static unsafe class TempMemory
     {
         [ThreadStatic]
         static List<IntPtr> t_blocks;
+        [ThreadStatic]
+        static List<(IntPtr Node, int Version)> t_containers;
 
-        /// <summary>Blocks of this thread that are alive: what <see cref="FreeAbove"/> takes back later.</summary>
-        internal static int Mark => t_blocks == null ? 0 : t_blocks.Count;
+        /// <summary>What is alive on this thread now, to free what comes after it.</summary>
+        internal struct Mark
+        {
+            internal int Blocks;
+            internal int Containers;
+        }
+
+        internal static Mark Now => new Mark { Blocks = t_blocks?.Count ?? 0, Containers = t_containers?.Count ?? 0 };
 
         internal static void* Allocate(long size, int alignment)
         {
@@ -21,6 +30,9 @@ namespace StandIns.Memory
             (t_blocks ??= new List<IntPtr>()).Add((IntPtr)memory);
             return memory;
         }
+
+        internal static void NoteContainer(SafetyNode* node) =>
+            (t_containers ??= new List<(IntPtr, int)>()).Add(((IntPtr)node, node->Version));
 
         internal static void Free(void* memory)
         {
@@ -32,14 +44,25 @@ namespace StandIns.Memory
             NativeHeap.Free(memory);
         }
 
-        internal static void FreeAbove(int mark)
+        internal static void FreeSince(Mark mark)
         {
+            if (t_containers != null)
+            {
+                for (int i = t_containers.Count - 1; i >= mark.Containers; i--)
+                {
+                    var node = (SafetyNode*)t_containers[i].Node;
+                    if (node->Version == t_containers[i].Version)
+                        SafetyNode.Release(node, recycle: true);
+                    t_containers.RemoveAt(i);
+                }
+            }
             if (t_blocks == null)
                 return;
-            for (int i = t_blocks.Count - 1; i >= mark; i--)
+            for (int i = t_blocks.Count - 1; i >= mark.Blocks; i--)
+            {
                 NativeHeap.Free((void*)t_blocks[i]);
-            if (t_blocks.Count > mark)
-                t_blocks.RemoveRange(mark, t_blocks.Count - mark);
+                t_blocks.RemoveAt(i);
+            }
         }
     }
 }

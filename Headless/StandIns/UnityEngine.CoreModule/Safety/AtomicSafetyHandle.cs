@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using StandIns.Memory;
 using StandIns.Safety;
 
 namespace Unity.Collections.LowLevel.Unsafe
@@ -37,9 +38,14 @@ namespace Unity.Collections.LowLevel.Unsafe
         /// <summary>A handle for memory of Allocator.Temp. Each container has its own, so that each is known to be disposed.</summary>
         public static AtomicSafetyHandle GetTempMemoryHandle()
         {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
             AtomicSafetyHandle handle = Create();
             handle.m_Flags |= Temp;
+            TempMemory.NoteContainer(handle.m_Node);
             return handle;
+#else
+            return default;
+#endif
         }
 
         public static AtomicSafetyHandle GetTempUnsafePtrSliceHandle() => GetTempMemoryHandle();

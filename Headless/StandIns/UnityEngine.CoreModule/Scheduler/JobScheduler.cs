@@ -57,7 +57,7 @@ namespace StandIns.Scheduling
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
             JobRecord record = JobChecks.Register(ref copy, parallel, default, runsAtOnce: true);
 #endif
-            int mark = TempMemory.Mark;
+            TempMemory.Mark mark = TempMemory.Now;
             JobThread.Enter();
             try
             {
@@ -70,7 +70,7 @@ namespace StandIns.Scheduling
             finally
             {
                 JobThread.Leave();
-                TempMemory.FreeAbove(mark);
+                TempMemory.FreeSince(mark);
                 JobPatch<T>.Deallocate(ref copy);
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
                 record.Sync();
@@ -264,7 +264,7 @@ namespace StandIns.Scheduling
                 begin = first * node.BatchSize;
                 end = (int)Math.Min(node.Length, ((long)first + count) * node.BatchSize);
             }
-            int mark = TempMemory.Mark;
+            TempMemory.Mark mark = TempMemory.Now;
             JobThread.Enter();
             try
             {
@@ -277,7 +277,7 @@ namespace StandIns.Scheduling
             finally
             {
                 JobThread.Leave();
-                TempMemory.FreeAbove(mark);
+                TempMemory.FreeSince(mark);
             }
         }
 

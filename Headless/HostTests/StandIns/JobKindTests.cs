@@ -1,0 +1,271 @@
+using System.Linq;
+using System.Threading;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.HostTests.StandIns
+{
+    public sealed class JobKindTests
+    {
+        [SetUp]
+        public void Workers() => JobsUtility.JobWorkerCount = 3;
+
+        [TearDown]
+        public void DefaultWorkers() => JobsUtility.ResetJobWorkerCount();
+
+        struct AddJob : IJob
+        {
+            public NativeArray<int> Values;
+            public int Amount;
+
+            public void Execute() => Values[0] += Amount;
+        }
+
+        struct SquareFor : IJobFor
+        {
+            public NativeArray<int> Squares;
+
+            public void Execute(int index) => Squares[index] = index * index;
+        }
+
+        struct SquareParallelFor : IJobParallelFor
+        {
+            [ReadOnly] public NativeArray<int> Roots;
+            public NativeArray<int> Squares;
+
+            public void Execute(int index) => Squares[index] = Roots[index] * Roots[index];
+        }
+
+        struct BatchSumsJob : IJobParallelForBatch
+        {
+            public NativeArray<int> CountOfStart;
+
+            public void Execute(int startIndex, int count) => CountOfStart[startIndex] = count;
+        }
+
+        struct FillListJob : IJob
+        {
+            public NativeList<int> List;
+            public int Count;
+
+            public void Execute()
+            {
+                for (int i = 0; i < Count; i++)
+                    List.Add(i);
+            }
+        }
+
+        struct DoubleDeferredJob : IJobParallelForDefer
+        {
+            public NativeArray<int> Values;
+
+            public void Execute(int index) => Values[index] *= 2;
+        }
+
+        struct SumDeferredJob : IJob
+        {
+            [ReadOnly] public NativeArray<int> Values;
+            public NativeReference<int> Sum;
+
+            public void Execute()
+            {
+                for (int i = 0; i < Values.Length; i++)
+                    Sum.Value += Values[i];
+            }
+        }
+
+        struct IsOddFilter : IJobFilter
+        {
+            public bool Execute(int index) => (index & 1) == 1;
+        }
+
+        struct ThreadIndexJob : IJobParallelFor
+        {
+            [NativeSetThreadIndex] public int ThreadIndex;
+            public NativeArray<int> IndexOfElement;
+            public NativeArray<int> IndexOfUtility;
+
+            public void Execute(int index)
+            {
+                IndexOfElement[index] = ThreadIndex;
+                IndexOfUtility[index] = JobsUtility.ThreadIndex;
+            }
+        }
+
+        struct DeallocatingJob : IJob
+        {
+            [DeallocateOnJobCompletion] [ReadOnly] public NativeArray<int> Values;
+            public NativeReference<int> Result;
+
+            public void Execute() => Result.Value = Values[0];
+        }
+
+        static NativeArray<int> Array(int length) => new NativeArray<int>(length, Allocator.Persistent);
+
+        [Test]
+        public void Job_ScheduledAndRun_WritesThroughItsCopyOfTheArray()
+        {
+            using NativeArray<int> values = Array(1);
+            var job = new AddJob { Values = values, Amount = 3 };
+            job.Schedule().Complete();
+            job.ScheduleByRef().Complete();
+            job.Run();
+            job.RunByRef();
+            Assert.That(values[0], Is.EqualTo(12));
+        }
+
+        [Test]
+        public void Job_ChangedAfterSchedule_RunsWithTheValuesOfThen()
+        {
+            using NativeArray<int> values = Array(1);
+            var job = new AddJob { Values = values, Amount = 5 };
+            JobHandle handle = job.ScheduleByRef();
+            job.Amount = 1000;
+            handle.Complete();
+            Assert.That(values[0], Is.EqualTo(5));
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(1000)]
+        public void JobFor_EveryWayToSchedule_VisitsEachIndexOnce(int length)
+        {
+            using NativeArray<int> single = Array(length);
+            using NativeArray<int> parallel = Array(length);
+            using NativeArray<int> run = Array(length);
+            JobHandle a = new SquareFor { Squares = single }.Schedule(length, default);
+            JobHandle b = new SquareFor { Squares = parallel }.ScheduleParallel(length, 7, a);
+            new SquareFor { Squares = run }.Run(length);
+            b.Complete();
+            for (int i = 0; i < length; i++)
+                Assert.That(new[] { single[i], parallel[i], run[i] }, Is.All.EqualTo(i * i));
+        }
+
+        [TestCase(1, 1)]
+        [TestCase(10, 64)]
+        [TestCase(1000, 1)]
+        [TestCase(1000, 33)]
+        public void JobParallelFor_AnyBatchSize_VisitsEachIndexOnce(int length, int batch)
+        {
+            using var roots = new NativeArray<int>(Enumerable.Range(0, length).ToArray(), Allocator.Persistent);
+            using NativeArray<int> squares = Array(length);
+            new SquareParallelFor { Roots = roots, Squares = squares }.Schedule(length, batch).Complete();
+            for (int i = 0; i < length; i++)
+                Assert.That(squares[i], Is.EqualTo(i * i));
+        }
+
+        [Test]
+        public void JobParallelForBatch_LengthNotAMultiple_LastBatchIsShort()
+        {
+            using NativeArray<int> counts = Array(103);
+            new BatchSumsJob { CountOfStart = counts }.ScheduleParallel(103, 10).Complete();
+            for (int i = 0; i < 103; i++)
+                Assert.That(counts[i], Is.EqualTo(i % 10 != 0 ? 0 : i == 100 ? 3 : 10));
+            counts.AsSpan().Clear();
+            new BatchSumsJob { CountOfStart = counts }.Schedule(103, 10).Complete();
+            Assert.That(counts[100], Is.EqualTo(3));
+            counts.AsSpan().Clear();
+            new BatchSumsJob { CountOfStart = counts }.Run(103, 50);
+            Assert.That(new[] { counts[0], counts[50], counts[100] }, Is.EqualTo(new[] { 50, 50, 3 }));
+        }
+
+        [Test]
+        public void JobParallelForDefer_LengthKnownOnlyLater_CoversWhatTheListHoldsThen()
+        {
+            using var list = new NativeList<int>(4, Allocator.Persistent);
+            using var sum = new NativeReference<int>(Allocator.Persistent);
+            JobHandle filled = new FillListJob { List = list, Count = 1000 }.Schedule();
+            JobHandle doubled = new DoubleDeferredJob { Values = list.AsDeferredJobArray() }.Schedule(list, 16, filled);
+            JobHandle summed = new SumDeferredJob { Values = list.AsDeferredJobArray(), Sum = sum }.Schedule(doubled);
+            summed.Complete();
+            Assert.That(sum.Value, Is.EqualTo(2 * 499500));
+        }
+
+        [Test]
+        public unsafe void JobParallelForDefer_CountBehindAPointer_IsReadWhenTheDependencyIsDone()
+        {
+            using var values = new NativeArray<int>(Enumerable.Repeat(1, 10).ToArray(), Allocator.Persistent);
+            using var count = new NativeReference<int>(0, Allocator.Persistent);
+            JobHandle counted = new SetReferenceJob { Reference = count, Value = 4 }.Schedule();
+            int* address = NativeReferenceUnsafeUtility.GetUnsafePtrWithoutChecks(count);
+            new DoubleDeferredJob { Values = values }.Schedule(address, 3, counted).Complete();
+            Assert.That(values.ToArray(), Is.EqualTo(new[] { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1 }));
+        }
+
+        struct SetReferenceJob : IJob
+        {
+            public NativeReference<int> Reference;
+            public int Value;
+
+            public void Execute() => Reference.Value = Value;
+        }
+
+        [Test]
+        public void JobFilter_AppendAndFilter_KeepTheIndicesItSaysYesTo()
+        {
+            using var indices = new NativeList<int>(Allocator.Persistent);
+            new IsOddFilter().ScheduleAppend(indices, 6).Complete();
+            Assert.That(indices.AsArray().ToArray(), Is.EqualTo(new[] { 1, 3, 5 }));
+            indices.Add(8);
+            new IsOddFilter().RunFilter(indices);
+            Assert.That(indices.AsArray().ToArray(), Is.EqualTo(new[] { 1, 3, 5 }));
+        }
+
+        [Test]
+        public void ThreadIndex_InAJob_IsThatOfTheThreadAndInRange()
+        {
+            using NativeArray<int> field = Array(64);
+            using NativeArray<int> utility = Array(64);
+            new ThreadIndexJob { IndexOfElement = field, IndexOfUtility = utility, ThreadIndex = -1 }.Schedule(64, 1).Complete();
+            Assert.That(field.ToArray(), Is.EqualTo(utility.ToArray()));
+            Assert.That(field.ToArray(), Is.All.InRange(0, JobsUtility.ThreadIndexCount - 1));
+        }
+
+        [Test]
+        public void DeallocateOnJobCompletion_JobDone_FreesTheArray()
+        {
+            using var result = new NativeReference<int>(Allocator.Persistent);
+            var values = new NativeArray<int>(new[] { 42 }, Allocator.TempJob);
+            new DeallocatingJob { Values = values, Result = result }.Schedule().Complete();
+            Assert.That(result.Value, Is.EqualTo(42));
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            Assert.That(() => values[0], Throws.TypeOf<System.ObjectDisposedException>());
+#endif
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(5)]
+        public void WorkerCount_Any_JobsAreDoneWhenCompleted(int workers)
+        {
+            JobsUtility.JobWorkerCount = workers;
+            using NativeArray<int> squares = Array(500);
+            JobHandle handle = new SquareFor { Squares = squares }.ScheduleParallel(500, 3, default);
+            handle.Complete();
+            Assert.That(handle.IsCompleted, Is.True);
+            Assert.That(squares[499], Is.EqualTo(499 * 499));
+        }
+
+        [Test]
+        public void WorkerCount_OutOfRange_Throws()
+        {
+            Assert.That(() => JobsUtility.JobWorkerCount = -1, Throws.TypeOf<System.ArgumentOutOfRangeException>());
+            Assert.That(() => JobsUtility.JobWorkerCount = JobsUtility.JobWorkerMaximumCount + 1,
+                Throws.TypeOf<System.ArgumentOutOfRangeException>());
+        }
+
+        [Test]
+        public void ScheduledJob_NobodyCompletes_RunsOnAWorker()
+        {
+            using NativeArray<int> values = Array(1);
+            JobHandle handle = new AddJob { Values = values, Amount = 1 }.Schedule();
+            JobHandle.ScheduleBatchedJobs();
+            Assert.That(SpinWait.SpinUntil(() => handle.IsCompleted, 5000), Is.True);
+            handle.Complete();
+            Assert.That(values[0], Is.EqualTo(1));
+        }
+    }
+}
