@@ -318,7 +318,7 @@ namespace FastPoints.HostTests.StandIns
         [Test]
         public void RawPointer_WithoutItsAttribute_IsRefused()
         {
-            Assert.That(() => new PointerJob().Schedule(), Refused("uses unsafe Pointers which is not allowed"));
+            Assert.That(() => new PointerJob { Pointer = null }.Schedule(), Refused("uses unsafe Pointers which is not allowed"));
             int value = 0;
             new AllowedPointerJob { Pointer = &value }.Run();
             Assert.That(value, Is.EqualTo(9));
@@ -327,9 +327,11 @@ namespace FastPoints.HostTests.StandIns
         [Test]
         public void ReferenceField_InAJob_IsRefused()
         {
-            Assert.That(() => new ManagedFieldJob().Schedule(),
+            Assert.That(() => new ManagedFieldJob { Values = new int[1] }.Schedule(),
                 Refused("ManagedFieldJob.Values is not a value type. Job structs may not contain any reference types."));
-            Assert.That(() => new NestedManagedFieldJob().Run(), Refused("NestedManagedFieldJob.Held.Name is not a value type"));
+            var held = new NestedManagedFieldJob.Holder { Count = 1, Name = "" };
+            Assert.That(() => new NestedManagedFieldJob { Held = held }.Run(),
+                Refused("NestedManagedFieldJob.Held.Name is not a value type"));
         }
 
         [Test]

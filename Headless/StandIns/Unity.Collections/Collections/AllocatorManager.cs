@@ -69,8 +69,8 @@ namespace Unity.Collections
             UnsafeUtility.FreeTracked(pointer, handle.ToAllocator);
         }
 
-        public static void Free(AllocatorHandle handle, void* pointer, int itemSizeInBytes, int alignmentInBytes, int items = 1) =>
-            Free(handle, pointer);
+        public static void Free(AllocatorHandle handle, void* pointer, int itemSizeInBytes, int alignmentInBytes,
+            int items = 1) => Free(handle, pointer);
 
         public static void Free<T>(AllocatorHandle handle, T* pointer, int items = 1) where T : unmanaged =>
             Free(handle, (void*)pointer);

@@ -35,7 +35,7 @@ namespace Unity.Collections
         public static bool IsAligned(ulong offset, int alignmentPowerOfTwo) =>
             (offset & ((ulong)alignmentPowerOfTwo - 1)) == 0;
 
-        /// <summary>djb2, as good as any where only the same bytes must give the same number.</summary>
+        /// <summary>Weak, but the same bytes give the same number.</summary>
         public static uint Hash(void* ptr, int bytes)
         {
             uint hash = 5381;

@@ -288,8 +288,8 @@ namespace Unity.Collections.LowLevel.Unsafe
         internal readonly void CheckNoResize(int count)
         {
             if (m_capacity < m_length + (long)count)
-                throw new InvalidOperationException($"AddNoResize assumes that list capacity is sufficient (Capacity {m_capacity}, "
-                    + $"Length {m_length}), requested length {m_length + (long)count}!");
+                throw new InvalidOperationException("AddNoResize assumes that list capacity is sufficient "
+                    + $"(Capacity {m_capacity}, Length {m_length}), requested length {m_length + (long)count}!");
         }
 
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]

@@ -56,8 +56,8 @@ namespace Unity.Collections
                 AtomicSafetyHandle.CheckExistsAndThrow(m_Safety);
             if (index >= 0 && index < m_Length && (m_MinIndex != 0 || m_MaxIndex != m_Length - 1))
                 throw new IndexOutOfRangeException(
-                    $"Index {index} is out of restricted IJobParallelFor range [{m_MinIndex}...{m_MaxIndex}] in ReadWriteBuffer.\n"
-                    + "ReadWriteBuffers are restricted to only read & write the element at the job index. You can use double "
+                    $"Index {index} is out of restricted IJobParallelFor range [{m_MinIndex}...{m_MaxIndex}] in "
+                    + "ReadWriteBuffer.\nReadWriteBuffers are restricted to only read & write the element at the job index. You can use double "
                     + "buffering strategies to avoid race conditions due to reading & writing in parallel to the same elements "
                     + "from a job.");
             throw new IndexOutOfRangeException($"Index {index} is out of range of '{m_Length}' Length.");
@@ -99,7 +99,8 @@ namespace Unity.Collections
                 throw new ArgumentOutOfRangeException(nameof(start), "start must be >= 0");
             if ((long)start + length > m_Length)
                 throw new ArgumentOutOfRangeException(nameof(length),
-                    $"sub array range {start}-{(long)start + length - 1} is outside the range of the native array 0-{m_Length - 1}");
+                    $"sub array range {start}-{(long)start + length - 1} is outside the range of the native array "
+                    + $"0-{m_Length - 1}");
             if (length < 0)
                 throw new ArgumentException($"sub array range {start}-{start + length - 1} caused an integer overflow and is "
                     + "outside the range of the native array");

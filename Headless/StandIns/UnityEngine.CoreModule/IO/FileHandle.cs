@@ -24,7 +24,7 @@ namespace Unity.IO.LowLevel.Unsafe
 
         public bool IsValid() => All.Find(m_Index, m_Version) != null;
 
-        /// <summary>Closes the file after the dependency and the reads that were begun; the handle is stale from now on.</summary>
+        /// <summary>Closes the file after the dependency and the reads begun; the handle is stale from now on.</summary>
         public JobHandle Close(JobHandle dependency = default)
         {
             OpenFile file = Find("Close");

@@ -71,7 +71,7 @@ namespace Unity.Jobs
         {
         }
 
-        /// <summary>Whether a job that depends on <paramref name="dependsOn"/> comes after <paramref name="jobHandle"/>.</summary>
+        /// <summary>Whether what depends on <paramref name="dependsOn"/> comes after <paramref name="jobHandle"/>.</summary>
         public static bool CheckFenceIsDependencyOrDidSyncFence(JobHandle jobHandle, JobHandle dependsOn)
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -35,7 +35,7 @@ namespace Unity.Collections.LowLevel.Unsafe
 #endif
         }
 
-        /// <summary>A handle for memory of Allocator.Temp. Each container has its own, so that each is known to be disposed.</summary>
+        /// <summary>For memory of Allocator.Temp. Each container has its own, so that its end is known.</summary>
         public static AtomicSafetyHandle GetTempMemoryHandle()
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -76,7 +76,8 @@ namespace StandIns.Safety
         {
             if (handle.m_Node == null)
                 throw new InvalidOperationException(
-                    $"The {field.Name} has not been assigned or constructed. All containers must be valid when scheduling a job.");
+                    $"The {field.Name} has not been assigned or constructed. All containers must be valid when scheduling a "
+                    + "job.");
             if (handle.m_Version != handle.CurrentVersion)
                 throw new InvalidOperationException(
                     $"The {field.Name} has been deallocated. All containers must be valid when scheduling a job.");
@@ -116,8 +117,8 @@ namespace StandIns.Safety
                     continue;
                 throw new InvalidOperationException($"The previously scheduled job {access.Job} {access.Verb} the "
                     + $"{access.Container}. You are trying to schedule a new job {name}, which "
-                    + $"{(field.Writes ? "writes to" : "reads from")} the same {field.Type.Name} (via {field.Name}). To guarantee "
-                    + $"safety, you must include {access.Job} as a dependency of the newly scheduled job.");
+                    + $"{(field.Writes ? "writes to" : "reads from")} the same {field.Type.Name} (via {field.Name}). To "
+                    + $"guarantee safety, you must include {access.Job} as a dependency of the newly scheduled job.");
             }
         }
     }

@@ -77,9 +77,9 @@ namespace StandIns.Safety
                 if (fieldType.IsPointer)
                 {
                     if (!field.IsDefined(typeof(NativeDisableUnsafePtrRestrictionAttribute), false))
-                        refusal ??= $"{NameOf(path)} uses unsafe Pointers which is not allowed. Unsafe Pointers can lead to crashes "
-                            + "and no safety against race conditions can be provided.\nIf you really need to use unsafe pointers, "
-                            + "you can disable this check using [NativeDisableUnsafePtrRestriction].";
+                        refusal ??= $"{NameOf(path)} uses unsafe Pointers which is not allowed. Unsafe Pointers can lead to "
+                            + "crashes and no safety against race conditions can be provided.\nIf you really need to use "
+                            + "unsafe pointers, you can disable this check using [NativeDisableUnsafePtrRestriction].";
                 }
                 else if (!fieldType.IsValueType && !IsFunctionPointer(fieldType))
                 {

@@ -41,7 +41,8 @@ namespace StandIns.Scheduling
         {
             while (s_all.TryDequeue(out JobFault fault))
                 if (fault.m_thrown == 0)
-                    UnityEngine.Debug.LogError($"{fault.m_job} threw, and nobody completed it: {fault.m_exception.SourceException}");
+                    UnityEngine.Debug.LogError(
+                        $"{fault.m_job} threw, and nobody completed it: {fault.m_exception.SourceException}");
         }
     }
 }
