@@ -10,6 +10,7 @@ namespace FastPoints.Benchmarks
         const int Slices = 1000;
 
         NativeReference<int> m_count;
+        JobHandle m_last;
 
         public string Name => "job chain of 1,000 slices";
         public string LimitName => null;
@@ -22,16 +23,17 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             m_count.Value = 0;
-            JobHandle last = default;
+            m_last = default;
             for (int i = 0; i < Slices; i++)
-                last = new CountSliceJob { Count = m_count }.Schedule(last);
+                m_last = new CountSliceJob { Count = m_count }.Schedule(m_last);
             JobHandle.ScheduleBatchedJobs();
-            last.Complete();
+            m_last.Complete();
             return new WorkloadResult { Points = m_count.Value };
         }
 
         public void Dispose()
         {
+            m_last.Complete();
             if (m_count.IsCreated)
                 m_count.Dispose();
         }
