@@ -225,7 +225,7 @@ namespace Unity.Collections
 
         public struct Enumerator : IEnumerator<T>
         {
-            readonly ReadOnly m_Queue;
+            ReadOnly m_Queue;
             int m_Index;
 
             internal Enumerator(ReadOnly queue)
