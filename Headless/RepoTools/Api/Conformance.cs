@@ -205,7 +205,7 @@ namespace FastPoints.RepoTools.Api
         /// <summary>What the IL of a call does not show (in, ref and out are all '@') the stand-in's definition does.</summary>
         private void CheckParameters(ApiRow row, MethodReference method, string shown)
         {
-            MethodDefinition? definition = Resolved(method);
+            MethodDefinition? definition = Resolution.Of(method);
             if (definition == null || row.Id[0] != 'M')
                 return;
             IReadOnlyList<ApiParameter> wanted = row.Parameters();
@@ -252,7 +252,7 @@ namespace FastPoints.RepoTools.Api
             if (!row.Has("protected"))
                 return;
             string owner = DocId.DeclaringTypeOf(row.Id);
-            for (TypeReference? type = m_within; type != null; type = type.Resolve()?.BaseType)
+            for (TypeReference? type = m_within; type != null; type = Resolution.Of(type)?.BaseType)
             {
                 if (DocId.DefinitionName(type) == owner)
                     return;
@@ -268,18 +268,6 @@ namespace FastPoints.RepoTools.Api
 
         private static string ReturnOf(ApiRow row) =>
             row.Has("ref-return") || row.Has("ref-readonly-return") ? row.Type + "@" : row.Type;
-
-        private static MethodDefinition? Resolved(MethodReference method)
-        {
-            try
-            {
-                return method.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
-        }
 
         private void Add(string problem) => m_problems.Add(Line($"{problem} (named in {m_site})"));
 

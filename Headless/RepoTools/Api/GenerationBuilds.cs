@@ -14,7 +14,7 @@ namespace FastPoints.RepoTools.Api
             "FastPoints", "FastPoints.Import", "FastPoints.Benchmarks", "FastPoints.Tests",
         };
 
-        private readonly DefaultAssemblyResolver m_resolver = new DefaultAssemblyResolver();
+        private readonly Resolver m_resolver = new Resolver();
 
         public GenerationBuilds(Repository repository, string generation)
         {
@@ -49,11 +49,16 @@ namespace FastPoints.RepoTools.Api
             m_resolver.Dispose();
         }
 
-        private ModuleDefinition Read(string file) => ModuleDefinition.ReadModule(file, new ReaderParameters
+        private ModuleDefinition Read(string file)
         {
-            AssemblyResolver = m_resolver,
-            ReadSymbols = File.Exists(Path.ChangeExtension(file, ".pdb")),
-        });
+            ModuleDefinition module = ModuleDefinition.ReadModule(file, new ReaderParameters
+            {
+                AssemblyResolver = m_resolver,
+                ReadSymbols = File.Exists(Path.ChangeExtension(file, ".pdb")),
+            });
+            m_resolver.Register(module.Assembly);
+            return module;
+        }
 
         /// <summary>Where the SDK keeps netstandard 2.1's reference assemblies; without them .NET's types are taken on trust.</summary>
         private static IEnumerable<string> NetStandardFolders()
@@ -64,6 +69,12 @@ namespace FastPoints.RepoTools.Api
             string? dotnet = Path.GetDirectoryName(Environment.ProcessPath);
             string inSdk = Path.Combine(dotnet ?? "", "packs", "NETStandard.Library.Ref", "2.1.0", "ref", "netstandard2.1");
             return new[] { inPackages, inSdk }.Where(Directory.Exists);
+        }
+
+        /// <summary>What was read is what is found: a definition has one identity, whoever refers to it.</summary>
+        private sealed class Resolver : DefaultAssemblyResolver
+        {
+            internal void Register(AssemblyDefinition assembly) => RegisterAssembly(assembly);
         }
     }
 }

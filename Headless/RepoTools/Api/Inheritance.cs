@@ -86,13 +86,13 @@ namespace FastPoints.RepoTools.Api
         }
 
         private static TypeDefinition? Own(TypeReference? type) =>
-            type == null || Origins.IsUnity(Origins.AssemblyOf(type)) ? null : type.Resolve();
+            type == null || Origins.IsUnity(Origins.AssemblyOf(type)) ? null : Resolution.Of(type);
 
         private static TypeReference? NearestUnityBase(TypeDefinition type)
         {
             TypeReference? at = type.BaseType;
             while (at != null && !Origins.IsUnity(Origins.AssemblyOf(at)))
-                at = Origins.AssemblyOf(at).StartsWith("FastPoints", StringComparison.Ordinal) ? at.Resolve()?.BaseType : null;
+                at = Resolution.Of(at)?.BaseType;
             return at;
         }
 

@@ -8,11 +8,6 @@ namespace FastPoints.RepoTools.Api
     /// <summary>Whose an assembly is, and what Unity calls the one that a line of the list is in.</summary>
     public static class Origins
     {
-        private static readonly string[] s_notUnity =
-        {
-            "netstandard", "mscorlib", "System", "nunit.framework", "Newtonsoft.Json",
-        };
-
         /// <summary>The assembly that a type is declared in, by name.</summary>
         public static string AssemblyOf(TypeReference type)
         {
@@ -20,14 +15,18 @@ namespace FastPoints.RepoTools.Api
             return scope is ModuleDefinition module ? module.Assembly.Name.Name : scope.Name;
         }
 
-        /// <summary>.NET's, the package's own, or a library's that Unity does not publish.</summary>
-        public static bool IsUnity(string assembly) =>
-            !s_notUnity.Contains(assembly) && !assembly.StartsWith("System.", StringComparison.Ordinal)
-            && !assembly.StartsWith("FastPoints", StringComparison.Ordinal) && !assembly.StartsWith("Microsoft.", StringComparison.Ordinal);
+        /// <summary>Whether an assembly is Unity's, by name.</summary>
+        public static bool IsUnity(string assembly) => assembly.StartsWith("Unity.", StringComparison.Ordinal)
+            || assembly.StartsWith("UnityEngine", StringComparison.Ordinal)
+            || assembly.StartsWith("UnityEditor", StringComparison.Ordinal);
 
-        /// <summary>What there is in Unity that is not Unity's.</summary>
-        public static bool IsThereInUnity(string assembly) =>
-            s_notUnity.Contains(assembly) || assembly.StartsWith("FastPoints", StringComparison.Ordinal);
+        /// <summary>Whether an assembly is .NET's, by name.</summary>
+        public static bool IsSystem(string assembly) => assembly is "netstandard" or "mscorlib" or "System"
+            || assembly.StartsWith("System.", StringComparison.Ordinal);
+
+        /// <summary>What a package may reference beside Unity's: netstandard, its own, and two that Unity brings along.</summary>
+        public static bool IsThereInUnity(string assembly) => assembly is "netstandard" or "mscorlib" or "nunit.framework" or "Newtonsoft.Json"
+            || assembly.StartsWith("FastPoints", StringComparison.Ordinal);
 
         /// <summary>The list's "A|B" (moved from A to B), UnityEngine:Core and so on, as names of assemblies.</summary>
         public static IEnumerable<string> AssembliesOf(ApiRow row)

@@ -149,10 +149,10 @@ namespace FastPoints.RepoTools.Api
             switch (value)
             {
                 case float single:
-                    return text.EndsWith('f') && float.TryParse(Number(text[..^1]), CultureInfo.InvariantCulture, out float f)
-                        && (f.Equals(single) || text == "Infinityf");
+                    return text.EndsWith('f') && float.TryParse(text[..^1], CultureInfo.InvariantCulture, out float f)
+                        && f.Equals(single);
                 case double number:
-                    return double.TryParse(Number(text), CultureInfo.InvariantCulture, out double d) && d.Equals(number);
+                    return double.TryParse(text, CultureInfo.InvariantCulture, out double d) && d.Equals(number);
                 case bool flag:
                     return text == (flag ? "true" : "false");
                 case string words:
@@ -162,8 +162,6 @@ namespace FastPoints.RepoTools.Api
                         || (text == "default" && Convert.ToInt64(value, CultureInfo.InvariantCulture) == 0);
             }
         }
-
-        private static string Number(string text) => text == "Infinity" ? "∞" : text;
 
         /// <summary>What C# gives every type, and what implements an interface that .NET declares.</summary>
         private static bool IsImplied(MethodDefinition method) =>

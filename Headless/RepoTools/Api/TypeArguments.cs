@@ -42,6 +42,9 @@ namespace FastPoints.RepoTools.Api
 
         private bool Fits(TypeReference argument, string constraint)
         {
+            // In the signature of Unity's own member its parameters stand for themselves.
+            if (argument is GenericParameter { Owner: not (TypeDefinition or MethodDefinition) })
+                return true;
             switch (constraint)
             {
                 case "struct":
@@ -84,7 +87,7 @@ namespace FastPoints.RepoTools.Api
                 return false;
             if (Origins.IsUnity(Origins.AssemblyOf(argument)))
                 return m_api.Find(DocId.OfType(argument), m_generation) is not { } row || !row.Has("managed");
-            TypeDefinition? definition = Resolved(argument);
+            TypeDefinition? definition = Resolution.Of(argument);
             return definition == null || definition.Fields.Where(f => !f.IsStatic)
                 .All(f => f.FieldType is GenericParameter || f.FieldType.IsPrimitive || IsUnmanaged(f.FieldType));
         }
@@ -97,9 +100,9 @@ namespace FastPoints.RepoTools.Api
                 return parameter.Constraints.Any(c => Implements(c.ConstraintType, wanted));
             if (Origins.IsUnity(Origins.AssemblyOf(argument)))
                 return UnityImplements(DocId.OfType(argument), Arguments(argument), wanted);
-            TypeDefinition? definition = Resolved(argument);
+            TypeDefinition? definition = Resolution.Of(argument);
             if (definition == null)
-                return true;
+                return !Origins.IsUnity(wanted);
             List<string> arguments = Arguments(argument);
             foreach (TypeReference implemented in definition.Interfaces.Select(i => i.InterfaceType))
             {
@@ -149,17 +152,5 @@ namespace FastPoints.RepoTools.Api
         private static List<string> Arguments(TypeReference type) => type is GenericInstanceType instance
             ? instance.GenericArguments.Select(DocId.InSignature).ToList()
             : new List<string>();
-
-        private static TypeDefinition? Resolved(TypeReference type)
-        {
-            try
-            {
-                return type.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
-        }
     }
 }

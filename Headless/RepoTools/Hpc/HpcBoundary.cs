@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using FastPoints.RepoTools.Api;
 using Mono.Cecil;
 
 namespace FastPoints.RepoTools.Hpc
@@ -47,7 +48,7 @@ namespace FastPoints.RepoTools.Hpc
         {
             TypeReference type = method.DeclaringType.GetElementType();
             string name = $"{type.FullName}.{method.Name}";
-            if (!Api.Origins.IsUnity(Api.Origins.AssemblyOf(type)))
+            if (!Origins.IsUnity(Origins.AssemblyOf(type)))
                 return IsSystem(method, type, name) ? null : $"calls {name}, which Burst does not know";
             if (IsLog(method))
                 return null;

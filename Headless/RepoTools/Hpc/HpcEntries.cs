@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using FastPoints.RepoTools.Api;
 using Mono.Cecil;
 
 namespace FastPoints.RepoTools.Hpc
@@ -25,7 +26,7 @@ namespace FastPoints.RepoTools.Hpc
         internal static IEnumerable<MethodDefinition> OfJob(TypeDefinition job)
         {
             List<string> names = JobInterfaces(job)
-                .SelectMany(i => HpcTypes.Resolved(i)?.Methods.Select(m => m.Name) ?? new[] { "Execute" }).ToList();
+                .SelectMany(i => Resolution.Of(i)?.Methods.Select(m => m.Name) ?? new[] { "Execute" }).ToList();
             return job.Methods.Where(m => names.Contains(m.Name) || m.Overrides.Any(o => names.Contains(o.Name)));
         }
 

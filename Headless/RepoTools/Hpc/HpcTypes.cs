@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using FastPoints.RepoTools.Api;
 using Mono.Cecil;
 
 namespace FastPoints.RepoTools.Hpc
@@ -16,25 +17,13 @@ namespace FastPoints.RepoTools.Hpc
 
         internal static bool IsException(TypeReference type)
         {
-            for (TypeDefinition? at = Resolved(type); at != null; at = at.BaseType == null ? null : Resolved(at.BaseType))
+            for (TypeDefinition? at = Resolution.Of(type); at != null; at = at.BaseType == null ? null : Resolution.Of(at.BaseType))
             {
                 if (at.FullName == "System.Exception")
                     return true;
             }
             // Without .NET's own assemblies a name is all there is.
-            return Resolved(type) == null && type.Name.EndsWith("Exception", System.StringComparison.Ordinal);
-        }
-
-        internal static TypeDefinition? Resolved(TypeReference type)
-        {
-            try
-            {
-                return type.Resolve();
-            }
-            catch (AssemblyResolutionException)
-            {
-                return null;
-            }
+            return Resolution.Of(type) == null && type.Name.EndsWith("Exception", System.StringComparison.Ordinal);
         }
 
         private static string? Objection(TypeReference type, HashSet<string> seen)
@@ -71,7 +60,7 @@ namespace FastPoints.RepoTools.Hpc
             // Unity's and .NET's structs are what their own rules say; a stand-in's fields are not theirs.
             if (!IsPackage(type) || type.IsPrimitive || !seen.Add(type.FullName))
                 return null;
-            foreach (FieldDefinition field in Resolved(type)?.Fields.Where(f => !f.IsStatic) ?? Enumerable.Empty<FieldDefinition>())
+            foreach (FieldDefinition field in Resolution.Of(type)?.Fields.Where(f => !f.IsStatic) ?? Enumerable.Empty<FieldDefinition>())
             {
                 if (Objection(field.FieldType, seen) is { } objection)
                     return $"{type.Name} with {field.Name}, {objection}";
@@ -81,9 +70,8 @@ namespace FastPoints.RepoTools.Hpc
 
         private static bool IsPackage(TypeReference type)
         {
-            string assembly = Api.Origins.AssemblyOf(type);
-            return Api.Origins.IsThereInUnity(assembly) && assembly.StartsWith("FastPoints", System.StringComparison.Ordinal)
-                || assembly == "HostTests";
+            string assembly = Origins.AssemblyOf(type);
+            return !Origins.IsUnity(assembly) && !Origins.IsSystem(assembly);
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using FastPoints.RepoTools.Api;
 using Mono.Cecil;
 using Mono.Cecil.Cil;
 
@@ -47,7 +48,7 @@ namespace FastPoints.RepoTools.Hpc
 
         private void VerifyJob(TypeDefinition job)
         {
-            m_entry = Api.DocId.DefinitionName(job);
+            m_entry = DocId.DefinitionName(job);
             if (job.HasGenericParameters)
             {
                 m_problems.Add($"{m_entry}: a generic job needs registering for each type that it runs with");
@@ -64,7 +65,7 @@ namespace FastPoints.RepoTools.Hpc
 
         private void VerifyMethod(MethodDefinition method)
         {
-            m_entry = Api.DocId.DefinitionName(method.DeclaringType) + "." + method.Name;
+            m_entry = DocId.DefinitionName(method.DeclaringType) + "." + method.Name;
             if (!HpcEntries.IsCompiled(method.DeclaringType))
                 m_problems.Add($"{m_entry}: its type has no [BurstCompile], so Burst does not look for it");
             if (method.HasGenericParameters || method.DeclaringType.HasGenericParameters)
@@ -74,7 +75,7 @@ namespace FastPoints.RepoTools.Hpc
             }
             foreach (TypeReference type in method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType))
             {
-                bool isStruct = type.IsValueType && !type.IsPrimitive && HpcTypes.Resolved(type)?.IsEnum == false;
+                bool isStruct = type.IsValueType && !type.IsPrimitive && Resolution.Of(type)?.IsEnum == false;
                 if (isStruct && method.IsStatic)
                     m_problems.Add($"{m_entry}: {type.Name} by value; managed code gives Burst structs by reference only");
             }
@@ -96,7 +97,7 @@ namespace FastPoints.RepoTools.Hpc
         {
             if (!m_seen.Add(method.FullName + "|" + scope.Key))
                 return;
-            string step = Api.DocId.DefinitionName(method.DeclaringType).Split('.')[^1] + "." + method.Name;
+            string step = DocId.DefinitionName(method.DeclaringType).Split('.')[^1] + "." + method.Name;
             m_visits.Enqueue(new Visit(method, scope, path.Length == 0 ? step : path + " > " + step, isStaticConstructor));
         }
 
@@ -328,7 +329,7 @@ namespace FastPoints.RepoTools.Hpc
                     Add(instruction, $"calls {called.Name} of the class {type.FullName}");
                     return;
                 }
-                TypeDefinition? definition = HpcTypes.Resolved(type);
+                TypeDefinition? definition = Resolution.Of(type);
                 if (definition == null || type.IsPrimitive)
                     return;
                 MethodDefinition? target = definition.Methods.FirstOrDefault(m => m.Overrides.Any(o => o.Name == called.Name
@@ -365,15 +366,7 @@ namespace FastPoints.RepoTools.Hpc
 
             private void Follow(Instruction instruction, MethodReference called)
             {
-                MethodDefinition? definition = null;
-                try
-                {
-                    definition = called.Resolve();
-                }
-                catch (AssemblyResolutionException)
-                {
-                    // .NET's own assemblies may be absent; then a name is all there is, and enough for the boundary.
-                }
+                MethodDefinition? definition = Resolution.Of(called);
                 if (definition != null && HpcEntries.IsDiscarded(definition))
                     return;
                 if (definition != null && m_verifier.m_modules.Contains(definition.Module))

@@ -1,0 +1,57 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Xml.Linq;
+
+namespace FastPoints.RepoTools.Layers
+{
+    /// <summary>Which assembly may reference which, and whether asmdef and csproj agree on what it does.</summary>
+    public static class AssemblyReferences
+    {
+        private static readonly string[] s_dots = { "Unity.Burst", "Unity.Collections", "Unity.Mathematics" };
+        private static readonly string[] s_view = s_dots.Append("FastPoints").ToArray();
+        private static readonly string[] s_shared = s_view.Append("FastPoints.Import").ToArray();
+
+        private static readonly Dictionary<string, string[]> s_mayReference = new Dictionary<string, string[]>
+        {
+            ["FastPoints"] = s_dots,
+            ["FastPoints.Import"] = s_view,
+            ["FastPoints.Rendering"] = s_view,
+            ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Append("Unity.Entities").ToArray(),
+            ["FastPoints.Tests"] = s_shared.Append("UnityEngine.TestRunner").Append("UnityEditor.TestRunner").ToArray(),
+            ["FastPoints.Benchmarks"] = s_shared,
+        };
+
+        /// <summary>What an asmdef says against the table; an assembly that is not in the table needs its row first.</summary>
+        public static IEnumerable<string> CheckTable(Asmdef asmdef)
+        {
+            if (!s_mayReference.TryGetValue(asmdef.Name, out string[]? allowed))
+            {
+                yield return $"{asmdef.Name} is not in the table of assemblies";
+                yield break;
+            }
+            foreach (string reference in asmdef.References)
+            {
+                if (reference.StartsWith("GUID:", System.StringComparison.Ordinal))
+                    yield return $"{asmdef.Name} references {reference}: by name, please";
+                else if (!allowed.Contains(reference))
+                    yield return $"{asmdef.Name} must not reference {reference}";
+            }
+        }
+
+        /// <summary>
+        /// What the asmdef and the csproj of an assembly reference differently. The engine's core module needs no line in an
+        /// asmdef, and Unity's test runner has no stand-in.
+        /// </summary>
+        public static IEnumerable<string> CheckProject(Asmdef asmdef, string project)
+        {
+            List<string> inProject = XDocument.Load(project).Descendants("ProjectReference")
+                .Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include")!.Value)).ToList();
+            List<string> wanted = asmdef.References.Where(r => !r.EndsWith(".TestRunner", System.StringComparison.Ordinal)).ToList();
+            foreach (string missing in wanted.Except(inProject))
+                yield return $"{asmdef.Name}.csproj does not reference {missing}, the asmdef does";
+            foreach (string extra in inProject.Except(wanted).Where(r => r != "UnityEngine.CoreModule"))
+                yield return $"{asmdef.Name}.csproj references {extra}, the asmdef does not";
+        }
+    }
+}
