@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using System.Linq;
+using FastPoints.RepoTools.Api;
+using FastPoints.RepoTools.Hpc;
+using NUnit.Framework;
+
+namespace FastPoints.HostTests.Hpc
+{
+    [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
+    public sealed class PackageHpcTests
+    {
+        private readonly string m_generation;
+
+        public PackageHpcTests(string generation)
+        {
+            m_generation = generation;
+        }
+
+        [Test]
+        public void Jobs_OfThePackage_AreWhatBurstCompiles()
+        {
+            using GenerationBuilds builds = Checkout.Builds(m_generation);
+            var verifier = new HpcVerifier(builds.Package);
+
+            Assert.That(verifier.Verify(_ => true), Is.Empty);
+            Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
+        }
+
+        /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
+        [Test]
+        public void Jobs_OfThePackage_AllHaveBurstCompile()
+        {
+            using GenerationBuilds builds = Checkout.Builds(m_generation);
+            IEnumerable<string> without = builds.Package.Where(m => m.Assembly.Name.Name != "FastPoints.Tests")
+                .SelectMany(HpcEntries.Jobs).Where(j => !HpcEntries.IsCompiled(j)).Select(j => j.FullName);
+
+            Assert.That(without, Is.Empty);
+        }
+    }
+}
