@@ -1,0 +1,58 @@
+using System;
+using System.IO;
+using System.Linq;
+using FastPoints.RepoTools;
+using FastPoints.RepoTools.Layers;
+using NUnit.Framework;
+
+namespace FastPoints.HostTests.Layers
+{
+    public sealed class AssemblyReferencesTests
+    {
+        [Test]
+        public void Asmdefs_OfThePackage_KeepToTheTable() =>
+            Assert.That(Table().All.SelectMany(AssemblyReferences.CheckTable), Is.Empty);
+
+        [Test]
+        public void Projects_OfThePackage_ReferenceWhatTheAsmdefsDo()
+        {
+            string folder = Path.Combine(Checkout.Repository.Headless, "Package");
+
+            Assert.That(Directory.GetDirectories(folder).Select(Path.GetFileName),
+                Is.EquivalentTo(Table().All.Where(a => File.Exists(ProjectOf(a))).Select(a => a.Name)));
+            Assert.That(Table().All.Where(a => File.Exists(ProjectOf(a)))
+                .SelectMany(a => AssemblyReferences.CheckProject(a, ProjectOf(a))), Is.Empty);
+        }
+
+        [TestCase("FastPoints", "FastPoints.Import", "must not reference FastPoints.Import")]
+        [TestCase("FastPoints.Entities", "FastPoints.Import", "must not reference FastPoints.Import")]
+        [TestCase("FastPoints", "GUID:d8b63aba1907145bea998dd612889d6b", "by name, please")]
+        [TestCase("FastPoints.Unheard", "Unity.Burst", "not in the table")]
+        public void CheckTable_PlantedReference_IsReported(string assembly, string reference, string reported) => Assert.That(
+            AssemblyReferences.CheckTable(new Asmdef(assembly, "", new[] { reference }, false)), Has.Some.Contains(reported));
+
+        [Test]
+        public void CheckProject_PlantedDifference_IsReported()
+        {
+            Asmdef asmdef = Table().All.Single(a => a.Name == "FastPoints");
+            var planted = asmdef with { References = asmdef.References.Where(r => r != "Unity.Burst").Append("Unity.Entities").ToArray() };
+
+            Assert.That(AssemblyReferences.CheckProject(planted, ProjectOf(asmdef)), Is.EqualTo(new[]
+            {
+                "FastPoints.csproj does not reference Unity.Entities, the asmdef does",
+                "FastPoints.csproj references Unity.Burst, the asmdef does not",
+            }));
+        }
+
+        [Test]
+        public void Asmdefs_OfThePackage_AreCalledAsTheirFolders() => Assert.That(
+            Table().All.Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name
+                || (Path.GetFileName(Path.GetDirectoryName(a.File)) != a.Name && a.Name != "FastPoints.Editor")).Select(a => a.File),
+            Is.Empty);
+
+        private static AssemblyTable Table() => AssemblyTable.Load(Checkout.Repository.PackageRoot);
+
+        private static string ProjectOf(Asmdef asmdef) =>
+            Path.Combine(Checkout.Repository.Headless, "Package", asmdef.Name, asmdef.Name + ".csproj");
+    }
+}
