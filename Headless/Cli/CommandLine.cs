@@ -46,7 +46,8 @@ namespace FastPoints.Cli
         /// <summary>The main job first.</summary>
         static List<Verb> AllVerbs() =>
         [
-            new MainJob(), new InfoVerb(), new PreviewVerb(), new PictureVerb(), new DemoCloudVerb(), new BenchVerb(),
+            new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(), new PictureVerb(), new DemoCloudVerb(),
+            new BenchVerb(),
         ];
 
         static int WrongUsage(TextWriter error, Command command, string what)

@@ -7,6 +7,7 @@ using System.Text.Json;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
+using FastPoints.Store;
 
 namespace FastPoints.Cli.Verbs
 {
@@ -36,7 +37,7 @@ namespace FastPoints.Cli.Verbs
             DefaultValueFactory = _ => 1,
         };
 
-        public MainJob() : base(new RootCommand("Point clouds: says what a file is, draws a sample of it at once and then every point, and "
+        public MainJob() : base(new RootCommand("Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and "
             + "writes a page with pictures, facts and times."))
         {
             Command.Add(m_files);
@@ -111,6 +112,7 @@ namespace FastPoints.Cli.Verbs
             public required string Page { get; init; }
             public required SourceFacts Facts { get; init; }
             public required PreviewStep Preview { get; init; }
+            public required ConvertStep Convert { get; init; }
             public required DrawStep Picture { get; init; }
 
             public static Report Make(string file, string folder, CliRun run)
@@ -133,8 +135,13 @@ namespace FastPoints.Cli.Verbs
                 run.Out.Flush();
                 // The same view, so that the two can be laid over each other.
                 picture.Camera = preview.Camera;
+                run.Progress.Group = "octree";
+                string cloudPath = Path.Combine(folder, Path.GetFileNameWithoutExtension(file) + StoreFormat.FolderExtension);
+                var convert = ConvertStep.Run([reader], cloudPath, new ConvertSettings(), run);
+                run.Out.WriteLine("  octree   " + convert.Describe());
+                run.Out.Flush();
                 run.Progress.Group = "picture";
-                var drawn = DrawStep.Run(reader, picture, 0, run);
+                var drawn = DrawStep.RunStored(cloudPath, picture, 0, run);
                 run.Progress.Group = null;
                 OutputFile.Write(picturePath, drawn.Png);
                 run.Out.WriteLine("  picture  " + drawn.Describe());
@@ -148,7 +155,8 @@ namespace FastPoints.Cli.Verbs
                     page.Warning("warning: " + warning);
                 page.Heading("Preview");
                 page.Picture(preview.Png, preview.Describe());
-                page.Heading("Every point");
+                page.Heading("From the octree");
+                page.Paragraph(convert.Describe() + ": " + cloudPath);
                 page.Picture(drawn.Png, string.Join("; ", drawn.Assumptions.Prepend(drawn.Describe())));
                 page.Heading("Attributes");
                 page.Table(facts.Attributes());
@@ -162,7 +170,7 @@ namespace FastPoints.Cli.Verbs
                 page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
                 string pagePath = Path.Combine(folder, "report.html");
                 OutputFile.Write(pagePath, page.ToBytes());
-                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Picture = drawn };
+                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Convert = convert, Picture = drawn };
             }
 
             public void WriteKeys(Utf8JsonWriter json)
@@ -172,6 +180,9 @@ namespace FastPoints.Cli.Verbs
                 json.WriteEndObject();
                 json.WriteStartObject("preview");
                 Preview.WriteKeys(json);
+                json.WriteEndObject();
+                json.WriteStartObject("convert");
+                Convert.WriteKeys(json);
                 json.WriteEndObject();
                 json.WriteStartObject("picture");
                 Picture.WriteKeys(json);

@@ -3,18 +3,19 @@ using System.CommandLine;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
+using FastPoints.Store;
 
 namespace FastPoints.Cli.Verbs
 {
     /// <summary>A picture of every point.</summary>
     public sealed class PictureVerb : Verb
     {
-        readonly Argument<string> m_cloud = new("CLOUD") { Description = "A point cloud: LAS, PLY." };
+        readonly Argument<string> m_cloud = new("CLOUD") { Description = "A point cloud: LAS, PLY, or a converted one." };
         readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<long> m_budget = new("--budget")
         {
             HelpName = "N",
-            Description = "Draw a sample of at most so many points (default: every point).",
+            Description = "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).",
         };
         readonly Option<string?> m_against = new("--against")
         {
@@ -36,6 +37,7 @@ namespace FastPoints.Cli.Verbs
         public override IReadOnlyList<(string, string)> Examples =>
         [
             ("./fastpoints picture scan.las -o top.png --view top", "a map"),
+            ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
             ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
             ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
         ];
@@ -56,9 +58,7 @@ namespace FastPoints.Cli.Verbs
                 throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size", options.WidthPx + "x" + options.HeightPx,
                     reference.Width + "x" + reference.Height);
 
-            using var reader = PointReaders.Open(cloud);
-            run.Warn(reader.Info);
-            var result = DrawStep.Run(reader, options, budget, run);
+            var result = CloudFolder.IsCloud(cloud) ? DrawStep.RunStored(cloud, options, budget, run) : Draw(cloud, options, budget, run);
             if (reference != null)
                 result.Error = ImageError.Compare(result.Image, reference, options.Background);
             run.WriteKeys = result.WriteKeys;
@@ -71,6 +71,13 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
                     + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
             StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        static DrawStep Draw(string file, PictureOptions options, long budget, CliRun run)
+        {
+            using var reader = PointReaders.Open(file);
+            run.Warn(reader.Info);
+            return DrawStep.Run(reader, options, budget, run);
         }
     }
 }

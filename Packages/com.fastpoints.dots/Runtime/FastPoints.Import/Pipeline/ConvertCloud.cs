@@ -259,8 +259,9 @@ namespace FastPoints.Pipeline
                 var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
                 foreach (var attribute in m_attributes)
                     names.Add(attribute.Name);
+                var wanted = reader.Info.Schema.Select(names.ToArray());
                 m_scatter.BeginSource(m_grid.Sources[i], reader.MaxPointsPerBlock);
-                using (var scan = SourceScan.Run(reader, reader.Info.Schema.Select(names.ToArray()), m_scatter, SourceScan.DefaultSlots, m_progress))
+                using (var scan = SourceScan.Run(reader, wanted, m_scatter, SourceScan.SlotsFor(reader, wanted), m_progress))
                     while (scan.MoveNext())
                         yield return scan.Current;
                 var found = m_scatter.EndSource();

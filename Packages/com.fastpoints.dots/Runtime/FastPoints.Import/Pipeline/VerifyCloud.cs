@@ -241,7 +241,7 @@ namespace FastPoints.Pipeline
                 var wanted = reader.Info.Schema.Select(names.ToArray());
                 using (var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid), reader.MaxPointsPerBlock))
                 {
-                    using (var scan = SourceScan.Run(reader, wanted, sums, SourceScan.DefaultSlots, progress))
+                    using (var scan = SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress))
                         while (scan.MoveNext())
                             yield return scan.Current;
                     var found = sums.TakeFindings(out ulong second, attributes);

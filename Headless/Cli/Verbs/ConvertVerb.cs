@@ -1,0 +1,84 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+
+namespace FastPoints.Cli.Verbs
+{
+    /// <summary>Files into one octree on disk.</summary>
+    public sealed class ConvertVerb : Verb
+    {
+        readonly Argument<string[]> m_files = new("FILE")
+        {
+            Arity = ArgumentArity.OneOrMore,
+            Description = "Point clouds: LAS, PLY. Several become one cloud; they have the same attributes.",
+        };
+        readonly Option<string> m_output = new("--output", "-o")
+        {
+            HelpName = "NAME.fastpoints",
+            Required = true,
+            Description = "The folder to make; a cloud that is there is replaced when the new one is whole.",
+        };
+        readonly Option<string> m_sampler = new("--sampler")
+        {
+            HelpName = "NAME",
+            Description = "random: which points stand for the others (default: random).",
+            DefaultValueFactory = _ => "random",
+        };
+        readonly Option<string?> m_attributes = new("--attributes")
+        {
+            HelpName = "A,B,...",
+            Description = "Attributes to keep beside the position (default: all).",
+        };
+
+        public ConvertVerb() : base(new Command("convert", "Build the octree that is streamed from: every point, every attribute, "
+            + "nothing rounded."))
+        {
+            Command.Add(m_files);
+            Command.Add(m_output);
+            Command.Add(m_sampler);
+            Command.Add(m_attributes);
+            AddCommonOptions();
+        }
+
+        public override IReadOnlyList<(string, string)> Examples =>
+        [
+            ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
+            ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
+        ];
+
+        public override void Run(ParseResult parsed, CliRun run)
+        {
+            var files = parsed.GetRequiredValue(m_files);
+            if (parsed.GetValue(m_sampler) is var sampler && sampler != "random")
+                throw new UsageException("--sampler: wanted random, got " + sampler);
+            var settings = new ConvertSettings
+            {
+                Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
+            };
+            run.Inputs.AddRange(files);
+            var readers = new List<PointReader>();
+            try
+            {
+                foreach (string file in files)
+                {
+                    readers.Add(PointReaders.Open(file));
+                    run.Warn(readers[^1].Info);
+                }
+                string output = parsed.GetRequiredValue(m_output);
+                if (settings.Attributes?.FirstOrDefault(a => !readers[0].Info.Schema.Has(a)) is { } unknown)
+                    throw new UsageException("--attributes: " + files[0] + " has no " + unknown + "; it has "
+                        + string.Join(", ", readers[0].Info.Schema.Select(a => a.Name)));
+                var result = ConvertStep.Run(readers, output, settings, run);
+                run.WriteKeys = result.WriteKeys;
+                run.Out.WriteLine(output + ": " + result.Describe());
+                StageTable.Of(run.Progress).Write(run.Out, "  ");
+            }
+            finally
+            {
+                readers.ForEach(r => r.Dispose());
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Pipeline
+{
+    /// <summary>A picture of a stored cloud under a budget of points: the top of the octree decides on camera, colours and size, then the
+    /// nodes that the camera needs most are drawn.</summary>
+    public sealed class DrawStored
+    {
+        public const long DefaultBudget = 2000000;
+
+        /// <summary>Points that the choices are made from.</summary>
+        const int PointsToPlanWith = 200000;
+
+        readonly CloudFolder m_folder;
+        readonly PictureOptions m_options;
+        readonly long m_budget;
+
+        /// <param name="budget">Points to draw at most; 0 for <see cref="DefaultBudget"/>.</param>
+        public DrawStored(CloudFolder folder, PictureOptions options, long budget = 0)
+        {
+            m_folder = folder;
+            m_options = options;
+            m_budget = budget > 0 ? budget : DefaultBudget;
+        }
+
+        /// <summary>Points that were drawn, those out of the picture included.</summary>
+        public long PointsDrawn { get; private set; }
+        public int NodesDrawn { get; private set; }
+        public PicturePlan Plan { get; private set; }
+
+        /// <summary>Null before the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            progress?.Begin("select");
+            var schema = LoadNodes.SchemaFor(m_folder, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
+                AttributeNames.Intensity, AttributeNames.Classification);
+            var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
+            var ranges = new DisplayRanges();
+            using (var selection = new NodeSelection(m_folder))
+            {
+                selection.Choose(null, 0, 0, PointsToPlanWith);
+                using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
+                {
+                    using (var loading = LoadNodes.Run(m_folder, selection, batch, null))
+                        while (loading.MoveNext())
+                            yield return loading.Current;
+                    using (var measuring = ranges.Measure(batch, transform, m_options.UpAxis))
+                        while (measuring.MoveNext())
+                            yield return measuring.Current;
+                }
+                Plan = new PicturePlan(m_options, ranges, transform);
+
+                selection.Choose(Plan.Camera, m_options.WidthPx, m_options.HeightPx, m_budget);
+                using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
+                using (var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
+                {
+                    using (var loading = LoadNodes.Run(m_folder, selection, batch, progress))
+                        while (loading.MoveNext())
+                            yield return loading.Current;
+                    NodesDrawn = selection.NodeCount;
+                    PointsDrawn = batch.Count;
+                    progress?.Begin("draw");
+                    canvas.UsePalette(Plan.Mode);
+                    using (var size = SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count))
+                        while (size.MoveNext())
+                            yield return size.Current;
+                    using (var drawing = SamplePicture.Draw(canvas, batch, Plan, progress))
+                        while (drawing.MoveNext())
+                            yield return drawing.Current;
+                    using (var resolving = SamplePicture.Resolve(canvas, batch, Plan, m_options.Background))
+                        while (resolving.MoveNext())
+                            yield return resolving.Current;
+                    Image = canvas.ToImage();
+                }
+            }
+            progress?.End();
+        }
+
+        int CheckedCount(long points) =>
+            points <= int.MaxValue / 64
+                ? (int)points
+                : throw PointCloudException.Wanted(FailureCode.Unsupported, m_folder.FolderPath, -1, "points of one picture",
+                    "at most " + int.MaxValue / 64, points);
+    }
+}
