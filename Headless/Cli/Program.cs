@@ -1,8 +1,8 @@
 using System;
+using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
-using System.IO;
 
 namespace FastPoints.Cli
 {

@@ -97,7 +97,7 @@ namespace FastPoints.HostTests.StandIns
 
         struct DeallocatingJob : IJob
         {
-            [DeallocateOnJobCompletion] [ReadOnly] public NativeArray<int> Values;
+            [DeallocateOnJobCompletion][ReadOnly] public NativeArray<int> Values;
             public NativeReference<int> Result;
 
             public void Execute() => Result.Value = Values[0];

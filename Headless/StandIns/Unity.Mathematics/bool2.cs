@@ -121,14 +121,18 @@ namespace Unity.Mathematics
 
         public bool2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public bool2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public bool2 yy { [MethodImpl(Inlining.Always)] get => new bool2(y, y); }

@@ -183,374 +183,494 @@ namespace Unity.Mathematics
 
         public bool2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public bool2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public bool2 xw
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(x, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; }
         }
 
         public bool2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public bool2 yy { [MethodImpl(Inlining.Always)] get => new bool2(y, y); }
 
         public bool2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public bool2 yw
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(y, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; }
         }
 
         public bool2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public bool2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public bool2 zz { [MethodImpl(Inlining.Always)] get => new bool2(z, z); }
 
         public bool2 zw
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(z, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(z, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; }
         }
 
         public bool2 wx
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(w, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(w, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; }
         }
 
         public bool2 wy
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(w, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(w, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; }
         }
 
         public bool2 wz
         {
-            [MethodImpl(Inlining.Always)] get => new bool2(w, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(w, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; }
         }
 
         public bool2 ww { [MethodImpl(Inlining.Always)] get => new bool2(w, w); }
 
         public bool3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public bool3 xyw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; }
         }
 
         public bool3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public bool3 xzw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; }
         }
 
         public bool3 xwy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; }
         }
 
         public bool3 xwz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(x, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; }
         }
 
         public bool3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public bool3 yxw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; }
         }
 
         public bool3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public bool3 yzw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; }
         }
 
         public bool3 ywx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; }
         }
 
         public bool3 ywz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(y, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; }
         }
 
         public bool3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public bool3 zxw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; }
         }
 
         public bool3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public bool3 zyw
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; }
         }
 
         public bool3 zwx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; }
         }
 
         public bool3 zwy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(z, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; }
         }
 
         public bool3 wxy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; }
         }
 
         public bool3 wxz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; }
         }
 
         public bool3 wyx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; }
         }
 
         public bool3 wyz
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; }
         }
 
         public bool3 wzx
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; }
         }
 
         public bool3 wzy
         {
-            [MethodImpl(Inlining.Always)] get => new bool3(w, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; }
         }
 
         public bool4 xxxx { [MethodImpl(Inlining.Always)] get => new bool4(x, x, x, x); }
 
         public bool4 xyzw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, y, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; w = value.w; }
         }
 
         public bool4 xywz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, y, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; z = value.w; }
         }
 
         public bool4 xzyw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, z, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; w = value.w; }
         }
 
         public bool4 xzwy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, z, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; y = value.w; }
         }
 
         public bool4 xwyz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, w, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; z = value.w; }
         }
 
         public bool4 xwzy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(x, w, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; y = value.w; }
         }
 
         public bool4 yxzw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, x, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; w = value.w; }
         }
 
         public bool4 yxwz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, x, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; z = value.w; }
         }
 
         public bool4 yyyy { [MethodImpl(Inlining.Always)] get => new bool4(y, y, y, y); }
 
         public bool4 yzxw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, z, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; w = value.w; }
         }
 
         public bool4 yzwx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, z, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; x = value.w; }
         }
 
         public bool4 ywxz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, w, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; z = value.w; }
         }
 
         public bool4 ywzx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(y, w, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; x = value.w; }
         }
 
         public bool4 zxyw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, x, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; w = value.w; }
         }
 
         public bool4 zxwy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, x, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; y = value.w; }
         }
 
         public bool4 zyxw
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, y, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; w = value.w; }
         }
 
         public bool4 zywx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, y, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; x = value.w; }
         }
 
         public bool4 zzzz { [MethodImpl(Inlining.Always)] get => new bool4(z, z, z, z); }
 
         public bool4 zwxy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, w, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; y = value.w; }
         }
 
         public bool4 zwyx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(z, w, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; x = value.w; }
         }
 
         public bool4 wxyz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, x, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; z = value.w; }
         }
 
         public bool4 wxzy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, x, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; y = value.w; }
         }
 
         public bool4 wyxz
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, y, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; z = value.w; }
         }
 
         public bool4 wyzx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, y, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; x = value.w; }
         }
 
         public bool4 wzxy
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, z, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; y = value.w; }
         }
 
         public bool4 wzyx
         {
-            [MethodImpl(Inlining.Always)] get => new bool4(w, z, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(w, z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; x = value.w; }
         }
 
         public bool4 wwww { [MethodImpl(Inlining.Always)] get => new bool4(w, w, w, w); }

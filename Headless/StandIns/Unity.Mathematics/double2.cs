@@ -269,14 +269,18 @@ namespace Unity.Mathematics
 
         public double2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public double2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }

@@ -297,40 +297,52 @@ namespace Unity.Mathematics
 
         public double2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public double2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public double2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }
 
         public double2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public double2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public double2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public double2 zz { [MethodImpl(Inlining.Always)] get => new double2(z, z); }
@@ -347,16 +359,20 @@ namespace Unity.Mathematics
 
         public double3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public double3 xzx { [MethodImpl(Inlining.Always)] get => new double3(x, z, x); }
 
         public double3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public double3 xzz { [MethodImpl(Inlining.Always)] get => new double3(x, z, z); }
@@ -367,8 +383,10 @@ namespace Unity.Mathematics
 
         public double3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public double3 yyx { [MethodImpl(Inlining.Always)] get => new double3(y, y, x); }
@@ -379,8 +397,10 @@ namespace Unity.Mathematics
 
         public double3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public double3 yzy { [MethodImpl(Inlining.Always)] get => new double3(y, z, y); }
@@ -391,16 +411,20 @@ namespace Unity.Mathematics
 
         public double3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public double3 zxz { [MethodImpl(Inlining.Always)] get => new double3(z, x, z); }
 
         public double3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public double3 zyy { [MethodImpl(Inlining.Always)] get => new double3(z, y, y); }

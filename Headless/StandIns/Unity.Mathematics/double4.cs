@@ -347,78 +347,102 @@ namespace Unity.Mathematics
 
         public double2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public double2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public double2 xw
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; }
         }
 
         public double2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }
 
         public double2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public double2 yw
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; }
         }
 
         public double2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public double2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public double2 zz { [MethodImpl(Inlining.Always)] get => new double2(z, z); }
 
         public double2 zw
         {
-            [MethodImpl(Inlining.Always)] get => new double2(z, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; }
         }
 
         public double2 wx
         {
-            [MethodImpl(Inlining.Always)] get => new double2(w, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(w, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; }
         }
 
         public double2 wy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(w, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(w, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; }
         }
 
         public double2 wz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(w, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(w, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; }
         }
 
         public double2 ww { [MethodImpl(Inlining.Always)] get => new double2(w, w); }
@@ -437,44 +461,56 @@ namespace Unity.Mathematics
 
         public double3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public double3 xyw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; }
         }
 
         public double3 xzx { [MethodImpl(Inlining.Always)] get => new double3(x, z, x); }
 
         public double3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public double3 xzz { [MethodImpl(Inlining.Always)] get => new double3(x, z, z); }
 
         public double3 xzw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; }
         }
 
         public double3 xwx { [MethodImpl(Inlining.Always)] get => new double3(x, w, x); }
 
         public double3 xwy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; }
         }
 
         public double3 xwz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; }
         }
 
         public double3 xww { [MethodImpl(Inlining.Always)] get => new double3(x, w, w); }
@@ -485,14 +521,18 @@ namespace Unity.Mathematics
 
         public double3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public double3 yxw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; }
         }
 
         public double3 yyx { [MethodImpl(Inlining.Always)] get => new double3(y, y, x); }
@@ -505,8 +545,10 @@ namespace Unity.Mathematics
 
         public double3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public double3 yzy { [MethodImpl(Inlining.Always)] get => new double3(y, z, y); }
@@ -515,22 +557,28 @@ namespace Unity.Mathematics
 
         public double3 yzw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; }
         }
 
         public double3 ywx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; }
         }
 
         public double3 ywy { [MethodImpl(Inlining.Always)] get => new double3(y, w, y); }
 
         public double3 ywz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; }
         }
 
         public double3 yww { [MethodImpl(Inlining.Always)] get => new double3(y, w, w); }
@@ -539,22 +587,28 @@ namespace Unity.Mathematics
 
         public double3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public double3 zxz { [MethodImpl(Inlining.Always)] get => new double3(z, x, z); }
 
         public double3 zxw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; }
         }
 
         public double3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public double3 zyy { [MethodImpl(Inlining.Always)] get => new double3(z, y, y); }
@@ -563,8 +617,10 @@ namespace Unity.Mathematics
 
         public double3 zyw
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; }
         }
 
         public double3 zzx { [MethodImpl(Inlining.Always)] get => new double3(z, z, x); }
@@ -577,14 +633,18 @@ namespace Unity.Mathematics
 
         public double3 zwx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; }
         }
 
         public double3 zwy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(z, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; }
         }
 
         public double3 zwz { [MethodImpl(Inlining.Always)] get => new double3(z, w, z); }
@@ -595,44 +655,56 @@ namespace Unity.Mathematics
 
         public double3 wxy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; }
         }
 
         public double3 wxz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; }
         }
 
         public double3 wxw { [MethodImpl(Inlining.Always)] get => new double3(w, x, w); }
 
         public double3 wyx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; }
         }
 
         public double3 wyy { [MethodImpl(Inlining.Always)] get => new double3(w, y, y); }
 
         public double3 wyz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; }
         }
 
         public double3 wyw { [MethodImpl(Inlining.Always)] get => new double3(w, y, w); }
 
         public double3 wzx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; }
         }
 
         public double3 wzy
         {
-            [MethodImpl(Inlining.Always)] get => new double3(w, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; }
         }
 
         public double3 wzz { [MethodImpl(Inlining.Always)] get => new double3(w, z, z); }
@@ -651,150 +723,198 @@ namespace Unity.Mathematics
 
         public double4 xyzw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, y, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; w = value.w; }
         }
 
         public double4 xywz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, y, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; z = value.w; }
         }
 
         public double4 xzyw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, z, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; w = value.w; }
         }
 
         public double4 xzwy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, z, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; y = value.w; }
         }
 
         public double4 xwyz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, w, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; z = value.w; }
         }
 
         public double4 xwzy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(x, w, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; y = value.w; }
         }
 
         public double4 yxzw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, x, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; w = value.w; }
         }
 
         public double4 yxwz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, x, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; z = value.w; }
         }
 
         public double4 yyyy { [MethodImpl(Inlining.Always)] get => new double4(y, y, y, y); }
 
         public double4 yzxw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, z, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; w = value.w; }
         }
 
         public double4 yzwx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, z, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; x = value.w; }
         }
 
         public double4 ywxz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, w, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; z = value.w; }
         }
 
         public double4 ywzx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(y, w, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; x = value.w; }
         }
 
         public double4 zxyw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, x, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; w = value.w; }
         }
 
         public double4 zxwy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, x, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; y = value.w; }
         }
 
         public double4 zyxw
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, y, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; w = value.w; }
         }
 
         public double4 zywx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, y, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; x = value.w; }
         }
 
         public double4 zzzz { [MethodImpl(Inlining.Always)] get => new double4(z, z, z, z); }
 
         public double4 zwxy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, w, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; y = value.w; }
         }
 
         public double4 zwyx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(z, w, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; x = value.w; }
         }
 
         public double4 wxyz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, x, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; z = value.w; }
         }
 
         public double4 wxzy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, x, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; y = value.w; }
         }
 
         public double4 wyxz
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, y, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; z = value.w; }
         }
 
         public double4 wyzx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, y, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; x = value.w; }
         }
 
         public double4 wzxy
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, z, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; y = value.w; }
         }
 
         public double4 wzyx
         {
-            [MethodImpl(Inlining.Always)] get => new double4(w, z, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new double4(w, z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; x = value.w; }
         }
 
         public double4 wwww { [MethodImpl(Inlining.Always)] get => new double4(w, w, w, w); }

@@ -269,14 +269,18 @@ namespace Unity.Mathematics
 
         public float2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public float2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }

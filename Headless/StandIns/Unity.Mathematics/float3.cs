@@ -297,40 +297,52 @@ namespace Unity.Mathematics
 
         public float2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public float2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public float2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }
 
         public float2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public float2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public float2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public float2 zz { [MethodImpl(Inlining.Always)] get => new float2(z, z); }
@@ -347,16 +359,20 @@ namespace Unity.Mathematics
 
         public float3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public float3 xzx { [MethodImpl(Inlining.Always)] get => new float3(x, z, x); }
 
         public float3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public float3 xzz { [MethodImpl(Inlining.Always)] get => new float3(x, z, z); }
@@ -367,8 +383,10 @@ namespace Unity.Mathematics
 
         public float3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public float3 yyx { [MethodImpl(Inlining.Always)] get => new float3(y, y, x); }
@@ -379,8 +397,10 @@ namespace Unity.Mathematics
 
         public float3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public float3 yzy { [MethodImpl(Inlining.Always)] get => new float3(y, z, y); }
@@ -391,16 +411,20 @@ namespace Unity.Mathematics
 
         public float3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public float3 zxz { [MethodImpl(Inlining.Always)] get => new float3(z, x, z); }
 
         public float3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public float3 zyy { [MethodImpl(Inlining.Always)] get => new float3(z, y, y); }

@@ -347,78 +347,102 @@ namespace Unity.Mathematics
 
         public float2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public float2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public float2 xw
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; }
         }
 
         public float2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }
 
         public float2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public float2 yw
         {
-            [MethodImpl(Inlining.Always)] get => new float2(y, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; }
         }
 
         public float2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public float2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public float2 zz { [MethodImpl(Inlining.Always)] get => new float2(z, z); }
 
         public float2 zw
         {
-            [MethodImpl(Inlining.Always)] get => new float2(z, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; }
         }
 
         public float2 wx
         {
-            [MethodImpl(Inlining.Always)] get => new float2(w, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(w, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; }
         }
 
         public float2 wy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(w, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(w, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; }
         }
 
         public float2 wz
         {
-            [MethodImpl(Inlining.Always)] get => new float2(w, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(w, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; }
         }
 
         public float2 ww { [MethodImpl(Inlining.Always)] get => new float2(w, w); }
@@ -437,44 +461,56 @@ namespace Unity.Mathematics
 
         public float3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public float3 xyw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; }
         }
 
         public float3 xzx { [MethodImpl(Inlining.Always)] get => new float3(x, z, x); }
 
         public float3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public float3 xzz { [MethodImpl(Inlining.Always)] get => new float3(x, z, z); }
 
         public float3 xzw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; }
         }
 
         public float3 xwx { [MethodImpl(Inlining.Always)] get => new float3(x, w, x); }
 
         public float3 xwy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; }
         }
 
         public float3 xwz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; }
         }
 
         public float3 xww { [MethodImpl(Inlining.Always)] get => new float3(x, w, w); }
@@ -485,14 +521,18 @@ namespace Unity.Mathematics
 
         public float3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public float3 yxw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; }
         }
 
         public float3 yyx { [MethodImpl(Inlining.Always)] get => new float3(y, y, x); }
@@ -505,8 +545,10 @@ namespace Unity.Mathematics
 
         public float3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public float3 yzy { [MethodImpl(Inlining.Always)] get => new float3(y, z, y); }
@@ -515,22 +557,28 @@ namespace Unity.Mathematics
 
         public float3 yzw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; }
         }
 
         public float3 ywx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; }
         }
 
         public float3 ywy { [MethodImpl(Inlining.Always)] get => new float3(y, w, y); }
 
         public float3 ywz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; }
         }
 
         public float3 yww { [MethodImpl(Inlining.Always)] get => new float3(y, w, w); }
@@ -539,22 +587,28 @@ namespace Unity.Mathematics
 
         public float3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public float3 zxz { [MethodImpl(Inlining.Always)] get => new float3(z, x, z); }
 
         public float3 zxw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; }
         }
 
         public float3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public float3 zyy { [MethodImpl(Inlining.Always)] get => new float3(z, y, y); }
@@ -563,8 +617,10 @@ namespace Unity.Mathematics
 
         public float3 zyw
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; }
         }
 
         public float3 zzx { [MethodImpl(Inlining.Always)] get => new float3(z, z, x); }
@@ -577,14 +633,18 @@ namespace Unity.Mathematics
 
         public float3 zwx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; }
         }
 
         public float3 zwy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(z, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; }
         }
 
         public float3 zwz { [MethodImpl(Inlining.Always)] get => new float3(z, w, z); }
@@ -595,44 +655,56 @@ namespace Unity.Mathematics
 
         public float3 wxy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; }
         }
 
         public float3 wxz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; }
         }
 
         public float3 wxw { [MethodImpl(Inlining.Always)] get => new float3(w, x, w); }
 
         public float3 wyx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; }
         }
 
         public float3 wyy { [MethodImpl(Inlining.Always)] get => new float3(w, y, y); }
 
         public float3 wyz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; }
         }
 
         public float3 wyw { [MethodImpl(Inlining.Always)] get => new float3(w, y, w); }
 
         public float3 wzx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; }
         }
 
         public float3 wzy
         {
-            [MethodImpl(Inlining.Always)] get => new float3(w, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; }
         }
 
         public float3 wzz { [MethodImpl(Inlining.Always)] get => new float3(w, z, z); }
@@ -651,150 +723,198 @@ namespace Unity.Mathematics
 
         public float4 xyzw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, y, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; w = value.w; }
         }
 
         public float4 xywz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, y, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; z = value.w; }
         }
 
         public float4 xzyw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, z, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; w = value.w; }
         }
 
         public float4 xzwy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, z, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; y = value.w; }
         }
 
         public float4 xwyz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, w, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; z = value.w; }
         }
 
         public float4 xwzy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(x, w, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; y = value.w; }
         }
 
         public float4 yxzw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, x, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; w = value.w; }
         }
 
         public float4 yxwz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, x, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; z = value.w; }
         }
 
         public float4 yyyy { [MethodImpl(Inlining.Always)] get => new float4(y, y, y, y); }
 
         public float4 yzxw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, z, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; w = value.w; }
         }
 
         public float4 yzwx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, z, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; x = value.w; }
         }
 
         public float4 ywxz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, w, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; z = value.w; }
         }
 
         public float4 ywzx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(y, w, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; x = value.w; }
         }
 
         public float4 zxyw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, x, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; w = value.w; }
         }
 
         public float4 zxwy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, x, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; y = value.w; }
         }
 
         public float4 zyxw
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, y, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; w = value.w; }
         }
 
         public float4 zywx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, y, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; x = value.w; }
         }
 
         public float4 zzzz { [MethodImpl(Inlining.Always)] get => new float4(z, z, z, z); }
 
         public float4 zwxy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, w, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; y = value.w; }
         }
 
         public float4 zwyx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(z, w, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; x = value.w; }
         }
 
         public float4 wxyz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, x, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; z = value.w; }
         }
 
         public float4 wxzy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, x, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; y = value.w; }
         }
 
         public float4 wyxz
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, y, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; z = value.w; }
         }
 
         public float4 wyzx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, y, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; x = value.w; }
         }
 
         public float4 wzxy
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, z, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; y = value.w; }
         }
 
         public float4 wzyx
         {
-            [MethodImpl(Inlining.Always)] get => new float4(w, z, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new float4(w, z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; x = value.w; }
         }
 
         public float4 wwww { [MethodImpl(Inlining.Always)] get => new float4(w, w, w, w); }

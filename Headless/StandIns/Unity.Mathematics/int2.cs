@@ -305,14 +305,18 @@ namespace Unity.Mathematics
 
         public int2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public int2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }

@@ -333,40 +333,52 @@ namespace Unity.Mathematics
 
         public int2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public int2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public int2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }
 
         public int2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public int2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public int2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public int2 zz { [MethodImpl(Inlining.Always)] get => new int2(z, z); }
@@ -383,16 +395,20 @@ namespace Unity.Mathematics
 
         public int3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public int3 xzx { [MethodImpl(Inlining.Always)] get => new int3(x, z, x); }
 
         public int3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public int3 xzz { [MethodImpl(Inlining.Always)] get => new int3(x, z, z); }
@@ -403,8 +419,10 @@ namespace Unity.Mathematics
 
         public int3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public int3 yyx { [MethodImpl(Inlining.Always)] get => new int3(y, y, x); }
@@ -415,8 +433,10 @@ namespace Unity.Mathematics
 
         public int3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public int3 yzy { [MethodImpl(Inlining.Always)] get => new int3(y, z, y); }
@@ -427,16 +447,20 @@ namespace Unity.Mathematics
 
         public int3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public int3 zxz { [MethodImpl(Inlining.Always)] get => new int3(z, x, z); }
 
         public int3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public int3 zyy { [MethodImpl(Inlining.Always)] get => new int3(z, y, y); }

@@ -383,78 +383,102 @@ namespace Unity.Mathematics
 
         public int2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public int2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public int2 xw
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; }
         }
 
         public int2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }
 
         public int2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public int2 yw
         {
-            [MethodImpl(Inlining.Always)] get => new int2(y, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; }
         }
 
         public int2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public int2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public int2 zz { [MethodImpl(Inlining.Always)] get => new int2(z, z); }
 
         public int2 zw
         {
-            [MethodImpl(Inlining.Always)] get => new int2(z, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; }
         }
 
         public int2 wx
         {
-            [MethodImpl(Inlining.Always)] get => new int2(w, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(w, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; }
         }
 
         public int2 wy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(w, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(w, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; }
         }
 
         public int2 wz
         {
-            [MethodImpl(Inlining.Always)] get => new int2(w, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(w, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; }
         }
 
         public int2 ww { [MethodImpl(Inlining.Always)] get => new int2(w, w); }
@@ -473,44 +497,56 @@ namespace Unity.Mathematics
 
         public int3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public int3 xyw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; }
         }
 
         public int3 xzx { [MethodImpl(Inlining.Always)] get => new int3(x, z, x); }
 
         public int3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public int3 xzz { [MethodImpl(Inlining.Always)] get => new int3(x, z, z); }
 
         public int3 xzw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; }
         }
 
         public int3 xwx { [MethodImpl(Inlining.Always)] get => new int3(x, w, x); }
 
         public int3 xwy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; }
         }
 
         public int3 xwz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; }
         }
 
         public int3 xww { [MethodImpl(Inlining.Always)] get => new int3(x, w, w); }
@@ -521,14 +557,18 @@ namespace Unity.Mathematics
 
         public int3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public int3 yxw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; }
         }
 
         public int3 yyx { [MethodImpl(Inlining.Always)] get => new int3(y, y, x); }
@@ -541,8 +581,10 @@ namespace Unity.Mathematics
 
         public int3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public int3 yzy { [MethodImpl(Inlining.Always)] get => new int3(y, z, y); }
@@ -551,22 +593,28 @@ namespace Unity.Mathematics
 
         public int3 yzw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; }
         }
 
         public int3 ywx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; }
         }
 
         public int3 ywy { [MethodImpl(Inlining.Always)] get => new int3(y, w, y); }
 
         public int3 ywz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(y, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; }
         }
 
         public int3 yww { [MethodImpl(Inlining.Always)] get => new int3(y, w, w); }
@@ -575,22 +623,28 @@ namespace Unity.Mathematics
 
         public int3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public int3 zxz { [MethodImpl(Inlining.Always)] get => new int3(z, x, z); }
 
         public int3 zxw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; }
         }
 
         public int3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public int3 zyy { [MethodImpl(Inlining.Always)] get => new int3(z, y, y); }
@@ -599,8 +653,10 @@ namespace Unity.Mathematics
 
         public int3 zyw
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; }
         }
 
         public int3 zzx { [MethodImpl(Inlining.Always)] get => new int3(z, z, x); }
@@ -613,14 +669,18 @@ namespace Unity.Mathematics
 
         public int3 zwx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; }
         }
 
         public int3 zwy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(z, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; }
         }
 
         public int3 zwz { [MethodImpl(Inlining.Always)] get => new int3(z, w, z); }
@@ -631,44 +691,56 @@ namespace Unity.Mathematics
 
         public int3 wxy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; }
         }
 
         public int3 wxz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; }
         }
 
         public int3 wxw { [MethodImpl(Inlining.Always)] get => new int3(w, x, w); }
 
         public int3 wyx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; }
         }
 
         public int3 wyy { [MethodImpl(Inlining.Always)] get => new int3(w, y, y); }
 
         public int3 wyz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; }
         }
 
         public int3 wyw { [MethodImpl(Inlining.Always)] get => new int3(w, y, w); }
 
         public int3 wzx
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; }
         }
 
         public int3 wzy
         {
-            [MethodImpl(Inlining.Always)] get => new int3(w, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; }
         }
 
         public int3 wzz { [MethodImpl(Inlining.Always)] get => new int3(w, z, z); }
@@ -687,150 +759,198 @@ namespace Unity.Mathematics
 
         public int4 xyzw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, y, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; w = value.w; }
         }
 
         public int4 xywz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, y, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; z = value.w; }
         }
 
         public int4 xzyw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, z, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; w = value.w; }
         }
 
         public int4 xzwy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, z, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; y = value.w; }
         }
 
         public int4 xwyz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, w, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; z = value.w; }
         }
 
         public int4 xwzy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(x, w, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; y = value.w; }
         }
 
         public int4 yxzw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, x, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; w = value.w; }
         }
 
         public int4 yxwz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, x, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; z = value.w; }
         }
 
         public int4 yyyy { [MethodImpl(Inlining.Always)] get => new int4(y, y, y, y); }
 
         public int4 yzxw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, z, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; w = value.w; }
         }
 
         public int4 yzwx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, z, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; x = value.w; }
         }
 
         public int4 ywxz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, w, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; z = value.w; }
         }
 
         public int4 ywzx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(y, w, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; x = value.w; }
         }
 
         public int4 zxyw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, x, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; w = value.w; }
         }
 
         public int4 zxwy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, x, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; y = value.w; }
         }
 
         public int4 zyxw
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, y, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; w = value.w; }
         }
 
         public int4 zywx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, y, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; x = value.w; }
         }
 
         public int4 zzzz { [MethodImpl(Inlining.Always)] get => new int4(z, z, z, z); }
 
         public int4 zwxy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, w, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; y = value.w; }
         }
 
         public int4 zwyx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(z, w, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; x = value.w; }
         }
 
         public int4 wxyz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, x, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; z = value.w; }
         }
 
         public int4 wxzy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, x, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; y = value.w; }
         }
 
         public int4 wyxz
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, y, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; z = value.w; }
         }
 
         public int4 wyzx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, y, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; x = value.w; }
         }
 
         public int4 wzxy
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, z, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; y = value.w; }
         }
 
         public int4 wzyx
         {
-            [MethodImpl(Inlining.Always)] get => new int4(w, z, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new int4(w, z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; x = value.w; }
         }
 
         public int4 wwww { [MethodImpl(Inlining.Always)] get => new int4(w, w, w, w); }

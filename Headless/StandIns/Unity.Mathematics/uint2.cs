@@ -305,14 +305,18 @@ namespace Unity.Mathematics
 
         public uint2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public uint2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }

@@ -333,40 +333,52 @@ namespace Unity.Mathematics
 
         public uint2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public uint2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public uint2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }
 
         public uint2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public uint2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public uint2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public uint2 zz { [MethodImpl(Inlining.Always)] get => new uint2(z, z); }
@@ -383,16 +395,20 @@ namespace Unity.Mathematics
 
         public uint3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public uint3 xzx { [MethodImpl(Inlining.Always)] get => new uint3(x, z, x); }
 
         public uint3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public uint3 xzz { [MethodImpl(Inlining.Always)] get => new uint3(x, z, z); }
@@ -403,8 +419,10 @@ namespace Unity.Mathematics
 
         public uint3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public uint3 yyx { [MethodImpl(Inlining.Always)] get => new uint3(y, y, x); }
@@ -415,8 +433,10 @@ namespace Unity.Mathematics
 
         public uint3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public uint3 yzy { [MethodImpl(Inlining.Always)] get => new uint3(y, z, y); }
@@ -427,16 +447,20 @@ namespace Unity.Mathematics
 
         public uint3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public uint3 zxz { [MethodImpl(Inlining.Always)] get => new uint3(z, x, z); }
 
         public uint3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public uint3 zyy { [MethodImpl(Inlining.Always)] get => new uint3(z, y, y); }

@@ -383,78 +383,102 @@ namespace Unity.Mathematics
 
         public uint2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public uint2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public uint2 xw
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(x, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; }
         }
 
         public uint2 yx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; }
         }
 
         public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }
 
         public uint2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         public uint2 yw
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(y, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; }
         }
 
         public uint2 zx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(z, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; }
         }
 
         public uint2 zy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(z, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; }
         }
 
         public uint2 zz { [MethodImpl(Inlining.Always)] get => new uint2(z, z); }
 
         public uint2 zw
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(z, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; }
         }
 
         public uint2 wx
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(w, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(w, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; }
         }
 
         public uint2 wy
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(w, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(w, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; }
         }
 
         public uint2 wz
         {
-            [MethodImpl(Inlining.Always)] get => new uint2(w, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(w, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; }
         }
 
         public uint2 ww { [MethodImpl(Inlining.Always)] get => new uint2(w, w); }
@@ -473,44 +497,56 @@ namespace Unity.Mathematics
 
         public uint3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
 
         public uint3 xyw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; }
         }
 
         public uint3 xzx { [MethodImpl(Inlining.Always)] get => new uint3(x, z, x); }
 
         public uint3 xzy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; }
         }
 
         public uint3 xzz { [MethodImpl(Inlining.Always)] get => new uint3(x, z, z); }
 
         public uint3 xzw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; }
         }
 
         public uint3 xwx { [MethodImpl(Inlining.Always)] get => new uint3(x, w, x); }
 
         public uint3 xwy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; }
         }
 
         public uint3 xwz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(x, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; }
         }
 
         public uint3 xww { [MethodImpl(Inlining.Always)] get => new uint3(x, w, w); }
@@ -521,14 +557,18 @@ namespace Unity.Mathematics
 
         public uint3 yxz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; }
         }
 
         public uint3 yxw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; }
         }
 
         public uint3 yyx { [MethodImpl(Inlining.Always)] get => new uint3(y, y, x); }
@@ -541,8 +581,10 @@ namespace Unity.Mathematics
 
         public uint3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; }
         }
 
         public uint3 yzy { [MethodImpl(Inlining.Always)] get => new uint3(y, z, y); }
@@ -551,22 +593,28 @@ namespace Unity.Mathematics
 
         public uint3 yzw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; }
         }
 
         public uint3 ywx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; }
         }
 
         public uint3 ywy { [MethodImpl(Inlining.Always)] get => new uint3(y, w, y); }
 
         public uint3 ywz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(y, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; }
         }
 
         public uint3 yww { [MethodImpl(Inlining.Always)] get => new uint3(y, w, w); }
@@ -575,22 +623,28 @@ namespace Unity.Mathematics
 
         public uint3 zxy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; }
         }
 
         public uint3 zxz { [MethodImpl(Inlining.Always)] get => new uint3(z, x, z); }
 
         public uint3 zxw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; }
         }
 
         public uint3 zyx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; }
         }
 
         public uint3 zyy { [MethodImpl(Inlining.Always)] get => new uint3(z, y, y); }
@@ -599,8 +653,10 @@ namespace Unity.Mathematics
 
         public uint3 zyw
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; }
         }
 
         public uint3 zzx { [MethodImpl(Inlining.Always)] get => new uint3(z, z, x); }
@@ -613,14 +669,18 @@ namespace Unity.Mathematics
 
         public uint3 zwx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; }
         }
 
         public uint3 zwy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(z, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; }
         }
 
         public uint3 zwz { [MethodImpl(Inlining.Always)] get => new uint3(z, w, z); }
@@ -631,44 +691,56 @@ namespace Unity.Mathematics
 
         public uint3 wxy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; }
         }
 
         public uint3 wxz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; }
         }
 
         public uint3 wxw { [MethodImpl(Inlining.Always)] get => new uint3(w, x, w); }
 
         public uint3 wyx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; }
         }
 
         public uint3 wyy { [MethodImpl(Inlining.Always)] get => new uint3(w, y, y); }
 
         public uint3 wyz
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; }
         }
 
         public uint3 wyw { [MethodImpl(Inlining.Always)] get => new uint3(w, y, w); }
 
         public uint3 wzx
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; }
         }
 
         public uint3 wzy
         {
-            [MethodImpl(Inlining.Always)] get => new uint3(w, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; }
         }
 
         public uint3 wzz { [MethodImpl(Inlining.Always)] get => new uint3(w, z, z); }
@@ -687,150 +759,198 @@ namespace Unity.Mathematics
 
         public uint4 xyzw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, y, z, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, y, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; w = value.w; }
         }
 
         public uint4 xywz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, y, w, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, y, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; w = value.z; z = value.w; }
         }
 
         public uint4 xzyw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, z, y, w);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, z, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; y = value.z; w = value.w; }
         }
 
         public uint4 xzwy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, z, w, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, z, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; w = value.z; y = value.w; }
         }
 
         public uint4 xwyz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, w, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, w, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; y = value.z; z = value.w; }
         }
 
         public uint4 xwzy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(x, w, z, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; w = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, w, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; w = value.y; z = value.z; y = value.w; }
         }
 
         public uint4 yxzw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, x, z, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; z = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, x, z, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; z = value.z; w = value.w; }
         }
 
         public uint4 yxwz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, x, w, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; x = value.y; w = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, x, w, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; x = value.y; w = value.z; z = value.w; }
         }
 
         public uint4 yyyy { [MethodImpl(Inlining.Always)] get => new uint4(y, y, y, y); }
 
         public uint4 yzxw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, z, x, w);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, z, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; x = value.z; w = value.w; }
         }
 
         public uint4 yzwx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, z, w, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, z, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; w = value.z; x = value.w; }
         }
 
         public uint4 ywxz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, w, x, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, w, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; x = value.z; z = value.w; }
         }
 
         public uint4 ywzx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(y, w, z, x);
-            [MethodImpl(Inlining.Always)] set { y = value.x; w = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, w, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; w = value.y; z = value.z; x = value.w; }
         }
 
         public uint4 zxyw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, x, y, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; y = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, x, y, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; y = value.z; w = value.w; }
         }
 
         public uint4 zxwy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, x, w, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; x = value.y; w = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, x, w, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; x = value.y; w = value.z; y = value.w; }
         }
 
         public uint4 zyxw
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, y, x, w);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; x = value.z; w = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, y, x, w);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; x = value.z; w = value.w; }
         }
 
         public uint4 zywx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, y, w, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; y = value.y; w = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, y, w, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; y = value.y; w = value.z; x = value.w; }
         }
 
         public uint4 zzzz { [MethodImpl(Inlining.Always)] get => new uint4(z, z, z, z); }
 
         public uint4 zwxy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, w, x, y);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, w, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; x = value.z; y = value.w; }
         }
 
         public uint4 zwyx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(z, w, y, x);
-            [MethodImpl(Inlining.Always)] set { z = value.x; w = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, w, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { z = value.x; w = value.y; y = value.z; x = value.w; }
         }
 
         public uint4 wxyz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, x, y, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; y = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; y = value.z; z = value.w; }
         }
 
         public uint4 wxzy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, x, z, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; x = value.y; z = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, x, z, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; x = value.y; z = value.z; y = value.w; }
         }
 
         public uint4 wyxz
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, y, x, z);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; x = value.z; z = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, y, x, z);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; x = value.z; z = value.w; }
         }
 
         public uint4 wyzx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, y, z, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; y = value.y; z = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, y, z, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; y = value.y; z = value.z; x = value.w; }
         }
 
         public uint4 wzxy
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, z, x, y);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; x = value.z; y = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, z, x, y);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; x = value.z; y = value.w; }
         }
 
         public uint4 wzyx
         {
-            [MethodImpl(Inlining.Always)] get => new uint4(w, z, y, x);
-            [MethodImpl(Inlining.Always)] set { w = value.x; z = value.y; y = value.z; x = value.w; }
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(w, z, y, x);
+            [MethodImpl(Inlining.Always)]
+            set { w = value.x; z = value.y; y = value.z; x = value.w; }
         }
 
         public uint4 wwww { [MethodImpl(Inlining.Always)] get => new uint4(w, w, w, w); }

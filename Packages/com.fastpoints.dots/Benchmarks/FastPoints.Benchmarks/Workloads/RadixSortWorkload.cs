@@ -31,8 +31,13 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             m_keys.CopyFrom(m_unsorted);
-            new RadixSortJob { Keys = m_keys, Payload = m_payload, KeyScratch = m_keyScratch,
-                PayloadScratch = m_payloadScratch }.Run();
+            new RadixSortJob
+            {
+                Keys = m_keys,
+                Payload = m_payload,
+                KeyScratch = m_keyScratch,
+                PayloadScratch = m_payloadScratch
+            }.Run();
             return new WorkloadResult { Points = m_keys.Length, Bytes = m_keys.Length * 12L };
         }
 

@@ -21,7 +21,7 @@ namespace FastPoints.Pipeline
     public sealed class ConvertCloud : IDisposable
     {
         const long MaxPointsPerChunk = 1000000;
-        
+
         // A chunk that a sample or a cube's octants made eight times smaller is still more than one leaf.
         const long MinPointsPerChunk = 200000;
 

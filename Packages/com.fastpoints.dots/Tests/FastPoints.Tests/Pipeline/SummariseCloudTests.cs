@@ -35,8 +35,12 @@ namespace FastPoints.Tests.Pipeline
                 maxX = Math.Max(maxX, x[i]);
             }
             using var reader = new MemoryPointReader(batch, pointsPerBlock);
-            reader.Info.Transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = new double3(5e5,
-                5e6, 0) };
+            reader.Info.Transform = new PositionTransform
+            {
+                Scale = new double3(0.01, 0.01, 0.01),
+                Offset = new double3(5e5,
+                5e6, 0)
+            };
             var summary = Summarise(reader, slots);
             Assert.That(summary.Points, Is.EqualTo(2000));
             Assert.That(summary.NonFinite, Is.EqualTo(0));
