@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -47,6 +48,17 @@ namespace FastPoints.Files
         /// <param name="readable">Points that can be read; their first, middle and last are looked at.</param>
         public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
         {
+            var records = new List<long>();
+            if (readable > 0)
+                foreach (long index in new[] { 0, readable / 2, readable - 1 })
+                    records.Add(header.PointsOffset + index * header.RecordBytes);
+            CheckBounds(header, source, records, info);
+        }
+
+        /// <summary>As above, with points whose records start at these bytes of the file.</summary>
+        public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
+        {
+            int readable = records.Count;
             var claimed = new BoundsGeo(header.Min, header.Max);
             if (!claimed.IsFinite || claimed.IsEmpty)
             {
@@ -65,9 +77,9 @@ namespace FastPoints.Files
                 return;
 
             var raw = BoundsGeo.Empty;
-            foreach (long index in new[] { 0, readable / 2, readable - 1 })
+            foreach (long offset in records)
             {
-                var record = source.Read(header.PointsOffset + index * header.RecordBytes, 12, "point");
+                var record = source.Read(offset, 12, "point");
                 raw.Include(new double3(record.Int32(0, "X"), record.Int32(4, "Y"), record.Int32(8, "Z")));
             }
             var seen = BoundsGeo.Empty;

@@ -36,14 +36,18 @@ namespace FastPoints.Files
         }
 
         /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
-        /// <exception cref="PointCloudException">Not LAS, compressed, cut before its first point, or of an unknown version or
-        /// point format.</exception>
+        /// <returns>A <see cref="LazReader"/> where the points are compressed.</returns>
+        /// <exception cref="PointCloudException">Not LAS, cut before its first point, or of an unknown version or point
+        /// format.</exception>
         public static PointReader Open(FileSource source)
         {
             var las = LasFile.Read(source);
-            if (las.Header.IsCompressed)
-                throw new PointCloudException(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
-                    "the points are compressed (LAZ): LAZ is not read yet, wanted LAS");
+            return las.Header.IsCompressed ? LazReader.Open(las, source) : OpenUncompressed(las, source);
+        }
+
+        /// <summary>Plain records, whatever the header says of compression.</summary>
+        internal static PointReader OpenUncompressed(LasFile las, FileSource source)
+        {
             las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);
             LasClaims.CheckBounds(las.Header, source, las.Info.PointsReadable, las.Info);
             return new LasReader(las);

@@ -11,9 +11,10 @@ namespace FastPoints.Files
     {
         const int TileBytes = 16 << 10;
 
-        /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points.</summary>
+        /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points, from
+        /// <paramref name="firstPoint"/> of the columns on.</summary>
         public static void ToColumns(byte* records, int recordBytes, int count, LasFieldCopy* copies, int copyCount,
-            byte* columns)
+            byte* columns, int firstPoint = 0)
         {
             int tilePoints = TilePoints(recordBytes);
             for (int first = 0; first < count; first += tilePoints)
@@ -21,7 +22,7 @@ namespace FastPoints.Files
                 int points = count - first < tilePoints ? count - first : tilePoints;
                 byte* tile = records + (long)first * recordBytes;
                 for (int i = 0; i < copyCount; i++)
-                    ToColumn(tile, recordBytes, points, copies + i, columns, first);
+                    ToColumn(tile, recordBytes, points, copies + i, columns, firstPoint + first);
             }
         }
 

@@ -35,7 +35,8 @@ namespace FastPoints.Files
                 SymbolModel.Initialize(model + ContextsAt + i * stride, bits + 1);
         }
 
-        /// <summary>The difference from the prediction, and <paramref name="k"/>, which other models take for a context.</summary>
+        /// <summary>The difference from the prediction, and <paramref name="k"/>, which other models take for a
+        /// context.</summary>
         /// <param name="bits">And <paramref name="contexts"/>: as initialised; constants where speed matters.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Decode(byte* model, int bits, int contexts, int context, out int k,

@@ -8,10 +8,10 @@ namespace FastPoints.Files
     /// then the layers, each a range-coded stream of its own. HPC#.
     /// </summary>
     /// <remarks>
-    /// A tile of points is decoded layer by layer, not point by point: the first layer leaves a <see cref="PointContext"/> for each
-    /// point, the others read these, and each keeps its stream in registers through the tile. Layers that are not wanted are not
-    /// touched (their bytes keep whatever the caller's records hold), nor need they be in the input. All state is this struct
-    /// and what lies behind it, without pointers.
+    /// A tile of points is decoded layer by layer, not point by point: the first layer leaves a <see cref="PointContext"/> for
+    /// each point, the others read these, and each keeps its stream in registers through the tile. Layers that are not wanted
+    /// are not touched (their bytes keep whatever the caller's records hold), nor need they be in the input. All state is this
+    /// struct and what lies behind it, without pointers.
     /// </remarks>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct LayeredChunk
@@ -158,7 +158,7 @@ namespace FastPoints.Files
             }
             else
             {
-                // A layer that is not there has no bytes behind its end: the first point that needs one stops.
+                // The chunk has the layer, the input does not: beyond its end from the start, so that no point is decoded.
                 layer->Stream.Offset = layer->EndOffset + 1;
             }
 
@@ -235,6 +235,10 @@ namespace FastPoints.Files
                 {
                     Repeat(chunk, layers + i, tile, coded);
                 }
+                else if (layers[i].Stream.Offset > layers[i].EndOffset)
+                {
+                    done = 0;
+                }
                 else
                 {
                     layers[i].Stream.Resume(input, input + layers[i].EndOffset);
@@ -287,8 +291,8 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>A layer that nothing changes in: each point has what the first has. Flags have been written by the first layer,
-        /// beside the channel.</summary>
+        /// <summary>A layer that nothing changes in: each point has what the first has. Flags have been written by the first
+        /// layer, beside the channel.</summary>
         static void Repeat(LayeredChunk* chunk, LayerState* layer, byte* tile, int count)
         {
             if (layer->Kind == LazLayerKind.Flags)

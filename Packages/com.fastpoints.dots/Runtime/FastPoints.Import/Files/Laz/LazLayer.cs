@@ -90,7 +90,8 @@ namespace FastPoints.Files
                 MaxInputBytesPerPoint = maxInputBytes,
             };
 
-        /// <summary>Bytes at the start of a chunk in front of the layers: the first point, the point count, the layers' sizes.</summary>
+        /// <summary>Bytes at the start of a chunk in front of the layers: the first point, the point count, the layers'
+        /// sizes.</summary>
         public static int ChunkHeaderBytes(int recordBytes, int layerCount) => recordBytes + 4 + 4 * layerCount;
 
         /// <summary>Bytes of a layer's part that are enough for so many points.</summary>

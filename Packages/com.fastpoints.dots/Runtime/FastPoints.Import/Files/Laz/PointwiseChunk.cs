@@ -120,9 +120,12 @@ namespace FastPoints.Files
             chunk->m_stream = default;
         }
 
+        /// <summary>Goes on with an input that starts where the stream has been taken up to.</summary>
+        public static void Rebase(PointwiseChunk* chunk) => chunk->m_stream.Offset = 0;
+
         /// <summary>Decodes the chunk's next points as whole records.</summary>
-        /// <param name="input">The chunk's first byte (or that of what is there of it). Behind <paramref name="inputBytes"/>
-        /// there are <see cref="RangeCode.PaddingBytes"/> more that may be read.</param>
+        /// <param name="input">The chunk's first byte (or that where <see cref="Rebase"/> was called). Behind <paramref
+        /// name="inputBytes"/> there are <see cref="RangeCode.PaddingBytes"/> more that may be read.</param>
         /// <returns>Points decoded: fewer than <paramref name="count"/> only where the input does not hold them.</returns>
         public static int Decode(PointwiseChunk* chunk, byte* input, long inputBytes, byte* records, int count)
         {

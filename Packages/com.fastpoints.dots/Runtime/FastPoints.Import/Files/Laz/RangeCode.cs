@@ -9,8 +9,8 @@ namespace FastPoints.Files
     /// </summary>
     /// <remarks>
     /// Value, length and pointer go as three locals through inlined methods: as one struct passed by reference .NET's compiler
-    /// kept them on the stack, a third slower. Value never exceeds length, whatever the input, so that every table lookup
-    /// stays inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
+    /// kept them on the stack, a third slower. Value stays below length, whatever the input, so that every table lookup stays
+    /// inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
     /// <see cref="PaddingBytes"/> readable bytes.
     /// </remarks>
     public static unsafe class RangeCode
@@ -20,13 +20,16 @@ namespace FastPoints.Files
 
         const uint MinLength = 1u << 24;
 
-        /// <summary>Starts a stream: its first four bytes are the value.</summary>
+        /// <summary>Starts a stream: its first four bytes are the value. No encoder writes four bytes of ones, which would be
+        /// the whole length: they become the largest value below it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Start(out uint value, out uint length, ref byte* next)
         {
             value = BigEndian(next);
             next += 4;
             length = uint.MaxValue;
+            if (value == length)
+                value--;
         }
 
         /// <summary>Bits that are not modelled, at most 19 of them.</summary>
@@ -61,7 +64,8 @@ namespace FastPoints.Files
             return FewBits(16, ref value, ref length, ref next) << 16 | low;
         }
 
-        /// <summary>Takes as many bytes as bring the length back to 25 bits or more; no loop and no branch on their number.</summary>
+        /// <summary>Takes as many bytes as bring the length back to 25 bits or more; no loop and no branch on their
+        /// number.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Renew(ref uint value, ref uint length, ref byte* next)
         {

@@ -1,0 +1,102 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// One slice of a chunk: the next points after those of the slice before it, first into a tile of records, then to the
+    /// columns that are wanted. A chain of these decodes a range.
+    /// </summary>
+    [BurstCompile]
+    unsafe struct DecodeLazJob : IJob
+    {
+        /// <summary>The chunk's bytes, or those of its wanted layers; with <see cref="RangeCode.PaddingBytes"/> behind
+        /// them.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+
+        /// <summary>One value: bytes of the input that are there.</summary>
+        [ReadOnly] public NativeArray<long> InputBytes;
+
+        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured.</summary>
+        public NativeArray<byte> State;
+
+        /// <summary>Records of a tile.</summary>
+        public NativeArray<byte> Tile;
+
+        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+
+        public int RecordBytes;
+        public int TilePoints;
+        public bool IsLayered;
+        public bool HasAllLayers;
+
+        /// <summary>First slice of a range: the state is started, unless it continues from a checkpoint.</summary>
+        public bool IsFirst;
+        public bool IsContinued;
+
+        /// <summary>First point of the slice, counted from where the state started.</summary>
+        public int First;
+        public int Count;
+
+        /// <summary>Points in front of the range, which are decoded because the others follow from them, and not kept.</summary>
+        public int Skip;
+
+        /// <summary>Points that the range takes from the state's start, <see cref="Skip"/> among them.</summary>
+        public int Total;
+
+        /// <summary>Where the input lies in the file.</summary>
+        public long FileOffset;
+
+        /// <summary>Whether the range takes the chunk to its end, so that the stream must end with it.</summary>
+        public bool IsToEnd;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            byte* state = (byte*)State.GetUnsafePtr();
+            byte* tile = (byte*)Tile.GetUnsafePtr();
+            long inputBytes = InputBytes[0];
+            var result = IsFirst ? default : Result.Value;
+            if (IsFirst && IsLayered)
+                LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, Total);
+            else if (IsFirst && !IsContinued)
+                PointwiseChunk.Start((PointwiseChunk*)state);
+
+            int done = 0;
+            while (done < Count && result.Error == LazError.None)
+            {
+                int wanted = Count - done < TilePoints ? Count - done : TilePoints;
+                int got = IsLayered
+                    ? LayeredChunk.Decode((LayeredChunk*)state, input, tile, wanted)
+                    : PointwiseChunk.Decode((PointwiseChunk*)state, input, inputBytes, tile, wanted);
+                int first = First + done;
+                int skipped = Skip > first ? (Skip - first < got ? Skip - first : got) : 0;
+                if (got > skipped)
+                {
+                    LasRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped,
+                        (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
+                        first + skipped - Skip);
+                    result.Points = first + got - Skip;
+                }
+                done += got;
+                if (got < wanted)
+                {
+                    result.Error = LazError.Short;
+                    // Layers are packed in the input: where a byte of them lies in the file is the chunk's business.
+                    result.ErrorOffset = FileOffset + (IsLayered ? 0 : ((PointwiseChunk*)state)->InputOffset);
+                }
+            }
+            if (IsToEnd && !IsLayered && result.Error == LazError.None && First + Count == Total
+                && ((PointwiseChunk*)state)->InputOffset != inputBytes)
+            {
+                result.Error = LazError.EndMismatch;
+                result.ErrorOffset = FileOffset + ((PointwiseChunk*)state)->InputOffset;
+            }
+            Result.Value = result;
+        }
+    }
+}

@@ -1,0 +1,282 @@
+using System;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// One range of a block: its bytes are read (of a layered chunk only the wanted layers: first the header that says where they
+    /// are, then a read that a job has planned), then a chain of slices decodes them.
+    /// </summary>
+    sealed unsafe class LazBlockRead : BlockRead
+    {
+        /// <summary>About 4 ms of decoding on one core.</summary>
+        const int SlicePoints = 16384;
+
+        const int MaxTileBytes = 64 << 10;
+
+        /// <summary>Layered chunks up to this are read whole: two reads one after the other cost more than the bytes
+        /// saved.</summary>
+        const int SmallChunkBytes = 16 << 10;
+
+        readonly LazReader m_reader;
+        readonly LazFormat m_format;
+        readonly int m_capacity;
+        readonly int m_tilePoints;
+        readonly bool m_wantsAllLayers;
+        NativeArray<byte> m_state;
+        NativeArray<byte> m_input;
+        NativeArray<byte> m_tile;
+        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<int> m_bytesPerPoint;
+        NativeArray<long> m_inputBytes;
+        // The read manager keeps pointers to commands until their read has ended.
+        NativeArray<ReadCommand> m_command;
+        NativeArray<ReadCommand> m_plannedCommands;
+        NativeArray<ReadCommandArray> m_plannedArray;
+        NativeReference<DecodeResult> m_result;
+        ReadHandle m_read;
+        ReadHandle m_plannedRead;
+        bool m_isReading;
+        bool m_isPlanned;
+
+        public LazBlockRead(LazReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            m_reader = reader;
+            m_format = reader.Format;
+            m_capacity = capacity;
+            m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
+            var batch = new PointBatch(wanted, capacity, allocator);
+            try
+            {
+                m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, batch), allocator);
+            }
+            catch (ArgumentException)
+            {
+                batch.Dispose();
+                throw;
+            }
+            Points = batch;
+            m_wantsAllLayers = ConfigureState(wanted, allocator);
+            m_input = Bytes(Math.Max(reader.MaxInputBytes(), LazLayer.ChunkHeaderBytes(m_format.RecordBytes,
+                m_format.Layers.Length)) + RangeCode.PaddingBytes, allocator);
+            m_tile = Bytes((long)m_tilePoints * m_format.RecordBytes, allocator);
+            m_inputBytes = new NativeArray<long>(1, allocator);
+            m_command = new NativeArray<ReadCommand>(1, allocator);
+            m_plannedCommands = new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator);
+            m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
+            m_result = new NativeReference<DecodeResult>(allocator);
+            Result = m_result;
+        }
+
+        /// <returns>Whether there is no layer to leave out.</returns>
+        bool ConfigureState(PointSchema wanted, Allocator allocator)
+        {
+            var layers = m_format.Layers;
+            m_bytesPerPoint = new NativeArray<int>(Math.Max(1, layers.Length), allocator);
+            if (!m_format.IsLayered)
+            {
+                m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(m_format.Items), allocator,
+                    NativeArrayOptions.UninitializedMemory);
+                PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
+                return true;
+            }
+            var isWanted = LazLayerChoice.Make(layers, m_reader.Layout, wanted);
+            m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
+                NativeArrayOptions.UninitializedMemory);
+            LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
+            bool wantsAll = true;
+            for (int i = 0; i < layers.Length; i++)
+            {
+                m_bytesPerPoint[i] = isWanted[i] ? layers[i].MaxInputBytesPerPoint : 0;
+                wantsAll &= isWanted[i];
+            }
+            return wantsAll;
+        }
+
+        static NativeArray<byte> Bytes(long count, Allocator allocator)
+        {
+            if (count > int.MaxValue)
+                throw new ArgumentOutOfRangeException(nameof(count), count, "a slot holds less than 2 GiB");
+            return new NativeArray<byte>((int)Math.Max(1, count), allocator, NativeArrayOptions.UninitializedMemory);
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            if (m_isReading)
+                throw new InvalidOperationException("the slot is still reading; Complete it first");
+            var block = m_reader.Block(range.Block);
+            if (range.First < 0 || range.Count < 0 || range.Count > m_capacity || range.Count > block.Points - range.First)
+                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
+            Range = range;
+            FirstPoint = block.FirstPoint + range.First;
+            if (range.Count == 0)
+            {
+                m_result.Value = default;
+                Decoded = default;
+                return;
+            }
+
+            var checkpoint = m_reader.CheckpointOf(block);
+            checkpoint?.Restore(m_state);
+            long start = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
+            long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
+            var decode = new DecodeLazJob
+            {
+                Input = m_input,
+                InputBytes = m_inputBytes,
+                State = m_state,
+                Tile = m_tile,
+                Copies = m_copies,
+                Columns = Points.Bytes,
+                Result = m_result,
+                RecordBytes = m_format.RecordBytes,
+                TilePoints = m_tilePoints,
+                IsLayered = m_format.IsLayered,
+                HasAllLayers = true,
+                IsContinued = checkpoint != null,
+                Skip = checked((int)skip),
+                Total = checked((int)(skip + range.Count)),
+                FileOffset = start,
+            };
+            var read = Read(block, start, ref decode);
+            Decoded = Schedule(decode, read);
+        }
+
+        /// <summary>Starts the read of a range's input.</summary>
+        /// <param name="decode">Gets what the read means for the decoding.</param>
+        JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
+        {
+            long bytes = block.EndOffset - start;
+            bool isWhole = block.IsToEnd && Range.First + Range.Count == block.Points;
+            if (!m_format.IsLayered)
+            {
+                if (!isWhole)
+                    bytes = Math.Min(bytes, PointwiseChunk.MaxInputBytes(m_format.Items, m_format.RecordBytes, decode.Total));
+                decode.IsToEnd = isWhole && m_format.Compressor != LazCompressor.Pointwise;
+                return Read(start, bytes);
+            }
+            if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole)
+                return Read(start, bytes);
+
+            decode.HasAllLayers = false;
+            var header = Read(start, Math.Min(bytes, LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length)));
+            m_plannedArray[0] = new ReadCommandArray { ReadCommands = (ReadCommand*)m_plannedCommands.GetUnsafePtr() };
+            var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
+            Decoded = new PlanLazReadsJob
+            {
+                Input = m_input,
+                BytesPerPoint = m_bytesPerPoint,
+                Commands = m_plannedCommands,
+                CommandArray = m_plannedArray,
+                InputBytes = m_inputBytes,
+                Buffer = (byte*)m_input.GetUnsafePtr(),
+                BufferBytes = m_input.Length - RangeCode.PaddingBytes,
+                RecordBytes = m_format.RecordBytes,
+                ChunkOffset = start,
+                ChunkEnd = block.EndOffset,
+                Points = decode.Total,
+            }.Schedule(header);
+            m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, Decoded);
+            m_isPlanned = true;
+            // The read follows the plan, but nothing promises that its handle says so.
+            return JobHandle.CombineDependencies(Decoded, m_plannedRead.JobHandle);
+        }
+
+        JobHandle Read(long offset, long bytes)
+        {
+            m_inputBytes[0] = bytes;
+            m_command[0] = new ReadCommand { Buffer = m_input.GetUnsafePtr(), Offset = offset, Size = bytes };
+            m_read = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
+            {
+                CommandCount = 1,
+                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
+            });
+            m_isReading = true;
+            Decoded = m_read.JobHandle;
+            return Decoded;
+        }
+
+        static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
+        {
+            for (int first = 0; first < decode.Total; first += SlicePoints)
+            {
+                decode.IsFirst = first == 0;
+                decode.First = first;
+                decode.Count = Math.Min(SlicePoints, decode.Total - first);
+                dependency = decode.Schedule(dependency);
+            }
+            return dependency;
+        }
+
+        public override void Complete()
+        {
+            Decoded.Complete();
+            if (m_isReading)
+                CloseReads();
+            var result = m_result.Value;
+            Points.Count = result.Points;
+            if (result.Error != LazError.None)
+                m_reader.TellBroken(Range, result);
+        }
+
+        void CloseReads()
+        {
+            m_isReading = false;
+            bool isRead = Close(m_read);
+            if (m_isPlanned)
+                isRead &= Close(m_plannedRead);
+            m_isPlanned = false;
+            if (isRead)
+                return;
+            m_result.Value = default;
+            Points.Count = 0;
+            long offset = m_reader.ChunkOf(m_reader.Block(Range.Block)).Offset;
+            throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, offset,
+                "the file could not be read, or has become shorter since it was opened");
+        }
+
+        static bool Close(ReadHandle read)
+        {
+            var status = read.Status;
+            read.Dispose();
+            return status == ReadStatus.Complete;
+        }
+
+        public override void Dispose()
+        {
+            if (!m_result.IsCreated)
+                return;
+            if (m_isReading)
+            {
+                m_read.Cancel();
+                if (m_isPlanned)
+                    m_plannedRead.Cancel();
+                Decoded.Complete();
+                m_read.JobHandle.Complete();
+                m_read.Dispose();
+                if (m_isPlanned)
+                {
+                    m_plannedRead.JobHandle.Complete();
+                    m_plannedRead.Dispose();
+                }
+                m_isReading = false;
+            }
+            Points.Dispose();
+            m_state.Dispose();
+            m_input.Dispose();
+            m_tile.Dispose();
+            m_copies.Dispose();
+            m_bytesPerPoint.Dispose();
+            m_inputBytes.Dispose();
+            m_command.Dispose();
+            m_plannedCommands.Dispose();
+            m_plannedArray.Dispose();
+            m_result.Dispose();
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// A decoder's state somewhere within a chunk too long for one block, to go on from. Pages of zeros (models that have not
+    /// come up) are not kept: about 0.3 of 1.4 MB are.
+    /// </summary>
+    sealed unsafe class LazCheckpoint
+    {
+        const int PageBytes = 4096;
+
+        readonly List<int> m_pages = new List<int>();
+        byte[] m_content;
+
+        /// <summary>First point that the state decodes next, counted from the chunk's start.</summary>
+        public long Point;
+
+        /// <summary>Byte of the file at which its input starts.</summary>
+        public long FileOffset;
+
+        public long Bytes => m_content == null ? 0 : m_content.Length;
+
+        public bool HasState => m_content != null;
+
+        /// <summary>Gives up the state and keeps the place: the block decodes from an earlier checkpoint.</summary>
+        public void Drop() => m_content = null;
+
+        public void Save(NativeArray<byte> state)
+        {
+            byte* from = (byte*)state.GetUnsafeReadOnlyPtr();
+            int pages = (state.Length + PageBytes - 1) / PageBytes;
+            for (int page = 0; page < pages; page++)
+                if (!IsZero(from, page, state.Length))
+                    m_pages.Add(page);
+            m_content = new byte[m_pages.Count * PageBytes];
+            fixed (byte* to = m_content)
+                for (int i = 0; i < m_pages.Count; i++)
+                    UnsafeUtility.MemCpy(to + (long)i * PageBytes, from + (long)m_pages[i] * PageBytes,
+                        LengthOf(m_pages[i], state.Length));
+        }
+
+        /// <summary>Makes <paramref name="state"/> what it was.</summary>
+        public void Restore(NativeArray<byte> state)
+        {
+            byte* to = (byte*)state.GetUnsafePtr();
+            UnsafeUtility.MemClear(to, state.Length);
+            fixed (byte* from = m_content)
+                for (int i = 0; i < m_pages.Count; i++)
+                    UnsafeUtility.MemCpy(to + (long)m_pages[i] * PageBytes, from + (long)i * PageBytes,
+                        LengthOf(m_pages[i], state.Length));
+        }
+
+        static int LengthOf(int page, int bytes) =>
+            bytes - page * PageBytes < PageBytes ? bytes - page * PageBytes : PageBytes;
+
+        static bool IsZero(byte* state, int page, int bytes)
+        {
+            byte* at = state + (long)page * PageBytes;
+            int length = LengthOf(page, bytes);
+            for (int i = 0; i + 8 <= length; i += 8)
+                if (*(ulong*)(at + i) != 0)
+                    return false;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,192 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in it
+    /// is a claim and is held against the file's size; a table that contradicts itself is as good as none.
+    /// </summary>
+    /// <remarks><code>
+    /// uint version (0), uint chunks, then range-coded for each chunk: its points (if chunks vary), its bytes
+    /// </code>
+    /// each predicted by the one before.
+    /// </remarks>
+    public sealed class LazChunkTable
+    {
+        const int TableOffsetBytes = 8;
+        const int TableHeaderBytes = 8;
+
+        /// <summary>Bytes of the points of a file that has none: the table's offset, and the table.</summary>
+        public const int LeastBytes = TableOffsetBytes + TableHeaderBytes;
+        const long OffsetAtFileEnd = -1;
+
+        /// <summary>Two numbers a chunk, of 15 + 15 bits modelled and 23 raw at most.</summary>
+        const int MaxEntryBytes = 14;
+
+        readonly FileSource m_source;
+        readonly LazFormat m_format;
+        readonly SourceInfo m_info;
+        readonly ulong m_pointsClaimed;
+        int m_emptyChunks;
+
+        LazChunkTable(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        {
+            m_source = source;
+            m_format = format;
+            m_info = info;
+            m_pointsClaimed = info.PointsClaimed;
+            FirstChunkOffset = pointsOffset + TableOffsetBytes;
+        }
+
+        public long FirstChunkOffset { get; }
+
+        /// <summary>In the file's order.</summary>
+        public List<LazChunk> Chunks { get; } = new List<LazChunk>();
+
+        /// <summary>Whether the chunks had to be taken for lost: <see cref="Chunks"/> is what is known of them (perhaps none),
+        /// and the rest must be looked for from <see cref="EndOfKnown"/>.</summary>
+        public bool IsLost { get; private set; }
+
+        public long EndOfKnown => Chunks.Count == 0
+            ? FirstChunkOffset
+            : Chunks[Chunks.Count - 1].Offset + Chunks[Chunks.Count - 1].Bytes;
+
+        /// <summary>Reads the table of a chunked file with points. Oddities become warnings.</summary>
+        public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
+        {
+            var table = new LazChunkTable(source, format, info, pointsOffset);
+            string trouble = table.Read(pointsOffset, out long at);
+            if (trouble == null)
+            {
+                table.Check();
+                return table;
+            }
+            table.IsLost = true;
+            bool canWalk = format.IsLayered || !format.HasVariableChunks;
+            if (canWalk)
+                table.Chunks.Clear();
+            info.Warn(at, "chunk table: " + trouble + (canWalk
+                ? ": the chunks are looked for one after the other"
+                : ": without it chunks of varying size cannot be told apart; " + Text(table.Chunks.Count) + " are known"));
+            return table;
+        }
+
+        /// <returns>What is wrong, or null.</returns>
+        string Read(long pointsOffset, out long at)
+        {
+            at = pointsOffset;
+            if (pointsOffset > m_source.Length - TableOffsetBytes)
+                return "the file ends before its offset";
+            long start = OffsetAt(pointsOffset);
+            if (start == OffsetAtFileEnd)
+            {
+                // A writer that could not go back wrote the offset where it was in the end.
+                at = m_source.Length - TableOffsetBytes;
+                start = OffsetAt(at);
+            }
+            if (start == pointsOffset || start == 0)
+                return "its offset was never written (" + Text(start) + ")";
+            if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
+                return "wanted an offset of " + Text(FirstChunkOffset) + " to " + Text(m_source.Length - TableHeaderBytes)
+                    + ", got " + Text(start);
+
+            at = start;
+            var header = m_source.Read(start, TableHeaderBytes, "chunk table");
+            uint version = header.UInt32(0, "chunk table version");
+            if (version != 0)
+                return "wanted version 0, got " + Text(version);
+            long count = header.UInt32(4, "number of chunks");
+            long room = (start - FirstChunkOffset) / m_format.RecordBytes;
+            if (count > room)
+                return "claims " + Text(count) + " chunks, there is room for " + Text(room);
+            if (count == 0)
+                return m_pointsClaimed == 0 ? null : "claims no chunks, the header claims points";
+            return ReadEntries(start, count);
+        }
+
+        long OffsetAt(long at) =>
+            (long)m_source.Read(at, TableOffsetBytes, "chunk table offset").UInt64(0, "chunk table offset");
+
+        unsafe string ReadEntries(long start, long count)
+        {
+            int wanted = (int)Math.Min(int.MaxValue / 2, count * MaxEntryBytes + 16);
+            var bytes = m_source.ReadAtMost(start + TableHeaderBytes, wanted).Bytes;
+            var input = new byte[bytes.Length + RangeCode.PaddingBytes];
+            bytes.CopyTo(input, 0);
+            bool isVariable = m_format.HasVariableChunks;
+            long offset = FirstChunkOffset;
+            ulong pointsLeft = m_pointsClaimed;
+            int lastPoints = 0, lastBytes = 0;
+
+            using (var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent))
+            fixed (byte* first = input)
+            {
+                byte* model = (byte*)models.GetUnsafePtr();
+                IntegerModel.Initialize(model, 32, 2);
+                byte* end = first + bytes.Length;
+                byte* next = first;
+                RangeCode.Start(out uint value, out uint length, ref next);
+                for (long i = 0; i < count; i++)
+                {
+                    if (isVariable)
+                        lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
+                    lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
+                    if (next > end)
+                        return "ends within the entry of chunk " + Text(i);
+                    var chunk = new LazChunk { Offset = offset, Bytes = (uint)lastBytes, Points = (uint)lastPoints };
+                    if (!isVariable)
+                        chunk.Points = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
+                    if (chunk.Bytes > start - offset)
+                        return "chunk " + Text(i) + " would end at byte " + Text(offset + chunk.Bytes)
+                            + ", in or behind the table";
+                    if (chunk.Bytes < m_format.RecordBytes && chunk.Points > 0)
+                        return "chunk " + Text(i) + " has " + Text(chunk.Bytes) + " bytes, wanted at least a record of "
+                            + Text(m_format.RecordBytes);
+                    if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
+                        return "chunk " + Text(i) + " claims " + Text(chunk.Points) + " points in " + Text(chunk.Bytes)
+                            + " bytes";
+                    offset += chunk.Bytes;
+                    pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
+                    if (chunk.Points > 0)
+                        Chunks.Add(chunk);
+                    else if (!isVariable)
+                        m_emptyChunks++;
+                }
+                if (offset < start)
+                    m_info.Warn(offset, Text(start - offset) + " bytes between the last chunk and the chunk table belong to "
+                        + "none");
+            }
+            return null;
+        }
+
+        /// <summary>Holds the table's sum against the header's count.</summary>
+        void Check()
+        {
+            ulong sum = 0;
+            foreach (var chunk in Chunks)
+                sum += (ulong)chunk.Points;
+            if (m_emptyChunks > 0)
+                m_info.Warn(FirstChunkOffset, "the chunk table has " + Text(m_emptyChunks)
+                    + " chunks more than the points that the header claims: left out");
+            if (sum == m_pointsClaimed)
+                return;
+            if (m_format.HasVariableChunks)
+            {
+                m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + Text(m_pointsClaimed) + " points, the chunk table "
+                    + Text(sum) + ": the table is believed");
+                return;
+            }
+            // With chunks of one size only the header says how many points the last one has.
+            m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + Text(m_pointsClaimed)
+                + " points, the chunks in the table have room for " + Text(sum));
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+
+        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,14 @@
+namespace FastPoints.Files
+{
+    /// <summary>What the decoding jobs report in <see cref="DecodeResult.Error"/>.</summary>
+    static class LazError
+    {
+        public const int None = 0;
+
+        /// <summary>The input ended (or one of its layers did) before the points that were asked for.</summary>
+        public const int Short = 1;
+
+        /// <summary>All points are there, but the stream does not end where its chunk does: some of them are noise.</summary>
+        public const int EndMismatch = 2;
+    }
+}

@@ -1,0 +1,202 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Looks for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that are too long
+    /// for one block; once over the file, in bounded memory.
+    /// </summary>
+    /// <remarks>
+    /// Layered chunks say how long they are. Pointwise ones do not: they are decoded, and the next begins where one ends.
+    /// </remarks>
+    sealed class LazWalk
+    {
+        const int SlicePoints = 16384;
+        const int HeadersAtOnce = 64;
+
+        const long MaxCheckpointBytes = 64 << 20;
+
+        readonly LazReader m_reader;
+        readonly LazFormat m_format;
+        readonly FileSource m_source;
+        readonly List<LazCheckpoint> m_checkpoints;
+        readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();
+
+        /// <summary>Points between checkpoints: those of a block. A quarter of what a whole chunk may have, since a block's
+        /// points and its input lie in memory for each slot.</summary>
+        readonly int m_checkpointPoints;
+
+        public LazWalk(LazReader reader, FileSource source, List<LazCheckpoint> checkpoints)
+        {
+            m_reader = reader;
+            m_format = reader.Format;
+            m_source = source;
+            m_checkpoints = checkpoints;
+            m_checkpointPoints = Math.Max(1, reader.LongChunkPoints / 4);
+        }
+
+        /// <summary>The checkpoints of a chunk that has any: <c>First</c> and <c>Count</c> of the list.</summary>
+        public BlockRange CheckpointsOf(int chunk)
+        {
+            foreach (var range in m_checkpointsOfChunk)
+                if (range.Block == chunk)
+                    return range;
+            return new BlockRange(chunk, 0, 0);
+        }
+
+        /// <param name="chunks">Known ones: looked into where they are long. Added to where <paramref
+        /// name="isTableLost"/>.</param>
+        public IEnumerator<JobHandle> Run(List<LazChunk> chunks, bool isTableLost)
+        {
+            if (isTableLost && m_format.IsLayered)
+                return WalkHeaders(chunks);
+            return isTableLost ? WalkStreams(chunks) : WalkLongChunks(chunks);
+        }
+
+        IEnumerator<JobHandle> WalkHeaders(List<LazChunk> chunks)
+        {
+            int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
+            long at = m_reader.Header.PointsOffset + 8;
+            ulong pointsLeft = m_reader.Info.PointsClaimed;
+            for (int walked = 0; pointsLeft > 0 && at + headerBytes <= m_source.Length; walked++)
+            {
+                if (walked % HeadersAtOnce == HeadersAtOnce - 1)
+                    yield return default;
+                var header = m_source.Read(at, headerBytes, "chunk header");
+                long points = header.UInt32(m_format.RecordBytes, "points of a chunk");
+                long bytes = headerBytes;
+                for (int i = 0; i < m_format.Layers.Length; i++)
+                    bytes += header.UInt32(m_format.RecordBytes + 4 + 4 * i, "bytes of a layer");
+                long there = Math.Min(bytes, m_source.Length - at);
+                bool isChunk = points > 0 && points <= LazChunk.MaxPoints(there)
+                    && (m_format.HasVariableChunks || points <= m_format.ChunkPoints);
+                if (!isChunk || there > LazReader.MaxLayeredChunkBytes)
+                {
+                    m_reader.Info.Warn(at, "there is no chunk here (" + Text(points) + " points in " + Text(bytes) + " bytes): "
+                        + Text(chunks.Count) + " chunks were found before it");
+                    break;
+                }
+                chunks.Add(new LazChunk { Offset = at, Bytes = there, Points = points });
+                at += bytes;
+                pointsLeft -= Math.Min(pointsLeft, (ulong)points);
+            }
+            Tell(chunks);
+        }
+
+        IEnumerator<JobHandle> WalkStreams(List<LazChunk> chunks)
+        {
+            long at = m_reader.Header.PointsOffset + 8;
+            ulong pointsLeft = m_reader.Info.PointsClaimed;
+            using (var stream = new LazWalkStream(m_reader, m_format))
+            {
+                while (pointsLeft > 0 && at + m_format.RecordBytes <= m_source.Length)
+                {
+                    long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
+                    int firstCheckpoint = m_checkpoints.Count;
+                    stream.StartChunk(at, m_source.Length);
+                    var steps = WalkChunk(stream, wanted);
+                    while (steps.MoveNext())
+                        yield return steps.Current;
+                    if (stream.Point == 0)
+                        break;
+                    CloseChunk(chunks.Count, firstCheckpoint);
+                    long end = stream.IsStopped ? m_source.Length : stream.FileOffset;
+                    chunks.Add(new LazChunk { Offset = at, Bytes = end - at, Points = stream.Point });
+                    if (stream.IsStopped)
+                        break;
+                    at = stream.FileOffset;
+                    pointsLeft -= (ulong)stream.Point;
+                }
+            }
+            Tell(chunks);
+        }
+
+        IEnumerator<JobHandle> WalkLongChunks(List<LazChunk> chunks)
+        {
+            using (var stream = new LazWalkStream(m_reader, m_format))
+            {
+                for (int c = 0; c < chunks.Count; c++)
+                {
+                    var chunk = chunks[c];
+                    if (chunk.Points <= m_reader.LongChunkPoints)
+                        continue;
+                    int firstCheckpoint = m_checkpoints.Count;
+                    stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
+                    var steps = WalkChunk(stream, chunk.Points);
+                    while (steps.MoveNext())
+                        yield return steps.Current;
+                    CloseChunk(c, firstCheckpoint);
+                    if (stream.Point == chunk.Points)
+                        continue;
+                    m_reader.Info.Warn(stream.FileOffset, "chunk " + Text(c) + ": wanted " + Text(chunk.Points) + " points, got "
+                        + Text(stream.Point) + ": the others are not in the file");
+                    chunk.Points = stream.Point;
+                    chunks[c] = chunk;
+                }
+            }
+        }
+
+        IEnumerator<JobHandle> WalkChunk(LazWalkStream stream, long points)
+        {
+            bool isLong = points > m_reader.LongChunkPoints;
+            while (stream.Point < points && !stream.IsStopped)
+            {
+                if (stream.NeedsInput)
+                    yield return stream.BeginRead();
+                stream.EndRead();
+                long untilCheckpoint = m_checkpointPoints - stream.Point % m_checkpointPoints;
+                yield return stream.Decode((int)Math.Min(Math.Min(SlicePoints, untilCheckpoint), points - stream.Point));
+                stream.EndDecode();
+                bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 && stream.Point < points;
+                if (isAtCheckpoint && !stream.IsStopped
+                    && (m_checkpoints.Count == 0 || m_checkpoints[m_checkpoints.Count - 1].FileOffset != stream.FileOffset))
+                    m_checkpoints.Add(stream.Checkpoint());
+            }
+        }
+
+        /// <summary>Remembers which checkpoints are the chunk's, and gives up the state of every second one while all of them
+        /// take more memory than they should.</summary>
+        void CloseChunk(int chunk, int firstCheckpoint)
+        {
+            int count = m_checkpoints.Count - firstCheckpoint;
+            if (count > 0)
+                m_checkpointsOfChunk.Add(new BlockRange(chunk, firstCheckpoint, count));
+            Thin();
+        }
+
+        void Thin()
+        {
+            long bytes = 0;
+            foreach (var checkpoint in m_checkpoints)
+                bytes += checkpoint.Bytes;
+            bool drops = false;
+            for (int i = 0; bytes > MaxCheckpointBytes && i < m_checkpoints.Count; i++)
+            {
+                if (!m_checkpoints[i].HasState)
+                    continue;
+                if (drops)
+                {
+                    bytes -= m_checkpoints[i].Bytes;
+                    m_checkpoints[i].Drop();
+                }
+                drops = !drops;
+            }
+        }
+
+        void Tell(List<LazChunk> chunks)
+        {
+            ulong points = 0;
+            foreach (var chunk in chunks)
+                points += (ulong)chunk.Points;
+            if (points != m_reader.Info.PointsClaimed)
+                m_reader.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
+                    + m_reader.Info.PointsClaimed.ToString(CultureInfo.InvariantCulture) + " points, the file holds "
+                    + points.ToString(CultureInfo.InvariantCulture));
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using FastPoints.Base;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>A pointwise chunk that is decoded from a window of the file, a slice at a time, without keeping its
+    /// points.</summary>
+    sealed unsafe class LazWalkStream : IDisposable
+    {
+        const int MaxTilePoints = 512;
+        const int MaxTileBytes = 64 << 10;
+        const int MinWindowBytes = 1 << 20;
+
+        readonly LazReader m_reader;
+        readonly int m_tilePoints;
+        readonly long m_maxBytesOfFirst;
+        readonly long m_maxBytesOfPoint;
+        readonly int m_windowBytes;
+        NativeArray<byte> m_window;
+        NativeArray<byte> m_state;
+        NativeArray<byte> m_tile;
+        NativeArray<ReadCommand> m_command;
+        NativeReference<LazWalkStep> m_step;
+        ReadHandle m_read;
+        JobHandle m_decode;
+        bool m_isReading;
+
+        /// <summary>Where the window lies in the file.</summary>
+        long m_windowStart;
+        long m_windowEnd;
+        long m_inputEnd;
+
+        public LazWalkStream(LazReader reader, LazFormat format)
+        {
+            m_reader = reader;
+            m_tilePoints = Math.Max(1, Math.Min(MaxTilePoints, MaxTileBytes / format.RecordBytes));
+            m_maxBytesOfFirst = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 0);
+            m_maxBytesOfPoint = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 1) - m_maxBytesOfFirst;
+            m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
+            m_window = new NativeArray<byte>(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            // Zeros, so that checkpoints leave out what no model has written.
+            m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
+            PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
+            m_tile = new NativeArray<byte>(m_tilePoints * format.RecordBytes, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
+            m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
+        }
+
+        /// <summary>Points decoded of the chunk.</summary>
+        public long Point { get; private set; }
+
+        /// <summary>Where the next point's bytes start in the file.</summary>
+        public long FileOffset { get; private set; }
+
+        /// <summary>Whether the input does not hold the next point.</summary>
+        public bool IsStopped { get; private set; }
+
+        /// <summary>Whether the window may not hold the next tile, and the file has more.</summary>
+        public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd
+            || m_windowEnd < m_inputEnd && m_windowEnd - FileOffset < m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint;
+
+        public void StartChunk(long offset, long end)
+        {
+            FileOffset = offset;
+            m_inputEnd = end;
+            // What the window holds beyond this chunk's end is not its own.
+            m_windowEnd = Math.Min(m_windowEnd, end);
+            Point = 0;
+            IsStopped = false;
+        }
+
+        public JobHandle BeginRead()
+        {
+            m_windowStart = FileOffset;
+            m_windowEnd = Math.Min(m_inputEnd, FileOffset + m_windowBytes);
+            m_command[0] = new ReadCommand
+            {
+                Buffer = m_window.GetUnsafePtr(),
+                Offset = m_windowStart,
+                Size = m_windowEnd - m_windowStart,
+            };
+            m_read = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
+            {
+                CommandCount = 1,
+                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
+            });
+            m_isReading = true;
+            return m_read.JobHandle;
+        }
+
+        public void EndRead()
+        {
+            if (!m_isReading)
+                return;
+            m_isReading = false;
+            m_read.JobHandle.Complete();
+            var status = m_read.Status;
+            m_read.Dispose();
+            if (status != ReadStatus.Complete)
+                throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, m_windowStart,
+                    "the file could not be read, or has become shorter since it was opened");
+        }
+
+        public JobHandle Decode(int points)
+        {
+            m_decode = new WalkLazJob
+            {
+                Input = m_window,
+                State = m_state,
+                Tile = m_tile,
+                Result = m_step,
+                InputStart = (int)(FileOffset - m_windowStart),
+                InputEnd = (int)(m_windowEnd - m_windowStart),
+                HasMore = m_windowEnd < m_inputEnd,
+                TilePoints = m_tilePoints,
+                Points = points,
+                MaxBytesOfFirst = m_maxBytesOfFirst,
+                MaxBytesOfPoint = m_maxBytesOfPoint,
+                IsStart = Point == 0,
+            }.Schedule();
+            return m_decode;
+        }
+
+        public void EndDecode()
+        {
+            m_decode.Complete();
+            var step = m_step.Value;
+            Point += step.Points;
+            FileOffset += step.Bytes;
+            IsStopped = step.IsStopped;
+        }
+
+        /// <summary>The state, whose next input byte is at <see cref="FileOffset"/>.</summary>
+        public LazCheckpoint Checkpoint()
+        {
+            PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
+            var checkpoint = new LazCheckpoint { Point = Point, FileOffset = FileOffset };
+            checkpoint.Save(m_state);
+            return checkpoint;
+        }
+
+        public void Dispose()
+        {
+            m_decode.Complete();
+            if (m_isReading)
+            {
+                m_isReading = false;
+                m_read.Cancel();
+                m_read.JobHandle.Complete();
+                m_read.Dispose();
+            }
+            m_window.Dispose();
+            m_state.Dispose();
+            m_tile.Dispose();
+            m_command.Dispose();
+            m_step.Dispose();
+        }
+    }
+}

@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>Reads LAS and LAZ back into records, through columns: every bit of a record is in one.</summary>
+    public static unsafe class LazFileReading
+    {
+        /// <summary>Opens a file whose blocks are known, or looks for them.</summary>
+        public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
+        {
+            using (var source = FileSource.Open(path))
+            {
+                var las = LasFile.Read(source);
+                var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
+                if (!reader.BlocksAreKnown)
+                    WorkPump.RunToEnd(reader.FindBlocks());
+                return reader;
+            }
+        }
+
+        /// <summary>All records of a file, in its order: block after block, several at once.</summary>
+        public static byte[] Records(PointReader reader, LasRecordLayout layout, int slots = 3)
+        {
+            var ranges = new List<BlockRange>();
+            for (int block = 0; block < reader.BlockCount; block++)
+                ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
+            var records = new byte[reader.PointCount * layout.RecordBytes];
+            long got = Read(reader, layout, ranges, reader.Info.Schema, slots, records);
+            if (got != reader.PointCount)
+                Array.Resize(ref records, (int)got * layout.RecordBytes);
+            return records;
+        }
+
+        /// <summary>Reads ranges in the order given, each to its place among the records.</summary>
+        /// <returns>Points read.</returns>
+        public static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges, PointSchema wanted,
+            int slots, byte[] records)
+        {
+            var reads = new BlockRead[Math.Max(1, Math.Min(slots, ranges.Count))];
+            long points = 0;
+            try
+            {
+                for (int i = 0; i < reads.Length; i++)
+                    reads[i] = reader.CreateRead(wanted, Math.Max(1, reader.MaxPointsPerBlock), Allocator.Persistent);
+                for (int i = 0; i < ranges.Count + reads.Length; i++)
+                {
+                    var read = reads[i % reads.Length];
+                    if (i >= reads.Length && i - reads.Length < ranges.Count)
+                    {
+                        read.Complete();
+                        points += read.Points.Count;
+                        Pack(read, layout, records);
+                    }
+                    if (i < ranges.Count)
+                        read.Begin(ranges[i]);
+                }
+            }
+            finally
+            {
+                foreach (var read in reads)
+                    read?.Dispose();
+            }
+            return points;
+        }
+
+        static void Pack(BlockRead read, LasRecordLayout layout, byte[] records)
+        {
+            if (read.Points.Count == 0)
+                return;
+            var copies = LasCopyPlan.Make(layout, read.Points);
+            fixed (byte* first = records)
+            fixed (LasFieldCopy* plan = copies)
+                LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count, plan, copies.Length,
+                    first + read.FirstPoint * layout.RecordBytes, layout.RecordBytes);
+        }
+
+        public static LasRecordLayout LayoutOf(string path)
+        {
+            using (var source = FileSource.Open(path))
+                return LasFile.Read(source).Layout;
+        }
+
+        /// <summary>The records of an uncompressed LAS file, which may be packed with gzip.</summary>
+        public static byte[] Truth(string path)
+        {
+            var bytes = path.EndsWith(".gz", StringComparison.Ordinal) ? Unzip(path) : File.ReadAllBytes(path);
+            int record = RecordFields.UInt16(bytes, LasHeader.At.RecordBytes);
+            uint legacy = BitConverter.ToUInt32(bytes, LasHeader.At.LegacyCount);
+            bool isLegacy = legacy != 0 || bytes[LasHeader.At.VersionMinor] < 4;
+            long count = isLegacy ? legacy : RecordFields.Int64(bytes, LasHeader.At.Count);
+            var records = new byte[count * record];
+            Array.Copy(bytes, RecordFields.Int32(bytes, LasHeader.At.PointsOffset), records, 0, records.Length);
+            return records;
+        }
+
+        static byte[] Unzip(string path)
+        {
+            using (var zip = new GZipStream(File.OpenRead(path), CompressionMode.Decompress))
+            {
+                var bytes = new MemoryStream();
+                zip.CopyTo(bytes);
+                return bytes.ToArray();
+            }
+        }
+
+        /// <returns>Where two runs of records first differ, in words; null where they do not.</returns>
+        public static string Difference(byte[] got, byte[] wanted, int recordBytes)
+        {
+            if (got.Length != wanted.Length)
+                return "got " + got.Length / recordBytes + " points, wanted " + wanted.Length / recordBytes;
+            for (int i = 0; i < got.Length; i++)
+                if (got[i] != wanted[i])
+                    return "point " + i / recordBytes + ", byte " + i % recordBytes + ": got " + got[i] + ", wanted " + wanted[i];
+            return null;
+        }
+    }
+
+    /// <summary>Bytes as a file in the temporary folder, gone when disposed.</summary>
+    public sealed class TemporaryFile : IDisposable
+    {
+        public TemporaryFile(byte[] bytes, string extension)
+        {
+            Path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N") + extension);
+            File.WriteAllBytes(Path, bytes);
+        }
+
+        public string Path { get; }
+
+        public void Dispose() => File.Delete(Path);
+    }
+}

@@ -1,0 +1,179 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Files;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>Where a file says that its chunk table is.</summary>
+    public enum LazTablePlace
+    {
+        /// <summary>At its offset, as a writer that can go back leaves it.</summary>
+        AtOffset,
+
+        /// <summary>The offset is -1, and the true one the last 8 bytes of the file.</summary>
+        AtFileEnd,
+
+        /// <summary>The writer was interrupted: no table, and the offset points at itself.</summary>
+        Missing,
+    }
+
+    /// <summary>A whole LAZ file from records.</summary>
+    public sealed class LazFileWriter
+    {
+        public int PointFormat;
+
+        /// <summary>Of the items: 1 or 2 for point formats 0 to 5, 3 or 4 above.</summary>
+        public int ItemVersion = 2;
+
+        public int ExtraBytes;
+
+        /// <summary>Points of each chunk; one number for all, or one a chunk. Empty: one chunk without a table (compressor
+        /// 1).</summary>
+        public int[] ChunkPoints = { 50000 };
+
+        /// <summary>Whether the VLR names the size of all chunks, or the table that of each.</summary>
+        public bool HasVariableChunks;
+
+        public LazTablePlace TablePlace = LazTablePlace.AtOffset;
+
+        /// <summary>Points that the header claims; -1 for the truth.</summary>
+        public long Claims = -1;
+
+        public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
+
+        public LazItem[] Items()
+        {
+            var items = new List<LazItem>();
+            bool isExtended = PointFormat >= 6;
+            int at = 0;
+            foreach (string name in LazFormat.ItemsOf(PointFormat).Split(new[] { " + " }, StringSplitOptions.None))
+                Add(items, (LazItemType)Enum.Parse(typeof(LazItemType), name), 0, ref at);
+            if (ExtraBytes > 0)
+                Add(items, isExtended ? LazItemType.Bytes14 : LazItemType.Bytes, ExtraBytes, ref at);
+            return items.ToArray();
+        }
+
+        void Add(List<LazItem> items, LazItemType type, int bytes, ref int at)
+        {
+            int fixedBytes = LazItem.FixedBytes(type);
+            var item = new LazItem
+            {
+                Type = type,
+                // Wave packets of pointwise chunks have one version only.
+                Version = type == LazItemType.WavePacket13 ? 1 : ItemVersion,
+                Bytes = fixedBytes != 0 ? fixedBytes : bytes,
+                RecordOffset = at,
+            };
+            items.Add(item);
+            at += item.Bytes;
+        }
+
+        /// <summary>The file's bytes.</summary>
+        public byte[] Write(IReadOnlyList<byte[]> records)
+        {
+            var items = Items();
+            var file = new BinaryWriter(new MemoryStream());
+            var vlr = Vlr(items);
+            int minor = PointFormat >= 6 ? 4 : 2;
+            long claims = Claims >= 0 ? Claims : records.Count;
+            var header = new LasHeader
+            {
+                VersionMinor = minor,
+                PointFormat = PointFormat,
+                IsCompressed = true,
+                RecordBytes = RecordBytes,
+                HeaderBytes = LasHeader.BytesOf(minor),
+                PointsOffset = (uint)(LasHeader.BytesOf(minor) + vlr.Length),
+                VlrCount = 1,
+                LegacyCount = PointFormat >= 6 ? 0 : (uint)claims,
+                Count = minor >= 4 ? (ulong)claims : 0,
+                Scale = new double3(0.01, 0.01, 0.01),
+                Min = new double3(-1e9, -1e9, -1e9),
+                Max = new double3(1e9, 1e9, 1e9),
+                SystemIdentifier = "",
+                GeneratingSoftware = "FastPoints tests",
+            };
+            file.Write(header.ToBytes());
+            file.Write(vlr);
+            WritePoints(file, items, records);
+            return ((MemoryStream)file.BaseStream).ToArray();
+        }
+
+        void WritePoints(BinaryWriter file, LazItem[] items, IReadOnlyList<byte[]> records)
+        {
+            if (ChunkPoints.Length == 0)
+            {
+                file.Write(LazEncoder.Chunk(items, records));
+                return;
+            }
+            long tableOffsetAt = file.BaseStream.Position;
+            file.Write(TablePlace == LazTablePlace.Missing ? tableOffsetAt : -1L);
+            var bytes = new List<int>();
+            var points = new List<int>();
+            for (int first = 0; first < records.Count;)
+            {
+                int count = Math.Min(ChunkPoints[Math.Min(points.Count, ChunkPoints.Length - 1)], records.Count - first);
+                var chunk = LazEncoder.Chunk(items, Part(records, first, count));
+                file.Write(chunk);
+                bytes.Add(chunk.Length);
+                points.Add(count);
+                first += count;
+            }
+            if (TablePlace == LazTablePlace.Missing)
+                return;
+            long table = file.BaseStream.Position;
+            file.Write(LazEncoder.Table(bytes, HasVariableChunks ? points : null));
+            if (TablePlace == LazTablePlace.AtFileEnd)
+            {
+                file.Write(table);
+                return;
+            }
+            file.BaseStream.Position = tableOffsetAt;
+            file.Write(table);
+        }
+
+        byte[] Vlr(LazItem[] items)
+        {
+            var vlr = new BinaryWriter(new MemoryStream());
+            vlr.Write((ushort)0);
+            vlr.Write(Padded(LazFormat.UserId, 16));
+            vlr.Write(LazFormat.RecordId);
+            vlr.Write((ushort)(34 + 6 * items.Length));
+            vlr.Write(Padded("", 32));
+            vlr.Write((ushort)(ChunkPoints.Length == 0 ? LazCompressor.Pointwise
+                : PointFormat >= 6 ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked));
+            vlr.Write((ushort)0);
+            vlr.Write(new byte[] { 3, 4, 0, 0 });
+            vlr.Write(0u);
+            vlr.Write(HasVariableChunks ? LazFormat.VariableChunkPoints : ChunkPoints.Length == 0 ? 0 : (uint)ChunkPoints[0]);
+            vlr.Write(-1L);
+            vlr.Write(-1L);
+            vlr.Write((ushort)items.Length);
+            foreach (var item in items)
+            {
+                vlr.Write((ushort)item.Type);
+                vlr.Write((ushort)item.Bytes);
+                vlr.Write((ushort)item.Version);
+            }
+            return ((MemoryStream)vlr.BaseStream).ToArray();
+        }
+
+        static byte[] Padded(string text, int count)
+        {
+            var bytes = new byte[count];
+            Encoding.ASCII.GetBytes(text).CopyTo(bytes, 0);
+            return bytes;
+        }
+
+        static List<byte[]> Part(IReadOnlyList<byte[]> records, int first, int count)
+        {
+            var part = new List<byte[]>(count);
+            for (int i = 0; i < count; i++)
+                part.Add(records[first + i]);
+            return part;
+        }
+    }
+}
