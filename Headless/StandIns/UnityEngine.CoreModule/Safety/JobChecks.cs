@@ -30,7 +30,13 @@ namespace StandIns.Safety
             if (layout.Refusal != null)
                 throw new InvalidOperationException(layout.Refusal);
             string name = typeof(T).Name;
-            byte* at = (byte*)SystemUnsafe.AsPointer(ref job);
+            // The job lies in an object that a garbage collection may move, and the records below allocate.
+            fixed (byte* at = &SystemUnsafe.As<T, byte>(ref job))
+                return Register(at, layout, name, parallel, dependency, runsAtOnce);
+        }
+
+        static JobRecord Register(byte* at, JobLayout layout, string name, bool parallel, JobHandle dependency, bool runsAtOnce)
+        {
             JobField[] fields = layout.Containers;
             for (int i = 0; i < fields.Length; i++)
             {

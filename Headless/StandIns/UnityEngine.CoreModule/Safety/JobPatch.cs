@@ -16,7 +16,8 @@ namespace StandIns.Safety
         internal static void NoteDeferredArray() => Volatile.Write(ref s_deferredArraysExist, 1);
     }
 
-    /// <summary>What the job system writes into a job's copy of its struct before it runs.</summary>
+    /// <summary>What the job system writes into a job's copy of its struct before it runs. The copy lies in an object that a garbage
+    /// collection may move at any time, so it is held while there is a pointer to it.</summary>
     static unsafe class JobPatch<T> where T : struct
     {
         static readonly int[] s_threadIndexOffsets = JobLayout.Of(typeof(T)).ThreadIndexOffsets;
@@ -32,9 +33,11 @@ namespace StandIns.Safety
         {
             if (s_threadIndexOffsets.Length == 0)
                 return;
-            byte* at = (byte*)SystemUnsafe.AsPointer(ref job);
-            foreach (int offset in s_threadIndexOffsets)
-                *(int*)(at + offset) = threadIndex;
+            fixed (byte* at = &SystemUnsafe.As<T, byte>(ref job))
+            {
+                foreach (int offset in s_threadIndexOffsets)
+                    *(int*)(at + offset) = threadIndex;
+            }
         }
 
         /// <summary>
@@ -42,18 +45,20 @@ namespace StandIns.Safety
         /// </summary>
         internal static void ResolveDeferred(ref T job)
         {
-            byte* at = (byte*)SystemUnsafe.AsPointer(ref job);
-            foreach (JobField field in Arrays.Deferrable)
+            fixed (byte* at = &SystemUnsafe.As<T, byte>(ref job))
             {
-                void** buffer = (void**)(at + field.Offset + field.Type.BufferOffset);
-                if (((ulong)*buffer & 1) == 0)
-                    continue;
-                byte* list = (byte*)*buffer - 1;
-                int length = *(int*)(list + sizeof(void*));
-                *buffer = *(void**)list;
-                *(int*)(at + field.Offset + field.Type.LengthOffset) = length;
-                if (field.Type.MaxIndexOffset >= 0)
-                    *(int*)(at + field.Offset + field.Type.MaxIndexOffset) = length - 1;
+                foreach (JobField field in Arrays.Deferrable)
+                {
+                    void** buffer = (void**)(at + field.Offset + field.Type.BufferOffset);
+                    if (((ulong)*buffer & 1) == 0)
+                        continue;
+                    byte* list = (byte*)*buffer - 1;
+                    int length = *(int*)(list + sizeof(void*));
+                    *buffer = *(void**)list;
+                    *(int*)(at + field.Offset + field.Type.LengthOffset) = length;
+                    if (field.Type.MaxIndexOffset >= 0)
+                        *(int*)(at + field.Offset + field.Type.MaxIndexOffset) = length - 1;
+                }
             }
         }
 
@@ -61,11 +66,13 @@ namespace StandIns.Safety
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
         internal static void Restrict(ref T job, int begin, int end)
         {
-            byte* at = (byte*)SystemUnsafe.AsPointer(ref job);
-            foreach (JobField field in Arrays.Restricted)
+            fixed (byte* at = &SystemUnsafe.As<T, byte>(ref job))
             {
-                *(int*)(at + field.Offset + field.Type.MinIndexOffset) = begin;
-                *(int*)(at + field.Offset + field.Type.MaxIndexOffset) = end - 1;
+                foreach (JobField field in Arrays.Restricted)
+                {
+                    *(int*)(at + field.Offset + field.Type.MinIndexOffset) = begin;
+                    *(int*)(at + field.Offset + field.Type.MaxIndexOffset) = end - 1;
+                }
             }
         }
 
@@ -73,10 +80,12 @@ namespace StandIns.Safety
         {
             if (s_deallocated.Length == 0)
                 return;
-            byte* at = (byte*)SystemUnsafe.AsPointer(ref job);
-            foreach (JobField field in s_deallocated)
-                UnsafeUtility.FreeTracked(*(void**)(at + field.Offset + field.Type.BufferOffset),
-                    *(Allocator*)(at + field.Offset + field.Type.AllocatorOffset));
+            fixed (byte* at = &SystemUnsafe.As<T, byte>(ref job))
+            {
+                foreach (JobField field in s_deallocated)
+                    UnsafeUtility.FreeTracked(*(void**)(at + field.Offset + field.Type.BufferOffset),
+                        *(Allocator*)(at + field.Offset + field.Type.AllocatorOffset));
+            }
         }
     }
 }

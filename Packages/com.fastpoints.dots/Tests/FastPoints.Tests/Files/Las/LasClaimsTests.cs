@@ -137,7 +137,7 @@ namespace FastPoints.Files.Tests
         [TestCase(24, new byte[] { 2, 0 }, FailureCode.Unsupported, "LAS version: wanted 1.0 to 1.5, got 2.0")]
         [TestCase(25, new byte[] { 6 }, FailureCode.Unsupported, "got 1.6")]
         [TestCase(104, new byte[] { 11 }, FailureCode.Unsupported, "point format: wanted 0 to 10, got 11")]
-        [TestCase(104, new byte[] { 0x80 }, FailureCode.Unsupported, "LAZ")]
+        [TestCase(104, new byte[] { 0x80 }, FailureCode.BadInput, "no LASzip VLR")]
         [TestCase(105, new byte[] { 19, 0 }, FailureCode.BadInput, "record length of point format 0: wanted at least 20, got 19")]
         [TestCase(96, new byte[] { 226, 0, 0, 0 }, FailureCode.BadInput, "offset to point data: wanted at least 227, got 226")]
         [TestCase(96, new byte[] { 0, 0, 0, 255 }, FailureCode.Truncated, "claims 3 points, the file holds 0")]
