@@ -31,13 +31,13 @@ namespace FastPoints.Benchmarks
                 Offset = new double3(690_000, 5_330_000, 500),
             };
             var bounds = PositionBounds.RunImmediate(m_points, transform).Bounds;
-            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, m_canvas.WidthPx, m_canvas.HeightPx, UpAxis.Z);
+            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, null, m_canvas.WidthPx, m_canvas.HeightPx, UpAxis.Z);
             m_drawing = new PointDrawing
             {
                 Positions = PositionColumns.Of(m_points),
                 Projection = new PointProjection(camera, transform, m_canvas.WidthPx, m_canvas.HeightPx),
                 Colors = ColorMapping.For(ColorMode.Rgb, new DisplayRanges { Color = ColorDepth.Bits16 }, m_points, transform),
-                SizePx = 1,
+                LargestPx = 1,
             };
             Draw(m_points.Count / 2);
             var half = m_canvas.ToImage();

@@ -16,6 +16,7 @@ namespace FastPoints.Pipeline
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;
         [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<float> SizeOfTile;
         public PointDrawing Drawing;
 
         /// <summary>Written by atomic minimum, so that jobs on other blocks may draw at the same time.</summary>
@@ -26,7 +27,8 @@ namespace FastPoints.Pipeline
             int start = index * RasterizePointsJob.PointsPerPiece;
             int count = math.min(RasterizePointsJob.PointsPerPiece, Result.Value.Points - start);
             if (count > 0)
-                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(), start, count,
+                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(),
+                    (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), start, count,
                     (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
         }
     }

@@ -115,7 +115,8 @@ namespace FastPoints.Pipeline
                 Block = read.Points.Bytes,
                 Result = read.Result,
                 Palette = m_canvas.Palette,
-                Drawing = Plan.DrawingOf(read.Points),
+                SizeOfTile = m_canvas.SizeOfTile,
+                Drawing = Plan.DrawingOf(read.Points, m_canvas),
                 Pixels = m_canvas.Pixels,
             }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded);
         }

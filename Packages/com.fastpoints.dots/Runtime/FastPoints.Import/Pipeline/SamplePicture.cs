@@ -17,7 +17,7 @@ namespace FastPoints.Pipeline
         public static IEnumerator<JobHandle> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             StageProgress progress)
         {
-            var drawing = plan.DrawingOf(points);
+            var drawing = plan.DrawingOf(points, canvas);
             for (int first = 0; first < points.Count; first += PointsPerSlice)
             {
                 int count = Math.Min(PointsPerSlice, points.Count - first);
@@ -34,20 +34,20 @@ namespace FastPoints.Pipeline
             }
         }
 
-        /// <summary>Work for a pump: finds the plan's point size where that is left to us, from the sample drawn with single
+        /// <summary>Work for a pump: finds the size of points where that is left to us, from the sample drawn with single
         /// pixels; leaves the canvas empty.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
         public static IEnumerator<JobHandle> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)
         {
             canvas.Clear();
+            canvas.UseSize(plan.SizePx);
             if (!plan.WantsAutoSize || points.Count == 0)
                 yield break;
-            plan.SizePx = PointSizing.MinPx;
             using (var drawing = Draw(canvas, points, plan, null))
                 while (drawing.MoveNext())
                     yield return drawing.Current;
-            var measured = canvas.ScheduleMeasure(default);
+            var measured = canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, default);
             try
             {
                 yield return measured;
@@ -56,14 +56,14 @@ namespace FastPoints.Pipeline
             {
                 measured.Complete();
             }
-            plan.SizePx = PointSizing.Choose(canvas.Coverage, pointsToDraw / (double)points.Count);
+            plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
         }
 
         /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
         public static IEnumerator<JobHandle> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
-            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points), background, plan.EdlStrength, default);
+            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default);
             try
             {
                 yield return resolved;

@@ -13,7 +13,7 @@ namespace FastPoints.Preview
     /// reads in flight. The time it takes depends on the points wanted, not on the file's size.
     /// </summary>
     /// <remarks>
-    /// For sources of a fixed stride, and where less than a quarter of the points is wanted; others get a
+    /// For sources of a fixed stride, and where less than an eighth of the points is wanted; others get a
     /// <see cref="UniformSampler"/>, and <see cref="PreviewSample.Method"/> says so. Points of one run are neighbours in the file
     /// and so, mostly, in space: the sample is coarser than a uniform one of as many points.
     /// </remarks>
@@ -23,13 +23,13 @@ namespace FastPoints.Preview
         const int MinRunLength = 64, MaxRunLength = 256;
 
         /// <summary>Runs that are wanted before they grow longer than the shortest.</summary>
-        const int UsualRuns = 4096;
+        const int UsualRuns = 16384;
 
         /// <summary>Reads in flight: enough for a solid state disk to work at depth.</summary>
         const int DefaultSlots = 16;
 
         /// <summary>A larger share of the file than one in so many is sooner read from end to end.</summary>
-        const int LeastShare = 4;
+        const int LeastShare = 8;
 
         readonly PointReader m_reader;
         readonly PointSchema m_schema;

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Cameras that show the whole of a box.</summary>
+    /// <summary>Cameras that show the whole of a cloud, as large as the picture allows.</summary>
     public static class CameraFraming
     {
         /// <summary>Share of the picture's width and height that is left free on each side.</summary>
@@ -14,52 +14,64 @@ namespace FastPoints.Picture
 
         /// <summary>A camera for a standard view; an empty box is taken for a point at 0, a point for a box of one
         /// unit.</summary>
-        public static Camera Frame(ViewDirection view, BoundsGeo bounds, int widthPx, int heightPx, UpAxis upAxis,
+        /// <param name="outline">Some positions in the box, which the camera frames; null, or fewer than eight, for the box's
+        /// corners.</param>
+        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
+            UpAxis upAxis,
             double fovDegrees = DefaultFovDegrees)
         {
+            bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
             bounds = Solid(bounds);
+            if (outline == null || outline.Length < 8 || isPoint)
+                outline = Corners(bounds);
             Axes(upAxis, out var east, out var north, out var up);
-            if (view == ViewDirection.Auto)
-                view = AutoView(bounds, east, north, up);
-            switch (view)
-            {
-                case ViewDirection.Top:
-                    return FrameOrthographic(bounds, -up, north, widthPx, heightPx);
-                case ViewDirection.Front:
-                    return FrameOrthographic(bounds, north, up, widthPx, heightPx);
-                default:
-                    return FramePerspective(bounds, north - 0.55 * east - 0.75 * up, up, widthPx, heightPx, fovDegrees);
-            }
-        }
-
-        /// <summary>A box much thinner from front to back than it is wide and high is a wall (or a single scan line).</summary>
-        static ViewDirection AutoView(BoundsGeo bounds, double3 east, double3 north, double3 up)
-        {
             double width = math.dot(bounds.Size, math.abs(east));
             double depth = math.dot(bounds.Size, math.abs(north));
             double height = math.dot(bounds.Size, math.abs(up));
-            return depth < 0.02 * math.min(width, height) ? ViewDirection.Front : ViewDirection.Iso;
+
+            // A box much thinner from front to back than it is wide and high is a wall (or a single scan line).
+            if (view == ViewDirection.Auto && depth < 0.02 * math.min(width, height))
+                view = ViewDirection.Front;
+            switch (view)
+            {
+                case ViewDirection.Top:
+                    return FrameOrthographic(bounds, outline, -up, north, widthPx, heightPx);
+                case ViewDirection.Front:
+                    return FrameOrthographic(bounds, outline, north, up, widthPx, heightPx);
+                case ViewDirection.Iso:
+                    return FramePerspective(bounds, outline, north - 0.55 * east - 0.75 * up, up, widthPx, heightPx, fovDegrees);
+                default:
+                    var across = depth > 1.2 * width ? -east : north;
+                    var aside = depth > 1.2 * width ? north : -east;
+                    double skew = math.max(width, depth) > 3 * math.min(width, depth) ? 0.25 : 0.55;
+                    return FramePerspective(bounds, outline, across + skew * aside - 0.75 * up, up, widthPx, heightPx,
+                        fovDegrees);
+            }
         }
 
-        static Camera FrameOrthographic(BoundsGeo bounds, double3 forward, double3 up, int widthPx, int heightPx)
+        static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
+            int heightPx)
         {
             var center = bounds.Center;
-            var size = bounds.Size;
             var camera = Camera.Orthographic(center, center + forward, up, 1);
-            double heightGeo = math.dot(size, math.abs(camera.Up));
-            double widthGeo = math.dot(size, math.abs(camera.Right));
-            camera.HeightGeo = math.max(heightGeo, widthGeo * heightPx / widthPx) / (1 - 2 * Margin);
+            Extent(camera, outline, false, out var min, out var max);
+            var middle = (min + max) / 2;
+            var size = max - min;
+            camera.HeightGeo = math.max(size.y, size.x * heightPx / widthPx) / (1 - 2 * Margin);
             if (!(camera.HeightGeo > 0))
-                camera.HeightGeo = math.cmax(size);
-            camera.EyeGeo = center - camera.Forward * math.dot(size, math.abs(camera.Forward));
+                camera.HeightGeo = math.cmax(bounds.Size);
+            double back = math.dot(bounds.Size, math.abs(camera.Forward));
+            camera.EyeGeo = center + camera.Right * middle.x + camera.Up * middle.y - camera.Forward * back;
             return camera;
         }
 
         /// <summary>
-        /// The closest place on a line of sight from which every corner is in the picture, with the line shifted (three times,
-        /// which converges to a hundredth of the picture) until the corners' extent is centred.
+        /// The closest place on a line of sight from which the whole outline is in the picture, with the line shifted (three
+        /// times,
+        /// which converges to a hundredth of the picture) until the outline's extent is centred.
         /// </summary>
-        static Camera FramePerspective(BoundsGeo bounds, double3 forward, double3 up, int widthPx, int heightPx,
+        static Camera FramePerspective(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
+            int heightPx,
             double fovDegrees)
         {
             double tanY = math.tan(math.radians(fovDegrees) / 2) * (1 - 2 * Margin);
@@ -69,28 +81,42 @@ namespace FastPoints.Picture
             for (int round = 0; round < 4; round++)
             {
                 camera.EyeGeo = target;
-                double distance = 0;
-                for (int corner = 0; corner < 8; corner++)
+                double distance = math.cmax(bounds.Size) * 1e-6;
+                foreach (var point in outline)
                 {
-                    var view = camera.ToView(Corner(bounds, corner));
+                    var view = camera.ToView(point);
                     distance = math.max(distance, math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z);
                 }
                 camera.EyeGeo = target - camera.Forward * distance;
                 if (round == 3)
                     break;
-
-                var min = new double2(double.PositiveInfinity, double.PositiveInfinity);
-                var max = -min;
-                for (int corner = 0; corner < 8; corner++)
-                {
-                    var view = camera.ToView(Corner(bounds, corner));
-                    min = math.min(min, view.xy / math.max(view.z, 1e-9 * distance));
-                    max = math.max(max, view.xy / math.max(view.z, 1e-9 * distance));
-                }
+                Extent(camera, outline, true, out var min, out var max);
                 var shift = (min + max) / 2 * distance;
                 target += camera.Right * shift.x + camera.Up * shift.y;
             }
             return camera;
+        }
+
+        /// <summary>Of the outline in the picture: in units (orthographic), or in tangents of the angle from the axis.</summary>
+        static void Extent(in Camera camera, double3[] outline, bool divide, out double2 min, out double2 max)
+        {
+            min = new double2(double.PositiveInfinity, double.PositiveInfinity);
+            max = -min;
+            foreach (var point in outline)
+            {
+                var view = camera.ToView(point);
+                var at = divide ? view.xy / math.max(view.z, 1e-9 * math.length(view)) : view.xy;
+                min = math.min(min, at);
+                max = math.max(max, at);
+            }
+        }
+
+        static double3[] Corners(BoundsGeo bounds)
+        {
+            var corners = new double3[8];
+            for (int i = 0; i < corners.Length; i++)
+                corners[i] = Corner(bounds, i);
+            return corners;
         }
 
         static double3 Corner(BoundsGeo bounds, int corner) => new double3(

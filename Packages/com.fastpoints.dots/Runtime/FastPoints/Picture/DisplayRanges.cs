@@ -3,6 +3,7 @@ using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -18,6 +19,8 @@ namespace FastPoints.Picture
         /// <summary>Strays apart, the bounds are widened by this share of their size on either side.</summary>
         const double Widening = 0.1;
 
+        const int MaxOutlinePoints = 4096;
+
         public UpAxis UpAxis = UpAxis.Z;
 
         /// <summary>Of all finite positions.</summary>
@@ -25,6 +28,9 @@ namespace FastPoints.Picture
 
         /// <summary>Where nearly all points are: quantiles, widened, within <see cref="Full"/>.</summary>
         public BoundsGeo Robust = BoundsGeo.Empty;
+
+        /// <summary>Some positions within <see cref="Robust"/>, at most 4,096: what a camera frames.</summary>
+        public double3[] Outline = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
         public long NonFinite;
@@ -92,6 +98,7 @@ namespace FastPoints.Picture
                 all.Complete();
                 HasClassification = points.Schema.Has(AttributeNames.Classification);
                 SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
+                Outline = OutlineOf(points, transform);
                 if (found[3].IsCreated)
                     SetIntensity(found[3].Value);
                 if (points.Schema.HasColor)
@@ -142,6 +149,22 @@ namespace FastPoints.Picture
             ElevationHigh = high[up];
             var widening = (high * 0.5 - low * 0.5) * (2 * Widening);
             Robust = new BoundsGeo(math.max(low - widening, Full.Min), math.min(high + widening, Full.Max));
+        }
+
+        unsafe double3[] OutlineOf(PointBatch points, PositionTransform transform)
+        {
+            var outline = new List<double3>();
+            var columns = PositionColumns.Of(points);
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            int step = (points.Count + MaxOutlinePoints - 1) / MaxOutlinePoints;
+            for (long i = 0; i < points.Count; i += step)
+            {
+                double3 position;
+                columns.LoadGeo(bytes, transform, (int)i, 1, &position.x, &position.y, &position.z);
+                if (Robust.Contains(position))
+                    outline.Add(position);
+            }
+            return outline.ToArray();
         }
 
         void SetIntensity(ColumnQuantiles found)

@@ -8,6 +8,9 @@ namespace FastPoints.Picture
     {
         public const int Length = 256;
 
+        /// <summary>Where ramps start: what is darker would be lost against a dark background.</summary>
+        const double DarkestShare = 0.12, DarkestLight = 0.03;
+
         /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
         /// none.</summary>
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator)
@@ -19,13 +22,13 @@ namespace FastPoints.Picture
                 switch (mode)
                 {
                     case ColorMode.Elevation:
-                        palette[i] = Viridis(share);
+                        palette[i] = Viridis(DarkestShare + (1 - DarkestShare) * share);
                         break;
                     case ColorMode.Classification:
                         palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
                         break;
                     default:
-                        palette[i] = Gray(share);
+                        palette[i] = Gray(DarkestLight + (1 - DarkestLight) * share);
                         break;
                 }
             }

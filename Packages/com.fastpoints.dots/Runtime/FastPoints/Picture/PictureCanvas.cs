@@ -16,7 +16,8 @@ namespace FastPoints.Picture
         NativeArray<ulong> m_pixels;
         NativeArray<uint> m_colors;
         NativeArray<uint> m_palette;
-        NativeArray<int> m_coverage;
+        NativeArray<float> m_sizeOfTile;
+        NativeReference<float> m_typicalSizePx;
 
         public PictureCanvas(int widthPx, int heightPx, Allocator allocator)
         {
@@ -29,7 +30,9 @@ namespace FastPoints.Picture
             int pixels = widthPx * heightPx;
             m_pixels = new NativeArray<ulong>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
             m_colors = new NativeArray<uint>(pixels, allocator, NativeArrayOptions.UninitializedMemory);
-            m_coverage = new NativeArray<int>(MeasureCoverageJob.Length, allocator);
+            m_sizeOfTile = new NativeArray<float>(PointSizing.TilesAlong(widthPx) * PointSizing.TilesAlong(heightPx), allocator);
+            m_typicalSizePx = new NativeReference<float>(allocator);
+            UseSize(PointSizing.MinPx);
             m_palette = Palettes.Create(ColorMode.Rgb, allocator);
             Clear();
         }
@@ -43,14 +46,29 @@ namespace FastPoints.Picture
         /// <summary>256 colours that values are looked up in.</summary>
         public NativeArray<uint> Palette => m_palette;
 
-        /// <summary>See <see cref="MeasureCoverageJob.TilesByPixels"/>.</summary>
-        public NativeArray<int> Coverage => m_coverage;
+        /// <summary>Size of points in each tile, row by row from the top: see <see cref="PointSizing"/>.</summary>
+        public NativeArray<float> SizeOfTile => m_sizeOfTile;
+
+        /// <summary>Size of points in the middle tile.</summary>
+        public float TypicalSizePx => m_typicalSizePx.Value;
+
+        /// <summary>The largest size that a tile may have.</summary>
+        public float LargestPx { get; private set; }
 
         /// <summary>Takes the colours of a mode. No drawing may be in flight.</summary>
         public void UsePalette(ColorMode mode)
         {
             using var palette = Palettes.Create(mode, Allocator.Temp);
             m_palette.CopyFrom(palette);
+        }
+
+        /// <summary>Gives all points one size, 1 to <see cref="PointDrawing.MaxSizePx"/>. No drawing may be in flight.</summary>
+        public void UseSize(float sizePx)
+        {
+            for (int i = 0; i < m_sizeOfTile.Length; i++)
+                m_sizeOfTile[i] = sizePx;
+            m_typicalSizePx.Value = sizePx;
+            LargestPx = sizePx;
         }
 
         /// <summary>Takes away all points. No drawing may be in flight.</summary>
@@ -64,6 +82,7 @@ namespace FastPoints.Picture
             {
                 Bytes = points.Bytes,
                 Palette = m_palette,
+                SizeOfTile = m_sizeOfTile,
                 Drawing = drawing,
                 First = first,
                 Count = count,
@@ -71,15 +90,19 @@ namespace FastPoints.Picture
             }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
         }
 
-        /// <summary>Fills <see cref="Coverage"/>; after all drawing.</summary>
-        public JobHandle ScheduleMeasure(JobHandle inputDeps)
+        /// <summary>Chooses sizes from what was drawn with <see cref="UseSize"/> of 1; after all drawing.</summary>
+        /// <param name="pointsPerPointDrawn">How many times as many points the final picture has.</param>
+        public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
-            return new MeasureCoverageJob
+            LargestPx = PointSizing.MaxPx;
+            return new ChooseSizesJob
             {
                 Pixels = m_pixels,
                 WidthPx = WidthPx,
                 HeightPx = HeightPx,
-                TilesByPixels = m_coverage,
+                PointsPerPointDrawn = pointsPerPointDrawn,
+                SizeOfTile = m_sizeOfTile,
+                Typical = m_typicalSizePx,
             }.Schedule(inputDeps);
         }
 
@@ -94,7 +117,7 @@ namespace FastPoints.Picture
                 Projection = drawing.Projection,
                 Background = background,
                 EdlStrength = edlStrength,
-                EdlRadiusPx = Math.Max(1, (int)Math.Round(drawing.SizePx * 0.5)),
+                SizeOfTile = m_sizeOfTile,
                 Colors = m_colors,
             }.ScheduleParallel(HeightPx, 16, inputDeps);
         }
@@ -113,7 +136,8 @@ namespace FastPoints.Picture
                 return;
             m_pixels.Dispose();
             m_colors.Dispose();
-            m_coverage.Dispose();
+            m_sizeOfTile.Dispose();
+            m_typicalSizePx.Dispose();
             m_palette.Dispose();
         }
     }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Points;
 
@@ -18,9 +19,9 @@ namespace FastPoints.Picture
             m_transform = transform;
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
-            SizePx = options.PointSizePx >= 1 ? options.PointSizePx : PointSizing.MinPx;
-            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, options.WidthPx, options.HeightPx,
-                options.UpAxis, options.FovDegrees);
+            SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
+            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, ranges.Outline, options.WidthPx,
+                options.HeightPx, options.UpAxis, options.FovDegrees);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
@@ -36,7 +37,7 @@ namespace FastPoints.Picture
 
         public float EdlStrength { get; }
 
-        /// <summary>Size of a point in pixels.</summary>
+        /// <summary>Size of a point in pixels; where it is chosen, that of the middle tile.</summary>
         public float SizePx { get; set; }
 
         /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
@@ -45,15 +46,15 @@ namespace FastPoints.Picture
         /// <summary>What was assumed for want of better: a line for people each.</summary>
         public List<string> Assumptions { get; }
 
-        /// <summary>The drawing of points that lie in batches like this one.</summary>
-        public PointDrawing DrawingOf(PointBatch batch)
+        /// <summary>The drawing, on a canvas with its sizes set, of points that lie in batches like this one.</summary>
+        public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
                 Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform),
-                SizePx = SizePx,
+                LargestPx = canvas.LargestPx,
                 IsRound = m_options.RoundPoints,
             };
         }

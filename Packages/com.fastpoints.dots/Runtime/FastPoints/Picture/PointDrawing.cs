@@ -25,16 +25,19 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public ColorMapping Colors;
 
-        /// <summary>Edge of a point's square, or diameter of its disc: the pixels whose centres lie in it are drawn. At least 1,
-        /// at most <see cref="MaxSizePx"/>.</summary>
-        public float SizePx;
+        /// <summary>Largest size of any tile; 1 is drawn faster.</summary>
+        public float LargestPx;
 
+        /// <summary>Discs in place of squares.</summary>
         public bool IsRound;
 
         /// <summary>Draws points <paramref name="first"/> and on. Any number of threads may draw at once.</summary>
         /// <param name="bytes">The batch's memory.</param>
+        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of
+        /// <see cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
         /// <param name="pixels">Width times height of them, row by row from the top.</param>
-        public readonly unsafe void Draw(byte* bytes, uint* palette, int first, int count, ulong* pixels)
+        public readonly unsafe void Draw(byte* bytes, uint* palette, float* sizeOfTile, int first, int count,
+            ulong* pixels)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
@@ -45,10 +48,10 @@ namespace FastPoints.Picture
                 int run = math.min(ColumnValues.RunLength, count - done);
                 Positions.Load(bytes, first + done, run, x, y, z);
                 PointColoring.ColorRun(bytes, Colors, palette, first + done, run, x, y, z, colors);
-                if (SizePx <= 1)
+                if (LargestPx <= 1)
                     DrawPixels(x, y, z, colors, run, pixels);
                 else
-                    DrawSplats(x, y, z, colors, run, pixels);
+                    DrawSplats(x, y, z, colors, run, sizeOfTile, pixels);
             }
         }
 
@@ -67,16 +70,21 @@ namespace FastPoints.Picture
             }
         }
 
-        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, ulong* pixels)
+        readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
+            ulong* pixels)
         {
             int width = Projection.WidthPx, height = Projection.HeightPx;
-            double half = math.min(SizePx, MaxSizePx) * 0.5;
+            int tilesAcross = PointSizing.TilesAlong(width);
+            double mostHalf = LargestPx * 0.5;
             for (int i = 0; i < count; i++)
             {
                 if (!Projection.Project(x[i], y[i], z[i], out double xPx, out double yPx, out float depth))
                     continue;
-                if (!(xPx >= -half && xPx < width + half && yPx >= -half && yPx < height + half))
+                if (!(xPx >= -mostHalf && xPx < width + mostHalf && yPx >= -mostHalf && yPx < height + mostHalf))
                     continue;
+                int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
+                int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
+                double half = sizeOfTile[tileY * tilesAcross + tileX] * 0.5;
                 ulong key = (ulong)PointProjection.DepthToBits(depth) << 32 | colors[i];
 
                 // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.

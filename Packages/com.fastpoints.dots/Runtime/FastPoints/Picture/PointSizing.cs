@@ -1,46 +1,43 @@
-using System;
-using Unity.Collections;
+using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>The point size at which a picture's surfaces look closed.</summary>
+    /// <summary>
+    /// The point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: where points are dense they
+    /// stay sharp, where they are thin they grow.
+    /// </summary>
     public static class PointSizing
     {
+        public const int TileEdgePx = 8;
+        public const int PixelsPerTile = TileEdgePx * TileEdgePx;
         public const float MinPx = 1;
         public const float MaxPx = 6;
-
-        /// <summary>Tiles that are more thinly covered than the chosen one keep their gaps: edges, and strays.</summary>
-        const double ThinTileShare = 0.3;
 
         /// <summary>Points that should cover a pixel, on average: exp(-2.5) = 8 % of random pixels stay empty.</summary>
         const double PointsPerPixel = 2.5;
 
-        /// <summary>
-        /// From a picture drawn with points of one pixel. Random points with a density of d a pixel cover 1 - exp(-d) of the
-        /// pixels, which gives d for each tile, hidden points included; squares of size s have a density of d * s^2.
-        /// </summary>
-        /// <param name="tilesByPixels">What <see cref="MeasureCoverageJob"/> found.</param>
-        /// <param name="pointsPerPointDrawn">How many times as many points the final picture has.</param>
-        /// <returns>Size in pixels, from <see cref="MinPx"/> to <see cref="MaxPx"/>.</returns>
-        public static float Choose(NativeArray<int> tilesByPixels, double pointsPerPointDrawn)
-        {
-            long tiles = 0;
-            for (int pixels = 1; pixels < tilesByPixels.Length; pixels++)
-                tiles += tilesByPixels[pixels];
-            if (tiles == 0)
-                return MinPx;
+        /// <summary>A tile's points grow to so many times those of the middle tile: beyond, strays would turn to
+        /// blocks.</summary>
+        const float MostOfTypical = 1.5f;
 
-            long thinner = 0;
-            int chosen = 1;
-            for (int pixels = 1; pixels < tilesByPixels.Length && thinner <= tiles * ThinTileShare; pixels++)
-            {
-                thinner += tilesByPixels[pixels];
-                chosen = pixels;
-            }
-            int all = tilesByPixels.Length - 1;
-            double covered = Math.Min(chosen, all - 0.5) / all;
-            double density = -Math.Log(1 - covered) * pointsPerPointDrawn;
-            return (float)Math.Min(MaxPx, Math.Max(MinPx, Math.Sqrt(PointsPerPixel / density)));
-        }
+        public static int TilesAlong(int edgePx) => (edgePx + TileEdgePx - 1) / TileEdgePx;
+
+        /// <summary>
+        /// The size for a density, from 1 to 6 pixels: squares of size s on points with a density of d a pixel have one of d *
+        /// s^2.
+        /// </summary>
+        public static float SizeFor(double density) =>
+            (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
+
+        /// <summary>
+        /// Points a pixel, hidden ones included, of a tile with so many pixels drawn: random points with a density of d cover 1 -
+        /// exp(-d) of them. A full tile is taken for one with half a pixel missing.
+        /// </summary>
+        public static double DensityOf(int pixelsDrawn) =>
+            -math.log(1 - math.min(pixelsDrawn, PixelsPerTile - 0.5) / PixelsPerTile);
+
+        /// <summary>A tile's size within its bounds.</summary>
+        public static float Limit(float size, float typical) =>
+            math.clamp(size, MinPx, math.min(MaxPx, MostOfTypical * typical));
     }
 }

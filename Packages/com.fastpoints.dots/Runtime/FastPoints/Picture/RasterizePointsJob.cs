@@ -14,6 +14,7 @@ namespace FastPoints.Picture
 
         [ReadOnly] public NativeArray<byte> Bytes;
         [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<float> SizeOfTile;
         public PointDrawing Drawing;
         public int First;
         public int Count;
@@ -26,8 +27,8 @@ namespace FastPoints.Picture
         public unsafe void Execute(int index)
         {
             int start = index * PointsPerPiece;
-            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(), First + start,
-                math.min(PointsPerPiece, Count - start),
+            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(),
+                (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
                 (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
         }
     }

@@ -29,8 +29,8 @@ namespace FastPoints.Picture
         /// <summary>0: no eye-dome lighting.</summary>
         public float EdlStrength;
 
-        /// <summary>How far away neighbours are looked at: about half a point's size, at least 1.</summary>
-        public int EdlRadiusPx;
+        /// <summary>Sizes of points: neighbours are looked at half a size away, at least at 1 pixel.</summary>
+        [ReadOnly] public NativeArray<float> SizeOfTile;
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
 
@@ -53,17 +53,19 @@ namespace FastPoints.Picture
         float Shade(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
-            float scalePx = (float)Projection.ScalePx / EdlRadiusPx;
+            int tile = y / PointSizing.TileEdgePx * PointSizing.TilesAlong(Projection.WidthPx) + x / PointSizing.TileEdgePx;
+            int radiusPx = math.max(1, (int)(SizeOfTile[tile] * 0.5f + 0.5f));
+            float scalePx = (float)Projection.ScalePx / radiusPx;
             float pixelsPerUnit = Projection.IsOrthographic ? scalePx : scalePx / depth;
             float sum = 0;
             for (int dy = -1; dy <= 1; dy++)
             {
-                int ny = y + dy * EdlRadiusPx;
+                int ny = y + dy * radiusPx;
                 if (ny < 0 || ny >= Projection.HeightPx)
                     continue;
                 for (int dx = -1; dx <= 1; dx++)
                 {
-                    int nx = x + dx * EdlRadiusPx;
+                    int nx = x + dx * radiusPx;
                     if (nx < 0 || nx >= Projection.WidthPx)
                         continue;
                     ulong neighbour = Pixels[ny * Projection.WidthPx + nx];

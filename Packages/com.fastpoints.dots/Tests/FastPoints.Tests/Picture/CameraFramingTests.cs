@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Picture
                 {
                     foreach (UpAxis up in Enum.GetValues(typeof(UpAxis)))
                     {
-                        var camera = CameraFraming.Frame(view, box, 400, 300, up);
+                        var camera = CameraFraming.Frame(view, box, null, 400, 300, up);
                         var bounds = box.IsEmpty ? new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0)) : box;
                         var projection = new PointProjection(camera, PositionTransform.Identity, 400, 300);
                         double widest = 0;
@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Picture
         public void Frame_Top_HasNorthAtTheTopAndEastAtTheRight()
         {
             var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
-            var camera = CameraFraming.Frame(ViewDirection.Top, box, 100, 100, UpAxis.Z);
+            var camera = CameraFraming.Frame(ViewDirection.Top, box, null, 100, 100, UpAxis.Z);
             var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
             projection.Project(0, 0, 5, out double westX, out double southY, out float low);
             projection.Project(10, 10, 10, out double eastX, out double northY, out float high);
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Picture
             var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
             foreach (UpAxis up in new[] { UpAxis.Z, UpAxis.Y })
             {
-                var camera = CameraFraming.Frame(ViewDirection.Front, box, 100, 100, up);
+                var camera = CameraFraming.Frame(ViewDirection.Front, box, null, 100, 100, up);
                 var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
                 projection.Project(0, 0, 0, out double westX, out double lowY, out _);
                 projection.Project(10, up == UpAxis.Y ? 10 : 0, up == UpAxis.Z ? 10 : 0, out double eastX, out double highY,

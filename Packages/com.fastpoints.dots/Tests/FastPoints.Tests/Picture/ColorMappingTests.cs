@@ -61,7 +61,8 @@ namespace FastPoints.Tests.Picture
                 new double[] { 9, 9, -5000 }, new double[] { 9, 9, 9000 });
             var ranges = new DisplayRanges { ElevationLow = 500, ElevationHigh = 510 };
             var colors = Colors(batch, ranges, ColorMode.Elevation, transform);
-            uint low = Palettes.Viridis(0), high = Palettes.Viridis(1);
+            using var palette = Palettes.Create(ColorMode.Elevation, Allocator.Persistent);
+            uint low = palette[0], high = palette[255];
             Assert.That(colors, Is.EqualTo(new[] { low, high, low, high }));
         }
 
@@ -71,7 +72,8 @@ namespace FastPoints.Tests.Picture
             using var batch = With(new[] { AttributeNames.Intensity }, AttributeType.UInt16, new double[] { 0, 0, 0, 700 });
             var ranges = new DisplayRanges { IntensityLow = 700, IntensityHigh = 700 };
             var colors = Colors(batch, ranges, ColorMode.Intensity, PositionTransform.Identity);
-            Assert.That(colors[0], Is.EqualTo(Palettes.Gray(128 / 255.0)));
+            using var palette = Palettes.Create(ColorMode.Intensity, Allocator.Persistent);
+            Assert.That(colors[0], Is.EqualTo(palette[128]));
         }
 
         [Test]

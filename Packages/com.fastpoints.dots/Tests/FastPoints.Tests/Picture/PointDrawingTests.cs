@@ -19,14 +19,14 @@ namespace FastPoints.Tests.Picture
             new double3(size / 2, size / 2, 0), new double3(0, 1, 0), size);
 
         static PointDrawing DrawingOf(PointBatch batch, Camera camera, PositionTransform transform, int width, int height,
-            float sizePx = 1, bool round = false)
+            float largestPx = 1, bool round = false)
         {
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(camera, transform, width, height),
                 Colors = ColorMapping.For(ColorMode.Rgb, new DisplayRanges { Color = ColorDepth.Bits8 }, batch, transform),
-                SizePx = sizePx,
+                LargestPx = largestPx,
                 IsRound = round,
             };
         }
@@ -34,6 +34,7 @@ namespace FastPoints.Tests.Picture
         static RgbaImage Draw(PointBatch batch, Camera camera, int width, int height, float sizePx = 1, bool round = false)
         {
             using var canvas = new PictureCanvas(width, height, Allocator.Persistent);
+            canvas.UseSize(sizePx);
             var drawing = DrawingOf(batch, camera, PositionTransform.Identity, width, height, sizePx, round);
             var drawn = canvas.ScheduleDraw(batch, 0, batch.Count, drawing, default);
             canvas.ScheduleResolve(drawing, 0, 0, drawn).Complete();
@@ -212,12 +213,13 @@ namespace FastPoints.Tests.Picture
             using var batch = TestBatches.Scan(40_000, 9);
             var transform = new PositionTransform { Scale = new double3(0.001, 0.001, 0.001), Offset = new double3(5e5, 5e6, 0) };
             var bounds = PositionBounds.RunImmediate(batch, transform).Bounds;
-            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, 160, 120, UpAxis.Z);
+            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, null, 160, 120, UpAxis.Z);
             byte[] first = null;
             foreach (int workers in new[] { 1, 2, 7 })
             {
                 using var count = new WorkerCount(workers);
                 using var canvas = new PictureCanvas(160, 120, Allocator.Persistent);
+                canvas.UseSize(2.5f);
                 var drawing = DrawingOf(batch, camera, transform, 160, 120, 2.5f);
                 drawing.Colors.Scale = 1 / 256.0;
                 JobHandle drawn = default;

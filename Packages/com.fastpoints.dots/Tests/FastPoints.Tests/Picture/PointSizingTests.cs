@@ -7,59 +7,65 @@ namespace FastPoints.Tests.Picture
 {
     public class PointSizingTests
     {
-        /// <summary>The size chosen for a picture in which random pixels are covered, every n-th on average.</summary>
-        static float Choose(double share, double pointsPerPoint)
+        /// <summary>A canvas with sizes chosen, on which these shares of the left and the right half's pixels are
+        /// covered.</summary>
+        static PictureCanvas Chosen(double left, double right, double pointsPerPoint = 1)
         {
-            using var canvas = new PictureCanvas(256, 256, Allocator.Persistent);
+            var canvas = new PictureCanvas(256, 128, Allocator.Persistent);
             var pixels = canvas.Pixels;
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < pixels.Length; i++)
-                if (random.NextDouble() < share)
+                if (random.NextDouble() < (i % 256 < 128 ? left : right))
                     pixels[i] = 1;
-            canvas.ScheduleMeasure(default).Complete();
-            return PointSizing.Choose(canvas.Coverage, pointsPerPoint);
+            canvas.ScheduleChooseSizes(pointsPerPoint, default).Complete();
+            return canvas;
+        }
+
+        [TestCase(1, 1, 1)]
+        [TestCase(0.95, 1, 1.2)]
+        [TestCase(0.2, 3, 3.7)]
+        [TestCase(0.1, 4.3, 5.4)]
+        [TestCase(0.01, 6, 6)]
+        [TestCase(0, 1, 1)]
+        public void Choose_EvenPicture_GrowsWithTheGaps(double share, double least, double most)
+        {
+            using var canvas = Chosen(share, share);
+            Assert.That(canvas.TypicalSizePx, Is.InRange(least, most));
+            foreach (float size in canvas.SizeOfTile)
+                Assert.That(size, Is.InRange(1, System.Math.Min(6, 1.5 * canvas.TypicalSizePx)));
         }
 
         [Test]
-        public void Choose_CoveredPicture_IsOnePixel()
+        public void Choose_DenseAndThinHalves_GetTheirOwnSizes()
         {
-            Assert.That(Choose(1, 1), Is.EqualTo(1));
-            Assert.That(Choose(0.95, 1), Is.LessThan(1.2f));
+            using var canvas = Chosen(0.97, 0.5);
+            int tiles = PointSizing.TilesAlong(256);
+            Assert.That(canvas.SizeOfTile[5 * tiles + 5], Is.EqualTo(1).Within(0.1));
+            Assert.That(canvas.SizeOfTile[5 * tiles + 25], Is.InRange(1.5, 2.3));
         }
 
         [Test]
-        public void Choose_EmptyPicture_IsOnePixel()
+        public void Choose_FewStraysBesideASurface_StaySmall()
         {
-            Assert.That(Choose(0, 1), Is.EqualTo(1));
-        }
-
-        [Test]
-        public void Choose_ThinPicture_GrowsWithTheGaps()
-        {
-            float tenth = Choose(0.1, 1), fifth = Choose(0.2, 1);
-            Assert.That(tenth, Is.InRange(4, 6));
-            Assert.That(fifth, Is.InRange(3, 4.2));
-            Assert.That(Choose(0.01, 1), Is.EqualTo(6));
+            using var canvas = Chosen(0.97, 0.001);
+            foreach (float size in canvas.SizeOfTile)
+                Assert.That(size, Is.LessThanOrEqualTo(1.6f));
         }
 
         [Test]
         public void Choose_ManyMorePointsToCome_StaysSmall()
         {
-            Assert.That(Choose(0.1, 100), Is.EqualTo(1));
+            using var canvas = Chosen(0.1, 0.1, 100);
+            Assert.That(canvas.TypicalSizePx, Is.EqualTo(1));
         }
 
         [Test]
-        public void Measure_KnownTiles_CountsTheirPixels()
+        public void UseSize_AllTiles_HaveIt()
         {
             using var canvas = new PictureCanvas(17, 8, Allocator.Persistent);
-            var pixels = canvas.Pixels;
-            pixels[0] = 1;
-            pixels[17] = 1;
-            pixels[16] = 1;
-            canvas.ScheduleMeasure(default).Complete();
-            Assert.That(canvas.Coverage[2], Is.EqualTo(1));
-            Assert.That(canvas.Coverage[1], Is.EqualTo(1));
-            Assert.That(canvas.Coverage[0], Is.EqualTo(1));
+            canvas.UseSize(2.5f);
+            Assert.That(canvas.SizeOfTile.ToArray(), Is.EqualTo(new[] { 2.5f, 2.5f, 2.5f }));
+            Assert.That(canvas.LargestPx, Is.EqualTo(2.5f));
         }
     }
 }

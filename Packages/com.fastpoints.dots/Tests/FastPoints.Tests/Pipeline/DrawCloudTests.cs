@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Pipeline
             var options = Small();
             options.PointSizePx = 1;
             options.Camera = CameraFraming.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
-                PositionTransform.Identity).Bounds, 160, 120, UpAxis.Z);
+                PositionTransform.Identity).Bounds, null, 160, 120, UpAxis.Z);
             var blocks = Draw(reader, options);
             using var preview = Preview(reader, new PreviewOptions { Points = 600_000, Exact = true, Picture = options });
             Assert.That(blocks.PointsDrawn, Is.EqualTo(600_000));
