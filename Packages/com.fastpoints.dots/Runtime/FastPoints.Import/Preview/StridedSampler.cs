@@ -13,7 +13,7 @@ namespace FastPoints.Preview
     /// reads in flight. The time it takes depends on the points wanted, not on the file's size.
     /// </summary>
     /// <remarks>
-    /// For sources of a fixed stride, and where less than an eighth of the points is wanted; others get a
+    /// For sources of a fixed stride, of more than 8 million points, where less than an eighth is wanted; others get a
     /// <see cref="UniformSampler"/>, and <see cref="PreviewSample.Method"/> says so. Points of one run are neighbours in the file
     /// and so, mostly, in space: the sample is coarser than a uniform one of as many points.
     /// </remarks>
@@ -31,10 +31,14 @@ namespace FastPoints.Preview
         /// <summary>A larger share of the file than one in so many is sooner read from end to end.</summary>
         const int LeastShare = 8;
 
+        /// <summary>So few points are as soon scanned as picked out, and more evenly.</summary>
+        const long FewPoints = 8_000_000;
+
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
         readonly int m_wanted;
         readonly uint m_seed;
+        readonly bool m_always;
         SampleBuffer m_buffer;
         BlockRead[] m_reads;
         JobHandle[] m_copied;
@@ -44,12 +48,14 @@ namespace FastPoints.Preview
 
         /// <param name="reader">Its blocks must be known.</param>
         /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
-        public StridedSampler(PointReader reader, int wanted, uint seed)
+        /// <param name="always">Runs even where a scan would be as quick.</param>
+        public StridedSampler(PointReader reader, int wanted, uint seed, bool always = false)
         {
             m_reader = reader;
             m_schema = SampleSchema.Of(reader.Info);
             m_wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)));
             m_seed = seed;
+            m_always = always;
         }
 
         /// <summary>Work for a pump; afterwards <see cref="TakeSample"/>.</summary>
@@ -58,6 +64,7 @@ namespace FastPoints.Preview
         {
             string instead = !m_reader.HasFixedStride ? "its records have no fixed stride"
                 : m_reader.PointCount < (long)m_wanted * LeastShare ? "most of it is wanted"
+                : m_reader.PointCount < FewPoints && !m_always ? "it is small"
                 : null;
             if (instead != null || m_wanted == 0)
             {

@@ -10,6 +10,13 @@ namespace FastPoints.Picture
         /// <summary>Share of the picture's width and height that is left free on each side.</summary>
         const double Margin = 0.03;
 
+        /// <summary>Of the outline, this share at each side may lie outside: few far points would leave most of a picture
+        /// empty.</summary>
+        const double StrayShare = 0.005;
+
+        /// <summary>Shifts towards the middle: each leaves a half or less of what is left.</summary>
+        const int Rounds = 10;
+
         public const double DefaultFovDegrees = 45;
 
         /// <summary>A camera for a standard view; an empty box is taken for a point at 0, a point for a box of one
@@ -76,19 +83,21 @@ namespace FastPoints.Picture
         {
             double tanY = math.tan(math.radians(fovDegrees) / 2) * (1 - 2 * Margin);
             double tanX = tanY * widthPx / heightPx;
+            var needed = new double[outline.Length];
             var target = bounds.Center;
             var camera = Camera.Perspective(target, target + forward, up, fovDegrees);
-            for (int round = 0; round < 4; round++)
+            for (int round = 0; round <= Rounds; round++)
             {
                 camera.EyeGeo = target;
-                double distance = math.cmax(bounds.Size) * 1e-6;
-                foreach (var point in outline)
+                for (int i = 0; i < outline.Length; i++)
                 {
-                    var view = camera.ToView(point);
-                    distance = math.max(distance, math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z);
+                    var view = camera.ToView(outline[i]);
+                    needed[i] = math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z;
                 }
+                Array.Sort(needed);
+                double distance = math.max(math.cmax(bounds.Size) * 1e-6, needed[needed.Length - 1 - Strays(outline)]);
                 camera.EyeGeo = target - camera.Forward * distance;
-                if (round == 3)
+                if (round == Rounds)
                     break;
                 Extent(camera, outline, true, out var min, out var max);
                 var shift = (min + max) / 2 * distance;
@@ -100,16 +109,23 @@ namespace FastPoints.Picture
         /// <summary>Of the outline in the picture: in units (orthographic), or in tangents of the angle from the axis.</summary>
         static void Extent(in Camera camera, double3[] outline, bool divide, out double2 min, out double2 max)
         {
-            min = new double2(double.PositiveInfinity, double.PositiveInfinity);
-            max = -min;
-            foreach (var point in outline)
+            var x = new double[outline.Length];
+            var y = new double[outline.Length];
+            for (int i = 0; i < outline.Length; i++)
             {
-                var view = camera.ToView(point);
-                var at = divide ? view.xy / math.max(view.z, 1e-9 * math.length(view)) : view.xy;
-                min = math.min(min, at);
-                max = math.max(max, at);
+                var view = camera.ToView(outline[i]);
+                double by = divide ? math.max(view.z, 1e-9 * math.length(view)) : 1;
+                x[i] = view.x / by;
+                y[i] = view.y / by;
             }
+            Array.Sort(x);
+            Array.Sort(y);
+            int strays = Strays(outline), last = outline.Length - 1 - strays;
+            min = new double2(x[strays], y[strays]);
+            max = new double2(x[last], y[last]);
         }
+
+        static int Strays(double3[] outline) => (int)(outline.Length * StrayShare);
 
         static double3[] Corners(BoundsGeo bounds)
         {

@@ -38,6 +38,6 @@ namespace FastPoints.Picture
 
         /// <summary>A tile's size within its bounds.</summary>
         public static float Limit(float size, float typical) =>
-            math.clamp(size, MinPx, math.min(MaxPx, MostOfTypical * typical));
+            math.clamp(size, MinPx, math.min(MaxPx, MostOfTypical * typical + 1));
     }
 }

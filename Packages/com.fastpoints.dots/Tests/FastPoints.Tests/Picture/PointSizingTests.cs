@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Picture
             using var canvas = Chosen(share, share);
             Assert.That(canvas.TypicalSizePx, Is.InRange(least, most));
             foreach (float size in canvas.SizeOfTile)
-                Assert.That(size, Is.InRange(1, System.Math.Min(6, 1.5 * canvas.TypicalSizePx)));
+                Assert.That(size, Is.InRange(1, System.Math.Min(6, 2 * canvas.TypicalSizePx + 1)));
         }
 
         [Test]
@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Picture
         {
             using var canvas = Chosen(0.97, 0.001);
             foreach (float size in canvas.SizeOfTile)
-                Assert.That(size, Is.LessThanOrEqualTo(1.6f));
+                Assert.That(size, Is.LessThanOrEqualTo(3.3f));
         }
 
         [Test]

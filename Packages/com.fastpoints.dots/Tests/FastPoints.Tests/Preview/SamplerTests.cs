@@ -36,9 +36,9 @@ namespace FastPoints.Tests.Preview
             return sampler.TakeSample();
         }
 
-        static PreviewSample Strided(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
+        static PreviewSample Strided(MemoryPointReader reader, int wanted, int slots, uint seed = 1, bool always = true)
         {
-            using var sampler = new StridedSampler(reader, wanted, seed);
+            using var sampler = new StridedSampler(reader, wanted, seed, always);
             WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
             return sampler.TakeSample();
         }
@@ -158,6 +158,15 @@ namespace FastPoints.Tests.Preview
         }
 
         [Test]
+        public void Strided_SmallSource_ScansAndSaysSo()
+        {
+            using var reader = new MemoryPointReader(Numbered(10_000), 1000);
+            using var sample = Strided(reader, 100, 2, 1, false);
+            Assert.That(sample.Count, Is.EqualTo(100));
+            Assert.That(sample.Method, Does.Contain("it is small"));
+        }
+
+        [Test]
         public void Strided_MostWanted_ScansAndSaysSo()
         {
             using var reader = new MemoryPointReader(Numbered(10_000), 1000);
@@ -232,7 +241,7 @@ namespace FastPoints.Tests.Preview
             foreach (bool strided in new[] { false, true })
             {
                 using var uniformSampler = new UniformSampler(reader, 5000, 1);
-                using var stridedSampler = new StridedSampler(reader, 5000, 1);
+                using var stridedSampler = new StridedSampler(reader, 5000, 1, true);
                 IEnumerator<JobHandle> work = strided ? stridedSampler.Run(4, null) : uniformSampler.Run(4, null);
                 for (int step = 0; step < 10; step++)
                     Assert.That(work.MoveNext(), Is.True);
