@@ -114,6 +114,8 @@ namespace FastPoints.Tests.Pipeline
             using var reader = Scan(400_000, 20_000);
             var options = Small();
             options.Color = ColorMode.Elevation;
+            options.Camera = CameraFraming.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
+                PositionTransform.Identity).Bounds, null, 160, 120, UpAxis.Z);
             using var preview = Preview(reader, new PreviewOptions { Points = 40_000, Picture = options });
             var all = Draw(reader, options).Image;
             var error = ImageError.Compare(preview.Image, all, options.Background);
