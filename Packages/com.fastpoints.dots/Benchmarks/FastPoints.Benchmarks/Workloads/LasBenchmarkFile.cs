@@ -13,7 +13,7 @@ namespace FastPoints.Benchmarks
         public const int RecordBytes = 26;
 
         /// <summary>Points of one slice of work, as the reader cuts them.</summary>
-        public const int BlockPoints = 65536;
+        public const int BlockPoints = 32768;
 
         /// <summary>Byte of the red value in a record.</summary>
         public const int ColorByte = 20;

@@ -6,7 +6,7 @@ namespace FastPoints.Benchmarks
     /// <summary>What <see cref="LasDecodeWorkload"/> does, as one loop over raw pointers without any of the package.</summary>
     public unsafe struct LasDecodePointersWorkload : IWorkload
     {
-        const int Blocks = 64;
+        const int Blocks = 128;
         const int Points = LasBenchmarkFile.BlockPoints;
 
         byte* m_records;

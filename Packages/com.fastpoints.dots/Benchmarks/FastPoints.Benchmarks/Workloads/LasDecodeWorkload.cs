@@ -9,7 +9,7 @@ namespace FastPoints.Benchmarks
     /// <summary>Records in memory to position and colour columns by <see cref="DecodeLasJob"/>, block by block.</summary>
     public struct LasDecodeWorkload : IWorkload
     {
-        const int Blocks = 64;
+        const int Blocks = 128;
 
         NativeArray<byte> m_records;
         NativeArray<LasFieldCopy> m_copies;

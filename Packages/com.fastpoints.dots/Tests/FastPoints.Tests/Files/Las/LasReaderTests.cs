@@ -110,7 +110,7 @@ namespace FastPoints.Files.Tests
         [Test]
         public void Read_ManyBlocks_GivesEachPointOnce()
         {
-            const int Count = 2 * 65536 + 123;
+            const int Count = 2 * 32768 + 123;
             using (var file = new LasTestFile())
             {
                 file.Points = new byte[Count * file.RecordBytes];
@@ -121,8 +121,8 @@ namespace FastPoints.Files.Tests
                 {
                     Assert.That(reader.BlockCount, Is.EqualTo(3));
                     Assert.That(reader.PointsInBlock(2), Is.EqualTo(123));
-                    Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 65536));
-                    Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(65536));
+                    Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 32768));
+                    Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(32768));
                     var x = ReadPoints.Column<int>(reader, AttributeNames.X);
                     for (int i = 0; i < Count; i++)
                         if (x[i] != i)
