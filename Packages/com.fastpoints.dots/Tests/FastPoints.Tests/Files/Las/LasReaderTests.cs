@@ -194,11 +194,11 @@ namespace FastPoints.Files.Tests
         [Test]
         public void Dispose_WithAReadInFlight_WaitsAndFreesTwice()
         {
-            using (var file = new LasTestFile().RandomPoints(60000).Save())
+            using (var file = new LasTestFile().RandomPoints(30000).Save())
             using (var reader = PointReaders.Open(file.Path))
             {
-                var slot = reader.CreateRead(reader.Info.Schema, 60000, Allocator.Persistent);
-                slot.Begin(new BlockRange(0, 0, 60000));
+                var slot = reader.CreateRead(reader.Info.Schema, 30000, Allocator.Persistent);
+                slot.Begin(new BlockRange(0, 0, 30000));
                 Assert.That(() => slot.Begin(new BlockRange(0, 0, 1)), Throws.InvalidOperationException);
                 slot.Dispose();
                 slot.Dispose();
