@@ -22,7 +22,8 @@ namespace FastPoints.HostTests.Conformance
             {
                 var method = new MethodDefinition("Fill", MethodAttributes.Public, box.Module.TypeSystem.Void);
                 method.Parameters.Add(new ParameterDefinition("count", ParameterAttributes.Optional | ParameterAttributes.HasDefault,
-                    box.Module.TypeSystem.Int32) { Constant = 4 });
+                    box.Module.TypeSystem.Int32)
+                { Constant = 4 });
                 box.Methods.Add(method);
             }), reported);
 
@@ -31,7 +32,8 @@ namespace FastPoints.HostTests.Conformance
         [TestCase("", "F:Unity.Things.Box.Limit is not Unity's")]
         public void Check_Constant_IsComparedWithUnitys(string row, string reported) =>
             Expect(Audit(Box + row, box => box.Fields.Add(new FieldDefinition("Limit",
-                FieldAttributes.Public | FieldAttributes.Static | FieldAttributes.Literal, box.Module.TypeSystem.Int32) { Constant = 7 })), reported);
+                FieldAttributes.Public | FieldAttributes.Static | FieldAttributes.Literal, box.Module.TypeSystem.Int32)
+            { Constant = 7 })), reported);
 
         [Test]
         public void Check_InventedType_IsReported() => Expect(Audit("", _ => { }), "T:Unity.Things.Box is not Unity's");

@@ -48,7 +48,7 @@ namespace FastPoints.HostTests.Mathematics
             Assert.That(v, Is.EqualTo(new float4(9, 2, 3, 8)));
             Assert.That(v.zyx, Is.EqualTo(new float3(3, 2, 9)));
             Assert.That(v.yyy, Is.EqualTo(new float3(2, 2, 2)));
-            Assert.That(v.wzyx, Is.EqualTo(new float4(8, 3, 2, 9)));
+            Assert.That(v.zzzz, Is.EqualTo(new float4(3, 3, 3, 3)));
         }
 
         [Test]

@@ -117,7 +117,11 @@ namespace Unity.Mathematics
 
         public override string ToString() => $"bool2({x}, {y})";
 
-        public bool2 xx { [MethodImpl(Inlining.Always)] get => new bool2(x, x); }
+        public bool2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, x);
+        }
 
         public bool2 xy
         {
@@ -135,10 +139,34 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public bool2 yy { [MethodImpl(Inlining.Always)] get => new bool2(y, y); }
+        public bool2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, y);
+        }
 
-        public bool4 xxxx { [MethodImpl(Inlining.Always)] get => new bool4(x, x, x, x); }
+        public bool3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, x, x);
+        }
 
-        public bool4 yyyy { [MethodImpl(Inlining.Always)] get => new bool4(y, y, y, y); }
+        public bool3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, y, y);
+        }
+
+        public bool4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, x, x, x);
+        }
+
+        public bool4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, y, y, y);
+        }
     }
 }

@@ -137,7 +137,11 @@ namespace Unity.Mathematics
 
         public override string ToString() => $"bool3({x}, {y}, {z})";
 
-        public bool2 xx { [MethodImpl(Inlining.Always)] get => new bool2(x, x); }
+        public bool2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, x);
+        }
 
         public bool2 xy
         {
@@ -163,7 +167,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public bool2 yy { [MethodImpl(Inlining.Always)] get => new bool2(y, y); }
+        public bool2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, y);
+        }
 
         public bool2 yz
         {
@@ -189,7 +197,17 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public bool2 zz { [MethodImpl(Inlining.Always)] get => new bool2(z, z); }
+        public bool2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(z, z);
+        }
+
+        public bool3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, x, x);
+        }
 
         public bool3 xyz
         {
@@ -213,6 +231,12 @@ namespace Unity.Mathematics
             get => new bool3(y, x, z);
             [MethodImpl(Inlining.Always)]
             set { y = value.x; x = value.y; z = value.z; }
+        }
+
+        public bool3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, y, y);
         }
 
         public bool3 yzx
@@ -239,10 +263,28 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public bool4 xxxx { [MethodImpl(Inlining.Always)] get => new bool4(x, x, x, x); }
+        public bool3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, z, z);
+        }
 
-        public bool4 yyyy { [MethodImpl(Inlining.Always)] get => new bool4(y, y, y, y); }
+        public bool4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(x, x, x, x);
+        }
 
-        public bool4 zzzz { [MethodImpl(Inlining.Always)] get => new bool4(z, z, z, z); }
+        public bool4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(y, y, y, y);
+        }
+
+        public bool4 zzzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool4(z, z, z, z);
+        }
     }
 }

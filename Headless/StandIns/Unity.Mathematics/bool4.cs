@@ -179,7 +179,11 @@ namespace Unity.Mathematics
 
         public override string ToString() => $"bool4({x}, {y}, {z}, {w})";
 
-        public bool2 xx { [MethodImpl(Inlining.Always)] get => new bool2(x, x); }
+        public bool2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(x, x);
+        }
 
         public bool2 xy
         {
@@ -213,7 +217,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public bool2 yy { [MethodImpl(Inlining.Always)] get => new bool2(y, y); }
+        public bool2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(y, y);
+        }
 
         public bool2 yz
         {
@@ -247,7 +255,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public bool2 zz { [MethodImpl(Inlining.Always)] get => new bool2(z, z); }
+        public bool2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(z, z);
+        }
 
         public bool2 zw
         {
@@ -281,7 +293,17 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; }
         }
 
-        public bool2 ww { [MethodImpl(Inlining.Always)] get => new bool2(w, w); }
+        public bool2 ww
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool2(w, w);
+        }
+
+        public bool3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(x, x, x);
+        }
 
         public bool3 xyz
         {
@@ -345,6 +367,12 @@ namespace Unity.Mathematics
             get => new bool3(y, x, w);
             [MethodImpl(Inlining.Always)]
             set { y = value.x; x = value.y; w = value.z; }
+        }
+
+        public bool3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(y, y, y);
         }
 
         public bool3 yzx
@@ -411,6 +439,12 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; w = value.z; }
         }
 
+        public bool3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new bool3(z, z, z);
+        }
+
         public bool3 zwx
         {
             [MethodImpl(Inlining.Always)]
@@ -475,204 +509,34 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; y = value.z; }
         }
 
-        public bool4 xxxx { [MethodImpl(Inlining.Always)] get => new bool4(x, x, x, x); }
-
-        public bool4 xyzw
+        public bool3 www
         {
             [MethodImpl(Inlining.Always)]
-            get => new bool4(x, y, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            get => new bool3(w, w, w);
         }
 
-        public bool4 xywz
+        public bool4 xxxx
         {
             [MethodImpl(Inlining.Always)]
-            get => new bool4(x, y, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            get => new bool4(x, x, x, x);
         }
 
-        public bool4 xzyw
+        public bool4 yyyy
         {
             [MethodImpl(Inlining.Always)]
-            get => new bool4(x, z, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            get => new bool4(y, y, y, y);
         }
 
-        public bool4 xzwy
+        public bool4 zzzz
         {
             [MethodImpl(Inlining.Always)]
-            get => new bool4(x, z, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            get => new bool4(z, z, z, z);
         }
 
-        public bool4 xwyz
+        public bool4 wwww
         {
             [MethodImpl(Inlining.Always)]
-            get => new bool4(x, w, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            get => new bool4(w, w, w, w);
         }
-
-        public bool4 xwzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(x, w, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; z = value.z; y = value.w; }
-        }
-
-        public bool4 yxzw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, x, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; z = value.z; w = value.w; }
-        }
-
-        public bool4 yxwz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, x, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; w = value.z; z = value.w; }
-        }
-
-        public bool4 yyyy { [MethodImpl(Inlining.Always)] get => new bool4(y, y, y, y); }
-
-        public bool4 yzxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, z, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; x = value.z; w = value.w; }
-        }
-
-        public bool4 yzwx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, z, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; w = value.z; x = value.w; }
-        }
-
-        public bool4 ywxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, w, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; x = value.z; z = value.w; }
-        }
-
-        public bool4 ywzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(y, w, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; z = value.z; x = value.w; }
-        }
-
-        public bool4 zxyw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, x, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; y = value.z; w = value.w; }
-        }
-
-        public bool4 zxwy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, x, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; w = value.z; y = value.w; }
-        }
-
-        public bool4 zyxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, y, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; x = value.z; w = value.w; }
-        }
-
-        public bool4 zywx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, y, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; w = value.z; x = value.w; }
-        }
-
-        public bool4 zzzz { [MethodImpl(Inlining.Always)] get => new bool4(z, z, z, z); }
-
-        public bool4 zwxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, w, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; x = value.z; y = value.w; }
-        }
-
-        public bool4 zwyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(z, w, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; y = value.z; x = value.w; }
-        }
-
-        public bool4 wxyz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, x, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; y = value.z; z = value.w; }
-        }
-
-        public bool4 wxzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, x, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; z = value.z; y = value.w; }
-        }
-
-        public bool4 wyxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, y, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; x = value.z; z = value.w; }
-        }
-
-        public bool4 wyzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, y, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; z = value.z; x = value.w; }
-        }
-
-        public bool4 wzxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, z, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; x = value.z; y = value.w; }
-        }
-
-        public bool4 wzyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new bool4(w, z, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; y = value.z; x = value.w; }
-        }
-
-        public bool4 wwww { [MethodImpl(Inlining.Always)] get => new bool4(w, w, w, w); }
     }
 }

@@ -265,7 +265,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "double2({0}, {1})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider));
 
-        public double2 xx { [MethodImpl(Inlining.Always)] get => new double2(x, x); }
+        public double2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, x);
+        }
 
         public double2 xy
         {
@@ -283,26 +287,34 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }
+        public double2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, y);
+        }
 
-        public double3 xxx { [MethodImpl(Inlining.Always)] get => new double3(x, x, x); }
+        public double3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, x, x);
+        }
 
-        public double3 xxy { [MethodImpl(Inlining.Always)] get => new double3(x, x, y); }
+        public double3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, y, y);
+        }
 
-        public double3 xyx { [MethodImpl(Inlining.Always)] get => new double3(x, y, x); }
+        public double4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, x, x, x);
+        }
 
-        public double3 xyy { [MethodImpl(Inlining.Always)] get => new double3(x, y, y); }
-
-        public double3 yxx { [MethodImpl(Inlining.Always)] get => new double3(y, x, x); }
-
-        public double3 yxy { [MethodImpl(Inlining.Always)] get => new double3(y, x, y); }
-
-        public double3 yyx { [MethodImpl(Inlining.Always)] get => new double3(y, y, x); }
-
-        public double3 yyy { [MethodImpl(Inlining.Always)] get => new double3(y, y, y); }
-
-        public double4 xxxx { [MethodImpl(Inlining.Always)] get => new double4(x, x, x, x); }
-
-        public double4 yyyy { [MethodImpl(Inlining.Always)] get => new double4(y, y, y, y); }
+        public double4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, y, y, y);
+        }
     }
 }

@@ -293,7 +293,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "double3({0}, {1}, {2})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider));
 
-        public double2 xx { [MethodImpl(Inlining.Always)] get => new double2(x, x); }
+        public double2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, x);
+        }
 
         public double2 xy
         {
@@ -319,7 +323,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }
+        public double2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, y);
+        }
 
         public double2 yz
         {
@@ -345,17 +353,17 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public double2 zz { [MethodImpl(Inlining.Always)] get => new double2(z, z); }
+        public double2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, z);
+        }
 
-        public double3 xxx { [MethodImpl(Inlining.Always)] get => new double3(x, x, x); }
-
-        public double3 xxy { [MethodImpl(Inlining.Always)] get => new double3(x, x, y); }
-
-        public double3 xxz { [MethodImpl(Inlining.Always)] get => new double3(x, x, z); }
-
-        public double3 xyx { [MethodImpl(Inlining.Always)] get => new double3(x, y, x); }
-
-        public double3 xyy { [MethodImpl(Inlining.Always)] get => new double3(x, y, y); }
+        public double3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, x, x);
+        }
 
         public double3 xyz
         {
@@ -365,8 +373,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; z = value.z; }
         }
 
-        public double3 xzx { [MethodImpl(Inlining.Always)] get => new double3(x, z, x); }
-
         public double3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -374,12 +380,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; y = value.z; }
         }
-
-        public double3 xzz { [MethodImpl(Inlining.Always)] get => new double3(x, z, z); }
-
-        public double3 yxx { [MethodImpl(Inlining.Always)] get => new double3(y, x, x); }
-
-        public double3 yxy { [MethodImpl(Inlining.Always)] get => new double3(y, x, y); }
 
         public double3 yxz
         {
@@ -389,11 +389,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; z = value.z; }
         }
 
-        public double3 yyx { [MethodImpl(Inlining.Always)] get => new double3(y, y, x); }
-
-        public double3 yyy { [MethodImpl(Inlining.Always)] get => new double3(y, y, y); }
-
-        public double3 yyz { [MethodImpl(Inlining.Always)] get => new double3(y, y, z); }
+        public double3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, y, y);
+        }
 
         public double3 yzx
         {
@@ -403,12 +403,6 @@ namespace Unity.Mathematics
             set { y = value.x; z = value.y; x = value.z; }
         }
 
-        public double3 yzy { [MethodImpl(Inlining.Always)] get => new double3(y, z, y); }
-
-        public double3 yzz { [MethodImpl(Inlining.Always)] get => new double3(y, z, z); }
-
-        public double3 zxx { [MethodImpl(Inlining.Always)] get => new double3(z, x, x); }
-
         public double3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -416,8 +410,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public double3 zxz { [MethodImpl(Inlining.Always)] get => new double3(z, x, z); }
 
         public double3 zyx
         {
@@ -427,20 +419,28 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public double3 zyy { [MethodImpl(Inlining.Always)] get => new double3(z, y, y); }
+        public double3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, z, z);
+        }
 
-        public double3 zyz { [MethodImpl(Inlining.Always)] get => new double3(z, y, z); }
+        public double4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double4(x, x, x, x);
+        }
 
-        public double3 zzx { [MethodImpl(Inlining.Always)] get => new double3(z, z, x); }
+        public double4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double4(y, y, y, y);
+        }
 
-        public double3 zzy { [MethodImpl(Inlining.Always)] get => new double3(z, z, y); }
-
-        public double3 zzz { [MethodImpl(Inlining.Always)] get => new double3(z, z, z); }
-
-        public double4 xxxx { [MethodImpl(Inlining.Always)] get => new double4(x, x, x, x); }
-
-        public double4 yyyy { [MethodImpl(Inlining.Always)] get => new double4(y, y, y, y); }
-
-        public double4 zzzz { [MethodImpl(Inlining.Always)] get => new double4(z, z, z, z); }
+        public double4 zzzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double4(z, z, z, z);
+        }
     }
 }

@@ -343,7 +343,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "double4({0}, {1}, {2}, {3})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider), w.ToString(format, formatProvider));
 
-        public double2 xx { [MethodImpl(Inlining.Always)] get => new double2(x, x); }
+        public double2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, x);
+        }
 
         public double2 xy
         {
@@ -377,7 +381,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public double2 yy { [MethodImpl(Inlining.Always)] get => new double2(y, y); }
+        public double2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, y);
+        }
 
         public double2 yz
         {
@@ -411,7 +419,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public double2 zz { [MethodImpl(Inlining.Always)] get => new double2(z, z); }
+        public double2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(z, z);
+        }
 
         public double2 zw
         {
@@ -445,19 +457,17 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; }
         }
 
-        public double2 ww { [MethodImpl(Inlining.Always)] get => new double2(w, w); }
+        public double2 ww
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double2(w, w);
+        }
 
-        public double3 xxx { [MethodImpl(Inlining.Always)] get => new double3(x, x, x); }
-
-        public double3 xxy { [MethodImpl(Inlining.Always)] get => new double3(x, x, y); }
-
-        public double3 xxz { [MethodImpl(Inlining.Always)] get => new double3(x, x, z); }
-
-        public double3 xxw { [MethodImpl(Inlining.Always)] get => new double3(x, x, w); }
-
-        public double3 xyx { [MethodImpl(Inlining.Always)] get => new double3(x, y, x); }
-
-        public double3 xyy { [MethodImpl(Inlining.Always)] get => new double3(x, y, y); }
+        public double3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, x, x);
+        }
 
         public double3 xyz
         {
@@ -475,8 +485,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; w = value.z; }
         }
 
-        public double3 xzx { [MethodImpl(Inlining.Always)] get => new double3(x, z, x); }
-
         public double3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -485,8 +493,6 @@ namespace Unity.Mathematics
             set { x = value.x; z = value.y; y = value.z; }
         }
 
-        public double3 xzz { [MethodImpl(Inlining.Always)] get => new double3(x, z, z); }
-
         public double3 xzw
         {
             [MethodImpl(Inlining.Always)]
@@ -494,8 +500,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; w = value.z; }
         }
-
-        public double3 xwx { [MethodImpl(Inlining.Always)] get => new double3(x, w, x); }
 
         public double3 xwy
         {
@@ -513,12 +517,6 @@ namespace Unity.Mathematics
             set { x = value.x; w = value.y; z = value.z; }
         }
 
-        public double3 xww { [MethodImpl(Inlining.Always)] get => new double3(x, w, w); }
-
-        public double3 yxx { [MethodImpl(Inlining.Always)] get => new double3(y, x, x); }
-
-        public double3 yxy { [MethodImpl(Inlining.Always)] get => new double3(y, x, y); }
-
         public double3 yxz
         {
             [MethodImpl(Inlining.Always)]
@@ -535,13 +533,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; w = value.z; }
         }
 
-        public double3 yyx { [MethodImpl(Inlining.Always)] get => new double3(y, y, x); }
-
-        public double3 yyy { [MethodImpl(Inlining.Always)] get => new double3(y, y, y); }
-
-        public double3 yyz { [MethodImpl(Inlining.Always)] get => new double3(y, y, z); }
-
-        public double3 yyw { [MethodImpl(Inlining.Always)] get => new double3(y, y, w); }
+        public double3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, y, y);
+        }
 
         public double3 yzx
         {
@@ -550,10 +546,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { y = value.x; z = value.y; x = value.z; }
         }
-
-        public double3 yzy { [MethodImpl(Inlining.Always)] get => new double3(y, z, y); }
-
-        public double3 yzz { [MethodImpl(Inlining.Always)] get => new double3(y, z, z); }
 
         public double3 yzw
         {
@@ -571,8 +563,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; x = value.z; }
         }
 
-        public double3 ywy { [MethodImpl(Inlining.Always)] get => new double3(y, w, y); }
-
         public double3 ywz
         {
             [MethodImpl(Inlining.Always)]
@@ -581,10 +571,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; z = value.z; }
         }
 
-        public double3 yww { [MethodImpl(Inlining.Always)] get => new double3(y, w, w); }
-
-        public double3 zxx { [MethodImpl(Inlining.Always)] get => new double3(z, x, x); }
-
         public double3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -592,8 +578,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public double3 zxz { [MethodImpl(Inlining.Always)] get => new double3(z, x, z); }
 
         public double3 zxw
         {
@@ -611,10 +595,6 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public double3 zyy { [MethodImpl(Inlining.Always)] get => new double3(z, y, y); }
-
-        public double3 zyz { [MethodImpl(Inlining.Always)] get => new double3(z, y, z); }
-
         public double3 zyw
         {
             [MethodImpl(Inlining.Always)]
@@ -623,13 +603,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; w = value.z; }
         }
 
-        public double3 zzx { [MethodImpl(Inlining.Always)] get => new double3(z, z, x); }
-
-        public double3 zzy { [MethodImpl(Inlining.Always)] get => new double3(z, z, y); }
-
-        public double3 zzz { [MethodImpl(Inlining.Always)] get => new double3(z, z, z); }
-
-        public double3 zzw { [MethodImpl(Inlining.Always)] get => new double3(z, z, w); }
+        public double3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new double3(z, z, z);
+        }
 
         public double3 zwx
         {
@@ -647,12 +625,6 @@ namespace Unity.Mathematics
             set { z = value.x; w = value.y; y = value.z; }
         }
 
-        public double3 zwz { [MethodImpl(Inlining.Always)] get => new double3(z, w, z); }
-
-        public double3 zww { [MethodImpl(Inlining.Always)] get => new double3(z, w, w); }
-
-        public double3 wxx { [MethodImpl(Inlining.Always)] get => new double3(w, x, x); }
-
         public double3 wxy
         {
             [MethodImpl(Inlining.Always)]
@@ -669,8 +641,6 @@ namespace Unity.Mathematics
             set { w = value.x; x = value.y; z = value.z; }
         }
 
-        public double3 wxw { [MethodImpl(Inlining.Always)] get => new double3(w, x, w); }
-
         public double3 wyx
         {
             [MethodImpl(Inlining.Always)]
@@ -679,8 +649,6 @@ namespace Unity.Mathematics
             set { w = value.x; y = value.y; x = value.z; }
         }
 
-        public double3 wyy { [MethodImpl(Inlining.Always)] get => new double3(w, y, y); }
-
         public double3 wyz
         {
             [MethodImpl(Inlining.Always)]
@@ -688,8 +656,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { w = value.x; y = value.y; z = value.z; }
         }
-
-        public double3 wyw { [MethodImpl(Inlining.Always)] get => new double3(w, y, w); }
 
         public double3 wzx
         {
@@ -707,216 +673,34 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; y = value.z; }
         }
 
-        public double3 wzz { [MethodImpl(Inlining.Always)] get => new double3(w, z, z); }
-
-        public double3 wzw { [MethodImpl(Inlining.Always)] get => new double3(w, z, w); }
-
-        public double3 wwx { [MethodImpl(Inlining.Always)] get => new double3(w, w, x); }
-
-        public double3 wwy { [MethodImpl(Inlining.Always)] get => new double3(w, w, y); }
-
-        public double3 wwz { [MethodImpl(Inlining.Always)] get => new double3(w, w, z); }
-
-        public double3 www { [MethodImpl(Inlining.Always)] get => new double3(w, w, w); }
-
-        public double4 xxxx { [MethodImpl(Inlining.Always)] get => new double4(x, x, x, x); }
-
-        public double4 xyzw
+        public double3 www
         {
             [MethodImpl(Inlining.Always)]
-            get => new double4(x, y, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            get => new double3(w, w, w);
         }
 
-        public double4 xywz
+        public double4 xxxx
         {
             [MethodImpl(Inlining.Always)]
-            get => new double4(x, y, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            get => new double4(x, x, x, x);
         }
 
-        public double4 xzyw
+        public double4 yyyy
         {
             [MethodImpl(Inlining.Always)]
-            get => new double4(x, z, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            get => new double4(y, y, y, y);
         }
 
-        public double4 xzwy
+        public double4 zzzz
         {
             [MethodImpl(Inlining.Always)]
-            get => new double4(x, z, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            get => new double4(z, z, z, z);
         }
 
-        public double4 xwyz
+        public double4 wwww
         {
             [MethodImpl(Inlining.Always)]
-            get => new double4(x, w, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            get => new double4(w, w, w, w);
         }
-
-        public double4 xwzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(x, w, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; z = value.z; y = value.w; }
-        }
-
-        public double4 yxzw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, x, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; z = value.z; w = value.w; }
-        }
-
-        public double4 yxwz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, x, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; w = value.z; z = value.w; }
-        }
-
-        public double4 yyyy { [MethodImpl(Inlining.Always)] get => new double4(y, y, y, y); }
-
-        public double4 yzxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, z, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; x = value.z; w = value.w; }
-        }
-
-        public double4 yzwx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, z, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; w = value.z; x = value.w; }
-        }
-
-        public double4 ywxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, w, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; x = value.z; z = value.w; }
-        }
-
-        public double4 ywzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(y, w, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; z = value.z; x = value.w; }
-        }
-
-        public double4 zxyw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, x, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; y = value.z; w = value.w; }
-        }
-
-        public double4 zxwy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, x, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; w = value.z; y = value.w; }
-        }
-
-        public double4 zyxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, y, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; x = value.z; w = value.w; }
-        }
-
-        public double4 zywx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, y, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; w = value.z; x = value.w; }
-        }
-
-        public double4 zzzz { [MethodImpl(Inlining.Always)] get => new double4(z, z, z, z); }
-
-        public double4 zwxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, w, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; x = value.z; y = value.w; }
-        }
-
-        public double4 zwyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(z, w, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; y = value.z; x = value.w; }
-        }
-
-        public double4 wxyz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, x, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; y = value.z; z = value.w; }
-        }
-
-        public double4 wxzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, x, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; z = value.z; y = value.w; }
-        }
-
-        public double4 wyxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, y, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; x = value.z; z = value.w; }
-        }
-
-        public double4 wyzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, y, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; z = value.z; x = value.w; }
-        }
-
-        public double4 wzxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, z, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; x = value.z; y = value.w; }
-        }
-
-        public double4 wzyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new double4(w, z, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; y = value.z; x = value.w; }
-        }
-
-        public double4 wwww { [MethodImpl(Inlining.Always)] get => new double4(w, w, w, w); }
     }
 }

@@ -265,7 +265,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "float2({0}f, {1}f)",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider));
 
-        public float2 xx { [MethodImpl(Inlining.Always)] get => new float2(x, x); }
+        public float2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, x);
+        }
 
         public float2 xy
         {
@@ -283,26 +287,34 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }
+        public float2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, y);
+        }
 
-        public float3 xxx { [MethodImpl(Inlining.Always)] get => new float3(x, x, x); }
+        public float3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, x, x);
+        }
 
-        public float3 xxy { [MethodImpl(Inlining.Always)] get => new float3(x, x, y); }
+        public float3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, y, y);
+        }
 
-        public float3 xyx { [MethodImpl(Inlining.Always)] get => new float3(x, y, x); }
+        public float4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, x, x, x);
+        }
 
-        public float3 xyy { [MethodImpl(Inlining.Always)] get => new float3(x, y, y); }
-
-        public float3 yxx { [MethodImpl(Inlining.Always)] get => new float3(y, x, x); }
-
-        public float3 yxy { [MethodImpl(Inlining.Always)] get => new float3(y, x, y); }
-
-        public float3 yyx { [MethodImpl(Inlining.Always)] get => new float3(y, y, x); }
-
-        public float3 yyy { [MethodImpl(Inlining.Always)] get => new float3(y, y, y); }
-
-        public float4 xxxx { [MethodImpl(Inlining.Always)] get => new float4(x, x, x, x); }
-
-        public float4 yyyy { [MethodImpl(Inlining.Always)] get => new float4(y, y, y, y); }
+        public float4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, y, y, y);
+        }
     }
 }

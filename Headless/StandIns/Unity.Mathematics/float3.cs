@@ -293,7 +293,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "float3({0}f, {1}f, {2}f)",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider));
 
-        public float2 xx { [MethodImpl(Inlining.Always)] get => new float2(x, x); }
+        public float2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, x);
+        }
 
         public float2 xy
         {
@@ -319,7 +323,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }
+        public float2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, y);
+        }
 
         public float2 yz
         {
@@ -345,17 +353,17 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public float2 zz { [MethodImpl(Inlining.Always)] get => new float2(z, z); }
+        public float2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, z);
+        }
 
-        public float3 xxx { [MethodImpl(Inlining.Always)] get => new float3(x, x, x); }
-
-        public float3 xxy { [MethodImpl(Inlining.Always)] get => new float3(x, x, y); }
-
-        public float3 xxz { [MethodImpl(Inlining.Always)] get => new float3(x, x, z); }
-
-        public float3 xyx { [MethodImpl(Inlining.Always)] get => new float3(x, y, x); }
-
-        public float3 xyy { [MethodImpl(Inlining.Always)] get => new float3(x, y, y); }
+        public float3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, x, x);
+        }
 
         public float3 xyz
         {
@@ -365,8 +373,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; z = value.z; }
         }
 
-        public float3 xzx { [MethodImpl(Inlining.Always)] get => new float3(x, z, x); }
-
         public float3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -374,12 +380,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; y = value.z; }
         }
-
-        public float3 xzz { [MethodImpl(Inlining.Always)] get => new float3(x, z, z); }
-
-        public float3 yxx { [MethodImpl(Inlining.Always)] get => new float3(y, x, x); }
-
-        public float3 yxy { [MethodImpl(Inlining.Always)] get => new float3(y, x, y); }
 
         public float3 yxz
         {
@@ -389,11 +389,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; z = value.z; }
         }
 
-        public float3 yyx { [MethodImpl(Inlining.Always)] get => new float3(y, y, x); }
-
-        public float3 yyy { [MethodImpl(Inlining.Always)] get => new float3(y, y, y); }
-
-        public float3 yyz { [MethodImpl(Inlining.Always)] get => new float3(y, y, z); }
+        public float3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, y, y);
+        }
 
         public float3 yzx
         {
@@ -403,12 +403,6 @@ namespace Unity.Mathematics
             set { y = value.x; z = value.y; x = value.z; }
         }
 
-        public float3 yzy { [MethodImpl(Inlining.Always)] get => new float3(y, z, y); }
-
-        public float3 yzz { [MethodImpl(Inlining.Always)] get => new float3(y, z, z); }
-
-        public float3 zxx { [MethodImpl(Inlining.Always)] get => new float3(z, x, x); }
-
         public float3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -416,8 +410,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public float3 zxz { [MethodImpl(Inlining.Always)] get => new float3(z, x, z); }
 
         public float3 zyx
         {
@@ -427,20 +419,28 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public float3 zyy { [MethodImpl(Inlining.Always)] get => new float3(z, y, y); }
+        public float3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, z, z);
+        }
 
-        public float3 zyz { [MethodImpl(Inlining.Always)] get => new float3(z, y, z); }
+        public float4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float4(x, x, x, x);
+        }
 
-        public float3 zzx { [MethodImpl(Inlining.Always)] get => new float3(z, z, x); }
+        public float4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float4(y, y, y, y);
+        }
 
-        public float3 zzy { [MethodImpl(Inlining.Always)] get => new float3(z, z, y); }
-
-        public float3 zzz { [MethodImpl(Inlining.Always)] get => new float3(z, z, z); }
-
-        public float4 xxxx { [MethodImpl(Inlining.Always)] get => new float4(x, x, x, x); }
-
-        public float4 yyyy { [MethodImpl(Inlining.Always)] get => new float4(y, y, y, y); }
-
-        public float4 zzzz { [MethodImpl(Inlining.Always)] get => new float4(z, z, z, z); }
+        public float4 zzzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float4(z, z, z, z);
+        }
     }
 }

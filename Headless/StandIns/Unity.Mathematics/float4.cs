@@ -343,7 +343,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "float4({0}f, {1}f, {2}f, {3}f)",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider), w.ToString(format, formatProvider));
 
-        public float2 xx { [MethodImpl(Inlining.Always)] get => new float2(x, x); }
+        public float2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, x);
+        }
 
         public float2 xy
         {
@@ -377,7 +381,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public float2 yy { [MethodImpl(Inlining.Always)] get => new float2(y, y); }
+        public float2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(y, y);
+        }
 
         public float2 yz
         {
@@ -411,7 +419,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public float2 zz { [MethodImpl(Inlining.Always)] get => new float2(z, z); }
+        public float2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(z, z);
+        }
 
         public float2 zw
         {
@@ -445,19 +457,17 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; }
         }
 
-        public float2 ww { [MethodImpl(Inlining.Always)] get => new float2(w, w); }
+        public float2 ww
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float2(w, w);
+        }
 
-        public float3 xxx { [MethodImpl(Inlining.Always)] get => new float3(x, x, x); }
-
-        public float3 xxy { [MethodImpl(Inlining.Always)] get => new float3(x, x, y); }
-
-        public float3 xxz { [MethodImpl(Inlining.Always)] get => new float3(x, x, z); }
-
-        public float3 xxw { [MethodImpl(Inlining.Always)] get => new float3(x, x, w); }
-
-        public float3 xyx { [MethodImpl(Inlining.Always)] get => new float3(x, y, x); }
-
-        public float3 xyy { [MethodImpl(Inlining.Always)] get => new float3(x, y, y); }
+        public float3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, x, x);
+        }
 
         public float3 xyz
         {
@@ -475,8 +485,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; w = value.z; }
         }
 
-        public float3 xzx { [MethodImpl(Inlining.Always)] get => new float3(x, z, x); }
-
         public float3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -485,8 +493,6 @@ namespace Unity.Mathematics
             set { x = value.x; z = value.y; y = value.z; }
         }
 
-        public float3 xzz { [MethodImpl(Inlining.Always)] get => new float3(x, z, z); }
-
         public float3 xzw
         {
             [MethodImpl(Inlining.Always)]
@@ -494,8 +500,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; w = value.z; }
         }
-
-        public float3 xwx { [MethodImpl(Inlining.Always)] get => new float3(x, w, x); }
 
         public float3 xwy
         {
@@ -513,12 +517,6 @@ namespace Unity.Mathematics
             set { x = value.x; w = value.y; z = value.z; }
         }
 
-        public float3 xww { [MethodImpl(Inlining.Always)] get => new float3(x, w, w); }
-
-        public float3 yxx { [MethodImpl(Inlining.Always)] get => new float3(y, x, x); }
-
-        public float3 yxy { [MethodImpl(Inlining.Always)] get => new float3(y, x, y); }
-
         public float3 yxz
         {
             [MethodImpl(Inlining.Always)]
@@ -535,13 +533,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; w = value.z; }
         }
 
-        public float3 yyx { [MethodImpl(Inlining.Always)] get => new float3(y, y, x); }
-
-        public float3 yyy { [MethodImpl(Inlining.Always)] get => new float3(y, y, y); }
-
-        public float3 yyz { [MethodImpl(Inlining.Always)] get => new float3(y, y, z); }
-
-        public float3 yyw { [MethodImpl(Inlining.Always)] get => new float3(y, y, w); }
+        public float3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, y, y);
+        }
 
         public float3 yzx
         {
@@ -550,10 +546,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { y = value.x; z = value.y; x = value.z; }
         }
-
-        public float3 yzy { [MethodImpl(Inlining.Always)] get => new float3(y, z, y); }
-
-        public float3 yzz { [MethodImpl(Inlining.Always)] get => new float3(y, z, z); }
 
         public float3 yzw
         {
@@ -571,8 +563,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; x = value.z; }
         }
 
-        public float3 ywy { [MethodImpl(Inlining.Always)] get => new float3(y, w, y); }
-
         public float3 ywz
         {
             [MethodImpl(Inlining.Always)]
@@ -581,10 +571,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; z = value.z; }
         }
 
-        public float3 yww { [MethodImpl(Inlining.Always)] get => new float3(y, w, w); }
-
-        public float3 zxx { [MethodImpl(Inlining.Always)] get => new float3(z, x, x); }
-
         public float3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -592,8 +578,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public float3 zxz { [MethodImpl(Inlining.Always)] get => new float3(z, x, z); }
 
         public float3 zxw
         {
@@ -611,10 +595,6 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public float3 zyy { [MethodImpl(Inlining.Always)] get => new float3(z, y, y); }
-
-        public float3 zyz { [MethodImpl(Inlining.Always)] get => new float3(z, y, z); }
-
         public float3 zyw
         {
             [MethodImpl(Inlining.Always)]
@@ -623,13 +603,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; w = value.z; }
         }
 
-        public float3 zzx { [MethodImpl(Inlining.Always)] get => new float3(z, z, x); }
-
-        public float3 zzy { [MethodImpl(Inlining.Always)] get => new float3(z, z, y); }
-
-        public float3 zzz { [MethodImpl(Inlining.Always)] get => new float3(z, z, z); }
-
-        public float3 zzw { [MethodImpl(Inlining.Always)] get => new float3(z, z, w); }
+        public float3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new float3(z, z, z);
+        }
 
         public float3 zwx
         {
@@ -647,12 +625,6 @@ namespace Unity.Mathematics
             set { z = value.x; w = value.y; y = value.z; }
         }
 
-        public float3 zwz { [MethodImpl(Inlining.Always)] get => new float3(z, w, z); }
-
-        public float3 zww { [MethodImpl(Inlining.Always)] get => new float3(z, w, w); }
-
-        public float3 wxx { [MethodImpl(Inlining.Always)] get => new float3(w, x, x); }
-
         public float3 wxy
         {
             [MethodImpl(Inlining.Always)]
@@ -669,8 +641,6 @@ namespace Unity.Mathematics
             set { w = value.x; x = value.y; z = value.z; }
         }
 
-        public float3 wxw { [MethodImpl(Inlining.Always)] get => new float3(w, x, w); }
-
         public float3 wyx
         {
             [MethodImpl(Inlining.Always)]
@@ -679,8 +649,6 @@ namespace Unity.Mathematics
             set { w = value.x; y = value.y; x = value.z; }
         }
 
-        public float3 wyy { [MethodImpl(Inlining.Always)] get => new float3(w, y, y); }
-
         public float3 wyz
         {
             [MethodImpl(Inlining.Always)]
@@ -688,8 +656,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { w = value.x; y = value.y; z = value.z; }
         }
-
-        public float3 wyw { [MethodImpl(Inlining.Always)] get => new float3(w, y, w); }
 
         public float3 wzx
         {
@@ -707,216 +673,34 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; y = value.z; }
         }
 
-        public float3 wzz { [MethodImpl(Inlining.Always)] get => new float3(w, z, z); }
-
-        public float3 wzw { [MethodImpl(Inlining.Always)] get => new float3(w, z, w); }
-
-        public float3 wwx { [MethodImpl(Inlining.Always)] get => new float3(w, w, x); }
-
-        public float3 wwy { [MethodImpl(Inlining.Always)] get => new float3(w, w, y); }
-
-        public float3 wwz { [MethodImpl(Inlining.Always)] get => new float3(w, w, z); }
-
-        public float3 www { [MethodImpl(Inlining.Always)] get => new float3(w, w, w); }
-
-        public float4 xxxx { [MethodImpl(Inlining.Always)] get => new float4(x, x, x, x); }
-
-        public float4 xyzw
+        public float3 www
         {
             [MethodImpl(Inlining.Always)]
-            get => new float4(x, y, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            get => new float3(w, w, w);
         }
 
-        public float4 xywz
+        public float4 xxxx
         {
             [MethodImpl(Inlining.Always)]
-            get => new float4(x, y, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            get => new float4(x, x, x, x);
         }
 
-        public float4 xzyw
+        public float4 yyyy
         {
             [MethodImpl(Inlining.Always)]
-            get => new float4(x, z, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            get => new float4(y, y, y, y);
         }
 
-        public float4 xzwy
+        public float4 zzzz
         {
             [MethodImpl(Inlining.Always)]
-            get => new float4(x, z, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            get => new float4(z, z, z, z);
         }
 
-        public float4 xwyz
+        public float4 wwww
         {
             [MethodImpl(Inlining.Always)]
-            get => new float4(x, w, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            get => new float4(w, w, w, w);
         }
-
-        public float4 xwzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(x, w, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; z = value.z; y = value.w; }
-        }
-
-        public float4 yxzw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, x, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; z = value.z; w = value.w; }
-        }
-
-        public float4 yxwz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, x, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; w = value.z; z = value.w; }
-        }
-
-        public float4 yyyy { [MethodImpl(Inlining.Always)] get => new float4(y, y, y, y); }
-
-        public float4 yzxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, z, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; x = value.z; w = value.w; }
-        }
-
-        public float4 yzwx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, z, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; w = value.z; x = value.w; }
-        }
-
-        public float4 ywxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, w, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; x = value.z; z = value.w; }
-        }
-
-        public float4 ywzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(y, w, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; z = value.z; x = value.w; }
-        }
-
-        public float4 zxyw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, x, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; y = value.z; w = value.w; }
-        }
-
-        public float4 zxwy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, x, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; w = value.z; y = value.w; }
-        }
-
-        public float4 zyxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, y, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; x = value.z; w = value.w; }
-        }
-
-        public float4 zywx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, y, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; w = value.z; x = value.w; }
-        }
-
-        public float4 zzzz { [MethodImpl(Inlining.Always)] get => new float4(z, z, z, z); }
-
-        public float4 zwxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, w, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; x = value.z; y = value.w; }
-        }
-
-        public float4 zwyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(z, w, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; y = value.z; x = value.w; }
-        }
-
-        public float4 wxyz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, x, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; y = value.z; z = value.w; }
-        }
-
-        public float4 wxzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, x, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; z = value.z; y = value.w; }
-        }
-
-        public float4 wyxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, y, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; x = value.z; z = value.w; }
-        }
-
-        public float4 wyzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, y, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; z = value.z; x = value.w; }
-        }
-
-        public float4 wzxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, z, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; x = value.z; y = value.w; }
-        }
-
-        public float4 wzyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new float4(w, z, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; y = value.z; x = value.w; }
-        }
-
-        public float4 wwww { [MethodImpl(Inlining.Always)] get => new float4(w, w, w, w); }
     }
 }

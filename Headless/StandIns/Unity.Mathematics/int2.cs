@@ -301,7 +301,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "int2({0}, {1})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider));
 
-        public int2 xx { [MethodImpl(Inlining.Always)] get => new int2(x, x); }
+        public int2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, x);
+        }
 
         public int2 xy
         {
@@ -319,26 +323,34 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }
+        public int2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, y);
+        }
 
-        public int3 xxx { [MethodImpl(Inlining.Always)] get => new int3(x, x, x); }
+        public int3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, x, x);
+        }
 
-        public int3 xxy { [MethodImpl(Inlining.Always)] get => new int3(x, x, y); }
+        public int3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, y, y);
+        }
 
-        public int3 xyx { [MethodImpl(Inlining.Always)] get => new int3(x, y, x); }
+        public int4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, x, x, x);
+        }
 
-        public int3 xyy { [MethodImpl(Inlining.Always)] get => new int3(x, y, y); }
-
-        public int3 yxx { [MethodImpl(Inlining.Always)] get => new int3(y, x, x); }
-
-        public int3 yxy { [MethodImpl(Inlining.Always)] get => new int3(y, x, y); }
-
-        public int3 yyx { [MethodImpl(Inlining.Always)] get => new int3(y, y, x); }
-
-        public int3 yyy { [MethodImpl(Inlining.Always)] get => new int3(y, y, y); }
-
-        public int4 xxxx { [MethodImpl(Inlining.Always)] get => new int4(x, x, x, x); }
-
-        public int4 yyyy { [MethodImpl(Inlining.Always)] get => new int4(y, y, y, y); }
+        public int4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, y, y, y);
+        }
     }
 }

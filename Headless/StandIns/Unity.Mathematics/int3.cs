@@ -329,7 +329,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "int3({0}, {1}, {2})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider));
 
-        public int2 xx { [MethodImpl(Inlining.Always)] get => new int2(x, x); }
+        public int2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, x);
+        }
 
         public int2 xy
         {
@@ -355,7 +359,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }
+        public int2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, y);
+        }
 
         public int2 yz
         {
@@ -381,17 +389,17 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public int2 zz { [MethodImpl(Inlining.Always)] get => new int2(z, z); }
+        public int2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, z);
+        }
 
-        public int3 xxx { [MethodImpl(Inlining.Always)] get => new int3(x, x, x); }
-
-        public int3 xxy { [MethodImpl(Inlining.Always)] get => new int3(x, x, y); }
-
-        public int3 xxz { [MethodImpl(Inlining.Always)] get => new int3(x, x, z); }
-
-        public int3 xyx { [MethodImpl(Inlining.Always)] get => new int3(x, y, x); }
-
-        public int3 xyy { [MethodImpl(Inlining.Always)] get => new int3(x, y, y); }
+        public int3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, x, x);
+        }
 
         public int3 xyz
         {
@@ -401,8 +409,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; z = value.z; }
         }
 
-        public int3 xzx { [MethodImpl(Inlining.Always)] get => new int3(x, z, x); }
-
         public int3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -410,12 +416,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; y = value.z; }
         }
-
-        public int3 xzz { [MethodImpl(Inlining.Always)] get => new int3(x, z, z); }
-
-        public int3 yxx { [MethodImpl(Inlining.Always)] get => new int3(y, x, x); }
-
-        public int3 yxy { [MethodImpl(Inlining.Always)] get => new int3(y, x, y); }
 
         public int3 yxz
         {
@@ -425,11 +425,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; z = value.z; }
         }
 
-        public int3 yyx { [MethodImpl(Inlining.Always)] get => new int3(y, y, x); }
-
-        public int3 yyy { [MethodImpl(Inlining.Always)] get => new int3(y, y, y); }
-
-        public int3 yyz { [MethodImpl(Inlining.Always)] get => new int3(y, y, z); }
+        public int3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, y, y);
+        }
 
         public int3 yzx
         {
@@ -439,12 +439,6 @@ namespace Unity.Mathematics
             set { y = value.x; z = value.y; x = value.z; }
         }
 
-        public int3 yzy { [MethodImpl(Inlining.Always)] get => new int3(y, z, y); }
-
-        public int3 yzz { [MethodImpl(Inlining.Always)] get => new int3(y, z, z); }
-
-        public int3 zxx { [MethodImpl(Inlining.Always)] get => new int3(z, x, x); }
-
         public int3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -452,8 +446,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public int3 zxz { [MethodImpl(Inlining.Always)] get => new int3(z, x, z); }
 
         public int3 zyx
         {
@@ -463,20 +455,28 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public int3 zyy { [MethodImpl(Inlining.Always)] get => new int3(z, y, y); }
+        public int3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, z, z);
+        }
 
-        public int3 zyz { [MethodImpl(Inlining.Always)] get => new int3(z, y, z); }
+        public int4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int4(x, x, x, x);
+        }
 
-        public int3 zzx { [MethodImpl(Inlining.Always)] get => new int3(z, z, x); }
+        public int4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int4(y, y, y, y);
+        }
 
-        public int3 zzy { [MethodImpl(Inlining.Always)] get => new int3(z, z, y); }
-
-        public int3 zzz { [MethodImpl(Inlining.Always)] get => new int3(z, z, z); }
-
-        public int4 xxxx { [MethodImpl(Inlining.Always)] get => new int4(x, x, x, x); }
-
-        public int4 yyyy { [MethodImpl(Inlining.Always)] get => new int4(y, y, y, y); }
-
-        public int4 zzzz { [MethodImpl(Inlining.Always)] get => new int4(z, z, z, z); }
+        public int4 zzzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int4(z, z, z, z);
+        }
     }
 }

@@ -379,7 +379,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "int4({0}, {1}, {2}, {3})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider), w.ToString(format, formatProvider));
 
-        public int2 xx { [MethodImpl(Inlining.Always)] get => new int2(x, x); }
+        public int2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, x);
+        }
 
         public int2 xy
         {
@@ -413,7 +417,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public int2 yy { [MethodImpl(Inlining.Always)] get => new int2(y, y); }
+        public int2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(y, y);
+        }
 
         public int2 yz
         {
@@ -447,7 +455,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public int2 zz { [MethodImpl(Inlining.Always)] get => new int2(z, z); }
+        public int2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(z, z);
+        }
 
         public int2 zw
         {
@@ -481,19 +493,17 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; }
         }
 
-        public int2 ww { [MethodImpl(Inlining.Always)] get => new int2(w, w); }
+        public int2 ww
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int2(w, w);
+        }
 
-        public int3 xxx { [MethodImpl(Inlining.Always)] get => new int3(x, x, x); }
-
-        public int3 xxy { [MethodImpl(Inlining.Always)] get => new int3(x, x, y); }
-
-        public int3 xxz { [MethodImpl(Inlining.Always)] get => new int3(x, x, z); }
-
-        public int3 xxw { [MethodImpl(Inlining.Always)] get => new int3(x, x, w); }
-
-        public int3 xyx { [MethodImpl(Inlining.Always)] get => new int3(x, y, x); }
-
-        public int3 xyy { [MethodImpl(Inlining.Always)] get => new int3(x, y, y); }
+        public int3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, x, x);
+        }
 
         public int3 xyz
         {
@@ -511,8 +521,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; w = value.z; }
         }
 
-        public int3 xzx { [MethodImpl(Inlining.Always)] get => new int3(x, z, x); }
-
         public int3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -521,8 +529,6 @@ namespace Unity.Mathematics
             set { x = value.x; z = value.y; y = value.z; }
         }
 
-        public int3 xzz { [MethodImpl(Inlining.Always)] get => new int3(x, z, z); }
-
         public int3 xzw
         {
             [MethodImpl(Inlining.Always)]
@@ -530,8 +536,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; w = value.z; }
         }
-
-        public int3 xwx { [MethodImpl(Inlining.Always)] get => new int3(x, w, x); }
 
         public int3 xwy
         {
@@ -549,12 +553,6 @@ namespace Unity.Mathematics
             set { x = value.x; w = value.y; z = value.z; }
         }
 
-        public int3 xww { [MethodImpl(Inlining.Always)] get => new int3(x, w, w); }
-
-        public int3 yxx { [MethodImpl(Inlining.Always)] get => new int3(y, x, x); }
-
-        public int3 yxy { [MethodImpl(Inlining.Always)] get => new int3(y, x, y); }
-
         public int3 yxz
         {
             [MethodImpl(Inlining.Always)]
@@ -571,13 +569,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; w = value.z; }
         }
 
-        public int3 yyx { [MethodImpl(Inlining.Always)] get => new int3(y, y, x); }
-
-        public int3 yyy { [MethodImpl(Inlining.Always)] get => new int3(y, y, y); }
-
-        public int3 yyz { [MethodImpl(Inlining.Always)] get => new int3(y, y, z); }
-
-        public int3 yyw { [MethodImpl(Inlining.Always)] get => new int3(y, y, w); }
+        public int3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(y, y, y);
+        }
 
         public int3 yzx
         {
@@ -586,10 +582,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { y = value.x; z = value.y; x = value.z; }
         }
-
-        public int3 yzy { [MethodImpl(Inlining.Always)] get => new int3(y, z, y); }
-
-        public int3 yzz { [MethodImpl(Inlining.Always)] get => new int3(y, z, z); }
 
         public int3 yzw
         {
@@ -607,8 +599,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; x = value.z; }
         }
 
-        public int3 ywy { [MethodImpl(Inlining.Always)] get => new int3(y, w, y); }
-
         public int3 ywz
         {
             [MethodImpl(Inlining.Always)]
@@ -617,10 +607,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; z = value.z; }
         }
 
-        public int3 yww { [MethodImpl(Inlining.Always)] get => new int3(y, w, w); }
-
-        public int3 zxx { [MethodImpl(Inlining.Always)] get => new int3(z, x, x); }
-
         public int3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -628,8 +614,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public int3 zxz { [MethodImpl(Inlining.Always)] get => new int3(z, x, z); }
 
         public int3 zxw
         {
@@ -647,10 +631,6 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public int3 zyy { [MethodImpl(Inlining.Always)] get => new int3(z, y, y); }
-
-        public int3 zyz { [MethodImpl(Inlining.Always)] get => new int3(z, y, z); }
-
         public int3 zyw
         {
             [MethodImpl(Inlining.Always)]
@@ -659,13 +639,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; w = value.z; }
         }
 
-        public int3 zzx { [MethodImpl(Inlining.Always)] get => new int3(z, z, x); }
-
-        public int3 zzy { [MethodImpl(Inlining.Always)] get => new int3(z, z, y); }
-
-        public int3 zzz { [MethodImpl(Inlining.Always)] get => new int3(z, z, z); }
-
-        public int3 zzw { [MethodImpl(Inlining.Always)] get => new int3(z, z, w); }
+        public int3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new int3(z, z, z);
+        }
 
         public int3 zwx
         {
@@ -683,12 +661,6 @@ namespace Unity.Mathematics
             set { z = value.x; w = value.y; y = value.z; }
         }
 
-        public int3 zwz { [MethodImpl(Inlining.Always)] get => new int3(z, w, z); }
-
-        public int3 zww { [MethodImpl(Inlining.Always)] get => new int3(z, w, w); }
-
-        public int3 wxx { [MethodImpl(Inlining.Always)] get => new int3(w, x, x); }
-
         public int3 wxy
         {
             [MethodImpl(Inlining.Always)]
@@ -705,8 +677,6 @@ namespace Unity.Mathematics
             set { w = value.x; x = value.y; z = value.z; }
         }
 
-        public int3 wxw { [MethodImpl(Inlining.Always)] get => new int3(w, x, w); }
-
         public int3 wyx
         {
             [MethodImpl(Inlining.Always)]
@@ -715,8 +685,6 @@ namespace Unity.Mathematics
             set { w = value.x; y = value.y; x = value.z; }
         }
 
-        public int3 wyy { [MethodImpl(Inlining.Always)] get => new int3(w, y, y); }
-
         public int3 wyz
         {
             [MethodImpl(Inlining.Always)]
@@ -724,8 +692,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { w = value.x; y = value.y; z = value.z; }
         }
-
-        public int3 wyw { [MethodImpl(Inlining.Always)] get => new int3(w, y, w); }
 
         public int3 wzx
         {
@@ -743,216 +709,34 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; y = value.z; }
         }
 
-        public int3 wzz { [MethodImpl(Inlining.Always)] get => new int3(w, z, z); }
-
-        public int3 wzw { [MethodImpl(Inlining.Always)] get => new int3(w, z, w); }
-
-        public int3 wwx { [MethodImpl(Inlining.Always)] get => new int3(w, w, x); }
-
-        public int3 wwy { [MethodImpl(Inlining.Always)] get => new int3(w, w, y); }
-
-        public int3 wwz { [MethodImpl(Inlining.Always)] get => new int3(w, w, z); }
-
-        public int3 www { [MethodImpl(Inlining.Always)] get => new int3(w, w, w); }
-
-        public int4 xxxx { [MethodImpl(Inlining.Always)] get => new int4(x, x, x, x); }
-
-        public int4 xyzw
+        public int3 www
         {
             [MethodImpl(Inlining.Always)]
-            get => new int4(x, y, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            get => new int3(w, w, w);
         }
 
-        public int4 xywz
+        public int4 xxxx
         {
             [MethodImpl(Inlining.Always)]
-            get => new int4(x, y, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            get => new int4(x, x, x, x);
         }
 
-        public int4 xzyw
+        public int4 yyyy
         {
             [MethodImpl(Inlining.Always)]
-            get => new int4(x, z, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            get => new int4(y, y, y, y);
         }
 
-        public int4 xzwy
+        public int4 zzzz
         {
             [MethodImpl(Inlining.Always)]
-            get => new int4(x, z, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            get => new int4(z, z, z, z);
         }
 
-        public int4 xwyz
+        public int4 wwww
         {
             [MethodImpl(Inlining.Always)]
-            get => new int4(x, w, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            get => new int4(w, w, w, w);
         }
-
-        public int4 xwzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(x, w, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; z = value.z; y = value.w; }
-        }
-
-        public int4 yxzw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, x, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; z = value.z; w = value.w; }
-        }
-
-        public int4 yxwz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, x, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; w = value.z; z = value.w; }
-        }
-
-        public int4 yyyy { [MethodImpl(Inlining.Always)] get => new int4(y, y, y, y); }
-
-        public int4 yzxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, z, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; x = value.z; w = value.w; }
-        }
-
-        public int4 yzwx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, z, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; w = value.z; x = value.w; }
-        }
-
-        public int4 ywxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, w, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; x = value.z; z = value.w; }
-        }
-
-        public int4 ywzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(y, w, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; z = value.z; x = value.w; }
-        }
-
-        public int4 zxyw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, x, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; y = value.z; w = value.w; }
-        }
-
-        public int4 zxwy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, x, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; w = value.z; y = value.w; }
-        }
-
-        public int4 zyxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, y, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; x = value.z; w = value.w; }
-        }
-
-        public int4 zywx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, y, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; w = value.z; x = value.w; }
-        }
-
-        public int4 zzzz { [MethodImpl(Inlining.Always)] get => new int4(z, z, z, z); }
-
-        public int4 zwxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, w, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; x = value.z; y = value.w; }
-        }
-
-        public int4 zwyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(z, w, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; y = value.z; x = value.w; }
-        }
-
-        public int4 wxyz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, x, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; y = value.z; z = value.w; }
-        }
-
-        public int4 wxzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, x, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; z = value.z; y = value.w; }
-        }
-
-        public int4 wyxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, y, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; x = value.z; z = value.w; }
-        }
-
-        public int4 wyzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, y, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; z = value.z; x = value.w; }
-        }
-
-        public int4 wzxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, z, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; x = value.z; y = value.w; }
-        }
-
-        public int4 wzyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new int4(w, z, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; y = value.z; x = value.w; }
-        }
-
-        public int4 wwww { [MethodImpl(Inlining.Always)] get => new int4(w, w, w, w); }
     }
 }

@@ -301,7 +301,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "uint2({0}, {1})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider));
 
-        public uint2 xx { [MethodImpl(Inlining.Always)] get => new uint2(x, x); }
+        public uint2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, x);
+        }
 
         public uint2 xy
         {
@@ -319,26 +323,34 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }
+        public uint2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, y);
+        }
 
-        public uint3 xxx { [MethodImpl(Inlining.Always)] get => new uint3(x, x, x); }
+        public uint3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, x, x);
+        }
 
-        public uint3 xxy { [MethodImpl(Inlining.Always)] get => new uint3(x, x, y); }
+        public uint3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, y, y);
+        }
 
-        public uint3 xyx { [MethodImpl(Inlining.Always)] get => new uint3(x, y, x); }
+        public uint4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, x, x, x);
+        }
 
-        public uint3 xyy { [MethodImpl(Inlining.Always)] get => new uint3(x, y, y); }
-
-        public uint3 yxx { [MethodImpl(Inlining.Always)] get => new uint3(y, x, x); }
-
-        public uint3 yxy { [MethodImpl(Inlining.Always)] get => new uint3(y, x, y); }
-
-        public uint3 yyx { [MethodImpl(Inlining.Always)] get => new uint3(y, y, x); }
-
-        public uint3 yyy { [MethodImpl(Inlining.Always)] get => new uint3(y, y, y); }
-
-        public uint4 xxxx { [MethodImpl(Inlining.Always)] get => new uint4(x, x, x, x); }
-
-        public uint4 yyyy { [MethodImpl(Inlining.Always)] get => new uint4(y, y, y, y); }
+        public uint4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, y, y, y);
+        }
     }
 }

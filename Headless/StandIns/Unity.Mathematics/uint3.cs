@@ -329,7 +329,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "uint3({0}, {1}, {2})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider));
 
-        public uint2 xx { [MethodImpl(Inlining.Always)] get => new uint2(x, x); }
+        public uint2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, x);
+        }
 
         public uint2 xy
         {
@@ -355,7 +359,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }
+        public uint2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, y);
+        }
 
         public uint2 yz
         {
@@ -381,17 +389,17 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public uint2 zz { [MethodImpl(Inlining.Always)] get => new uint2(z, z); }
+        public uint2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, z);
+        }
 
-        public uint3 xxx { [MethodImpl(Inlining.Always)] get => new uint3(x, x, x); }
-
-        public uint3 xxy { [MethodImpl(Inlining.Always)] get => new uint3(x, x, y); }
-
-        public uint3 xxz { [MethodImpl(Inlining.Always)] get => new uint3(x, x, z); }
-
-        public uint3 xyx { [MethodImpl(Inlining.Always)] get => new uint3(x, y, x); }
-
-        public uint3 xyy { [MethodImpl(Inlining.Always)] get => new uint3(x, y, y); }
+        public uint3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, x, x);
+        }
 
         public uint3 xyz
         {
@@ -401,8 +409,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; z = value.z; }
         }
 
-        public uint3 xzx { [MethodImpl(Inlining.Always)] get => new uint3(x, z, x); }
-
         public uint3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -410,12 +416,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; y = value.z; }
         }
-
-        public uint3 xzz { [MethodImpl(Inlining.Always)] get => new uint3(x, z, z); }
-
-        public uint3 yxx { [MethodImpl(Inlining.Always)] get => new uint3(y, x, x); }
-
-        public uint3 yxy { [MethodImpl(Inlining.Always)] get => new uint3(y, x, y); }
 
         public uint3 yxz
         {
@@ -425,11 +425,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; z = value.z; }
         }
 
-        public uint3 yyx { [MethodImpl(Inlining.Always)] get => new uint3(y, y, x); }
-
-        public uint3 yyy { [MethodImpl(Inlining.Always)] get => new uint3(y, y, y); }
-
-        public uint3 yyz { [MethodImpl(Inlining.Always)] get => new uint3(y, y, z); }
+        public uint3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, y, y);
+        }
 
         public uint3 yzx
         {
@@ -439,12 +439,6 @@ namespace Unity.Mathematics
             set { y = value.x; z = value.y; x = value.z; }
         }
 
-        public uint3 yzy { [MethodImpl(Inlining.Always)] get => new uint3(y, z, y); }
-
-        public uint3 yzz { [MethodImpl(Inlining.Always)] get => new uint3(y, z, z); }
-
-        public uint3 zxx { [MethodImpl(Inlining.Always)] get => new uint3(z, x, x); }
-
         public uint3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -452,8 +446,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public uint3 zxz { [MethodImpl(Inlining.Always)] get => new uint3(z, x, z); }
 
         public uint3 zyx
         {
@@ -463,20 +455,28 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public uint3 zyy { [MethodImpl(Inlining.Always)] get => new uint3(z, y, y); }
+        public uint3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, z, z);
+        }
 
-        public uint3 zyz { [MethodImpl(Inlining.Always)] get => new uint3(z, y, z); }
+        public uint4 xxxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(x, x, x, x);
+        }
 
-        public uint3 zzx { [MethodImpl(Inlining.Always)] get => new uint3(z, z, x); }
+        public uint4 yyyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(y, y, y, y);
+        }
 
-        public uint3 zzy { [MethodImpl(Inlining.Always)] get => new uint3(z, z, y); }
-
-        public uint3 zzz { [MethodImpl(Inlining.Always)] get => new uint3(z, z, z); }
-
-        public uint4 xxxx { [MethodImpl(Inlining.Always)] get => new uint4(x, x, x, x); }
-
-        public uint4 yyyy { [MethodImpl(Inlining.Always)] get => new uint4(y, y, y, y); }
-
-        public uint4 zzzz { [MethodImpl(Inlining.Always)] get => new uint4(z, z, z, z); }
+        public uint4 zzzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint4(z, z, z, z);
+        }
     }
 }

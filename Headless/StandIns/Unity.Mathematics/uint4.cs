@@ -379,7 +379,11 @@ namespace Unity.Mathematics
             string.Format(formatProvider, "uint4({0}, {1}, {2}, {3})",
                 x.ToString(format, formatProvider), y.ToString(format, formatProvider), z.ToString(format, formatProvider), w.ToString(format, formatProvider));
 
-        public uint2 xx { [MethodImpl(Inlining.Always)] get => new uint2(x, x); }
+        public uint2 xx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(x, x);
+        }
 
         public uint2 xy
         {
@@ -413,7 +417,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; }
         }
 
-        public uint2 yy { [MethodImpl(Inlining.Always)] get => new uint2(y, y); }
+        public uint2 yy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(y, y);
+        }
 
         public uint2 yz
         {
@@ -447,7 +455,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; }
         }
 
-        public uint2 zz { [MethodImpl(Inlining.Always)] get => new uint2(z, z); }
+        public uint2 zz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(z, z);
+        }
 
         public uint2 zw
         {
@@ -481,19 +493,17 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; }
         }
 
-        public uint2 ww { [MethodImpl(Inlining.Always)] get => new uint2(w, w); }
+        public uint2 ww
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint2(w, w);
+        }
 
-        public uint3 xxx { [MethodImpl(Inlining.Always)] get => new uint3(x, x, x); }
-
-        public uint3 xxy { [MethodImpl(Inlining.Always)] get => new uint3(x, x, y); }
-
-        public uint3 xxz { [MethodImpl(Inlining.Always)] get => new uint3(x, x, z); }
-
-        public uint3 xxw { [MethodImpl(Inlining.Always)] get => new uint3(x, x, w); }
-
-        public uint3 xyx { [MethodImpl(Inlining.Always)] get => new uint3(x, y, x); }
-
-        public uint3 xyy { [MethodImpl(Inlining.Always)] get => new uint3(x, y, y); }
+        public uint3 xxx
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(x, x, x);
+        }
 
         public uint3 xyz
         {
@@ -511,8 +521,6 @@ namespace Unity.Mathematics
             set { x = value.x; y = value.y; w = value.z; }
         }
 
-        public uint3 xzx { [MethodImpl(Inlining.Always)] get => new uint3(x, z, x); }
-
         public uint3 xzy
         {
             [MethodImpl(Inlining.Always)]
@@ -521,8 +529,6 @@ namespace Unity.Mathematics
             set { x = value.x; z = value.y; y = value.z; }
         }
 
-        public uint3 xzz { [MethodImpl(Inlining.Always)] get => new uint3(x, z, z); }
-
         public uint3 xzw
         {
             [MethodImpl(Inlining.Always)]
@@ -530,8 +536,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { x = value.x; z = value.y; w = value.z; }
         }
-
-        public uint3 xwx { [MethodImpl(Inlining.Always)] get => new uint3(x, w, x); }
 
         public uint3 xwy
         {
@@ -549,12 +553,6 @@ namespace Unity.Mathematics
             set { x = value.x; w = value.y; z = value.z; }
         }
 
-        public uint3 xww { [MethodImpl(Inlining.Always)] get => new uint3(x, w, w); }
-
-        public uint3 yxx { [MethodImpl(Inlining.Always)] get => new uint3(y, x, x); }
-
-        public uint3 yxy { [MethodImpl(Inlining.Always)] get => new uint3(y, x, y); }
-
         public uint3 yxz
         {
             [MethodImpl(Inlining.Always)]
@@ -571,13 +569,11 @@ namespace Unity.Mathematics
             set { y = value.x; x = value.y; w = value.z; }
         }
 
-        public uint3 yyx { [MethodImpl(Inlining.Always)] get => new uint3(y, y, x); }
-
-        public uint3 yyy { [MethodImpl(Inlining.Always)] get => new uint3(y, y, y); }
-
-        public uint3 yyz { [MethodImpl(Inlining.Always)] get => new uint3(y, y, z); }
-
-        public uint3 yyw { [MethodImpl(Inlining.Always)] get => new uint3(y, y, w); }
+        public uint3 yyy
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(y, y, y);
+        }
 
         public uint3 yzx
         {
@@ -586,10 +582,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { y = value.x; z = value.y; x = value.z; }
         }
-
-        public uint3 yzy { [MethodImpl(Inlining.Always)] get => new uint3(y, z, y); }
-
-        public uint3 yzz { [MethodImpl(Inlining.Always)] get => new uint3(y, z, z); }
 
         public uint3 yzw
         {
@@ -607,8 +599,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; x = value.z; }
         }
 
-        public uint3 ywy { [MethodImpl(Inlining.Always)] get => new uint3(y, w, y); }
-
         public uint3 ywz
         {
             [MethodImpl(Inlining.Always)]
@@ -617,10 +607,6 @@ namespace Unity.Mathematics
             set { y = value.x; w = value.y; z = value.z; }
         }
 
-        public uint3 yww { [MethodImpl(Inlining.Always)] get => new uint3(y, w, w); }
-
-        public uint3 zxx { [MethodImpl(Inlining.Always)] get => new uint3(z, x, x); }
-
         public uint3 zxy
         {
             [MethodImpl(Inlining.Always)]
@@ -628,8 +614,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { z = value.x; x = value.y; y = value.z; }
         }
-
-        public uint3 zxz { [MethodImpl(Inlining.Always)] get => new uint3(z, x, z); }
 
         public uint3 zxw
         {
@@ -647,10 +631,6 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; x = value.z; }
         }
 
-        public uint3 zyy { [MethodImpl(Inlining.Always)] get => new uint3(z, y, y); }
-
-        public uint3 zyz { [MethodImpl(Inlining.Always)] get => new uint3(z, y, z); }
-
         public uint3 zyw
         {
             [MethodImpl(Inlining.Always)]
@@ -659,13 +639,11 @@ namespace Unity.Mathematics
             set { z = value.x; y = value.y; w = value.z; }
         }
 
-        public uint3 zzx { [MethodImpl(Inlining.Always)] get => new uint3(z, z, x); }
-
-        public uint3 zzy { [MethodImpl(Inlining.Always)] get => new uint3(z, z, y); }
-
-        public uint3 zzz { [MethodImpl(Inlining.Always)] get => new uint3(z, z, z); }
-
-        public uint3 zzw { [MethodImpl(Inlining.Always)] get => new uint3(z, z, w); }
+        public uint3 zzz
+        {
+            [MethodImpl(Inlining.Always)]
+            get => new uint3(z, z, z);
+        }
 
         public uint3 zwx
         {
@@ -683,12 +661,6 @@ namespace Unity.Mathematics
             set { z = value.x; w = value.y; y = value.z; }
         }
 
-        public uint3 zwz { [MethodImpl(Inlining.Always)] get => new uint3(z, w, z); }
-
-        public uint3 zww { [MethodImpl(Inlining.Always)] get => new uint3(z, w, w); }
-
-        public uint3 wxx { [MethodImpl(Inlining.Always)] get => new uint3(w, x, x); }
-
         public uint3 wxy
         {
             [MethodImpl(Inlining.Always)]
@@ -705,8 +677,6 @@ namespace Unity.Mathematics
             set { w = value.x; x = value.y; z = value.z; }
         }
 
-        public uint3 wxw { [MethodImpl(Inlining.Always)] get => new uint3(w, x, w); }
-
         public uint3 wyx
         {
             [MethodImpl(Inlining.Always)]
@@ -715,8 +685,6 @@ namespace Unity.Mathematics
             set { w = value.x; y = value.y; x = value.z; }
         }
 
-        public uint3 wyy { [MethodImpl(Inlining.Always)] get => new uint3(w, y, y); }
-
         public uint3 wyz
         {
             [MethodImpl(Inlining.Always)]
@@ -724,8 +692,6 @@ namespace Unity.Mathematics
             [MethodImpl(Inlining.Always)]
             set { w = value.x; y = value.y; z = value.z; }
         }
-
-        public uint3 wyw { [MethodImpl(Inlining.Always)] get => new uint3(w, y, w); }
 
         public uint3 wzx
         {
@@ -743,216 +709,34 @@ namespace Unity.Mathematics
             set { w = value.x; z = value.y; y = value.z; }
         }
 
-        public uint3 wzz { [MethodImpl(Inlining.Always)] get => new uint3(w, z, z); }
-
-        public uint3 wzw { [MethodImpl(Inlining.Always)] get => new uint3(w, z, w); }
-
-        public uint3 wwx { [MethodImpl(Inlining.Always)] get => new uint3(w, w, x); }
-
-        public uint3 wwy { [MethodImpl(Inlining.Always)] get => new uint3(w, w, y); }
-
-        public uint3 wwz { [MethodImpl(Inlining.Always)] get => new uint3(w, w, z); }
-
-        public uint3 www { [MethodImpl(Inlining.Always)] get => new uint3(w, w, w); }
-
-        public uint4 xxxx { [MethodImpl(Inlining.Always)] get => new uint4(x, x, x, x); }
-
-        public uint4 xyzw
+        public uint3 www
         {
             [MethodImpl(Inlining.Always)]
-            get => new uint4(x, y, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; z = value.z; w = value.w; }
+            get => new uint3(w, w, w);
         }
 
-        public uint4 xywz
+        public uint4 xxxx
         {
             [MethodImpl(Inlining.Always)]
-            get => new uint4(x, y, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; y = value.y; w = value.z; z = value.w; }
+            get => new uint4(x, x, x, x);
         }
 
-        public uint4 xzyw
+        public uint4 yyyy
         {
             [MethodImpl(Inlining.Always)]
-            get => new uint4(x, z, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; y = value.z; w = value.w; }
+            get => new uint4(y, y, y, y);
         }
 
-        public uint4 xzwy
+        public uint4 zzzz
         {
             [MethodImpl(Inlining.Always)]
-            get => new uint4(x, z, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; z = value.y; w = value.z; y = value.w; }
+            get => new uint4(z, z, z, z);
         }
 
-        public uint4 xwyz
+        public uint4 wwww
         {
             [MethodImpl(Inlining.Always)]
-            get => new uint4(x, w, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; y = value.z; z = value.w; }
+            get => new uint4(w, w, w, w);
         }
-
-        public uint4 xwzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(x, w, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { x = value.x; w = value.y; z = value.z; y = value.w; }
-        }
-
-        public uint4 yxzw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, x, z, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; z = value.z; w = value.w; }
-        }
-
-        public uint4 yxwz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, x, w, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; x = value.y; w = value.z; z = value.w; }
-        }
-
-        public uint4 yyyy { [MethodImpl(Inlining.Always)] get => new uint4(y, y, y, y); }
-
-        public uint4 yzxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, z, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; x = value.z; w = value.w; }
-        }
-
-        public uint4 yzwx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, z, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; z = value.y; w = value.z; x = value.w; }
-        }
-
-        public uint4 ywxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, w, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; x = value.z; z = value.w; }
-        }
-
-        public uint4 ywzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(y, w, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { y = value.x; w = value.y; z = value.z; x = value.w; }
-        }
-
-        public uint4 zxyw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, x, y, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; y = value.z; w = value.w; }
-        }
-
-        public uint4 zxwy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, x, w, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; x = value.y; w = value.z; y = value.w; }
-        }
-
-        public uint4 zyxw
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, y, x, w);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; x = value.z; w = value.w; }
-        }
-
-        public uint4 zywx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, y, w, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; y = value.y; w = value.z; x = value.w; }
-        }
-
-        public uint4 zzzz { [MethodImpl(Inlining.Always)] get => new uint4(z, z, z, z); }
-
-        public uint4 zwxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, w, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; x = value.z; y = value.w; }
-        }
-
-        public uint4 zwyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(z, w, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { z = value.x; w = value.y; y = value.z; x = value.w; }
-        }
-
-        public uint4 wxyz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, x, y, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; y = value.z; z = value.w; }
-        }
-
-        public uint4 wxzy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, x, z, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; x = value.y; z = value.z; y = value.w; }
-        }
-
-        public uint4 wyxz
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, y, x, z);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; x = value.z; z = value.w; }
-        }
-
-        public uint4 wyzx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, y, z, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; y = value.y; z = value.z; x = value.w; }
-        }
-
-        public uint4 wzxy
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, z, x, y);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; x = value.z; y = value.w; }
-        }
-
-        public uint4 wzyx
-        {
-            [MethodImpl(Inlining.Always)]
-            get => new uint4(w, z, y, x);
-            [MethodImpl(Inlining.Always)]
-            set { w = value.x; z = value.y; y = value.z; x = value.w; }
-        }
-
-        public uint4 wwww { [MethodImpl(Inlining.Always)] get => new uint4(w, w, w, w); }
     }
 }
