@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// Makes one chunk at a time into nodes: order, gather, sample, write into memory. Its memory is as large as its largest chunk
-    /// was and is used again for the next.
+    /// Makes one chunk at a time into nodes: order, gather, sample, write into memory. Its memory is as large as its largest
+    /// chunk was and is used again for the next.
     /// </summary>
     public sealed class ChunkIndexer : IDisposable
     {
@@ -139,7 +139,8 @@ namespace FastPoints.Octree
             NodeOfDraft.Dispose();
         }
 
-        JobHandle Sample(int count, int sideLog2, NativeArray<byte> common, NativeArray<uint> priority, NativeArray<ChunkTop> tops,
+        JobHandle Sample(int count, int sideLog2, NativeArray<byte> common, NativeArray<uint> priority,
+            NativeArray<ChunkTop> tops,
             NativeArray<int> nodeOfPoint, JobHandle inputDeps)
         {
             return new SampleRandomJob
@@ -154,7 +155,8 @@ namespace FastPoints.Octree
             }.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, Grid3 corner, bool isChunk, NativeArray<byte> records, NativeArray<int> nodeOfPoint, JobHandle inputDeps)
+        JobHandle Write(int count, Grid3 corner, bool isChunk, NativeArray<byte> records, NativeArray<int> nodeOfPoint,
+            JobHandle inputDeps)
         {
             return new WriteNodesJob
             {

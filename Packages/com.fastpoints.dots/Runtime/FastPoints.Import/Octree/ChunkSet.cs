@@ -91,8 +91,8 @@ namespace FastPoints.Octree
             }
         }
 
-        /// <summary>Joins chunks that have no more than <paramref name="target"/> points together in a cube, and puts all in Morton
-        /// order.</summary>
+        /// <summary>Joins chunks that have no more than <paramref name="target"/> points together in a cube, and puts all in
+        /// Morton order.</summary>
         public void MergeSmall(GridCube root, long target)
         {
             m_chunks.Sort((a, b) => MortonOrder.Compare(a.Cube.Corner - root.Corner, b.Cube.Corner - root.Corner));
@@ -129,7 +129,8 @@ namespace FastPoints.Octree
                 int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
                 counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
                 var cells = new CellFinder(cube, levels);
-                job = new CountCellsJob { Pages = chunk.Pages, Layout = m_layout, Cells = cells, PointsOfCell = counts }.Schedule();
+                job = new CountCellsJob { Pages = chunk.Pages, Layout = m_layout, Cells = cells,
+                    PointsOfCell = counts }.Schedule();
                 yield return job;
                 job.Complete();
                 map = PartitionMap.Plan(cube, levels, counts, target);

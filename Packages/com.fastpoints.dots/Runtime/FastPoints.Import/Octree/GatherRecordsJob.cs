@@ -5,8 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Puts a chunk's records in order, one after the other, frees the pages they came in, and prepares the sampling: where
-    /// cubes end in the order, and each record's priority.</summary>
+    /// <summary>Puts a chunk's records in order, one after the other, frees the pages they came in, and prepares the sampling:
+    /// where cubes end in the order, and each record's priority.</summary>
     [BurstCompile]
     public unsafe struct GatherRecordsJob : IJob
     {
@@ -16,7 +16,8 @@ namespace FastPoints.Octree
         [ReadOnly] public NativeArray<uint> Order;
         public NativeArray<byte> Records;
 
-        /// <summary>By point: log2 of the side of the smallest cube that has it and the point before; of the first one, 255.</summary>
+        /// <summary>By point: log2 of the side of the smallest cube that has it and the point before; of the first one,
+        /// 255.</summary>
         public NativeArray<byte> CommonCubeLog2;
 
         /// <summary>By point: the upper half of its hash.</summary>

@@ -33,7 +33,8 @@ namespace FastPoints.Octree
         public RecordLayout Records;
 
         /// <exception cref="PointCloudException">Scales and offsets that no grid of 2^60 steps has room for.</exception>
-        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples, int attributeBytes)
+        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples,
+            int attributeBytes)
         {
             var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
             bool isNarrow = true;
@@ -71,7 +72,8 @@ namespace FastPoints.Octree
             return choice;
         }
 
-        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples, int axis, string name,
+        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples, int axis,
+            string name,
             out double step, out double origin)
         {
             bool isInteger = true;
@@ -86,11 +88,13 @@ namespace FastPoints.Octree
             return axes;
         }
 
-        /// <summary>How one source's numbers lie on a grid that is given: that of a stored cloud, to compare it with its source.</summary>
+        /// <summary>How one source's numbers lie on a grid that is given: that of a stored cloud, to compare it with its
+        /// source.</summary>
         /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
-            SourceAxis On(int axis, string name) => AxisOf(info, axis, name, !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat(),
+            SourceAxis On(int axis, string name) => AxisOf(info, axis, name,
+                !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat(),
                 grid.Step[axis], grid.Origin[axis]);
             return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
         }
@@ -113,7 +117,8 @@ namespace FastPoints.Octree
             if (!IsWhole(scale / step, ScaleTolerance) || !IsWhole((offset - origin) / step, OffsetToleranceSteps))
             {
                 double loss = Math.Abs(scale / step - factor) * int.MaxValue + Math.Abs((offset - origin) / step - shift);
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} does not fit the common grid: moved by up to {1:R}", name, loss * step));
+                info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
+                    "{0} does not fit the common grid: moved by up to {1:R}", name, loss * step));
             }
             return result;
         }

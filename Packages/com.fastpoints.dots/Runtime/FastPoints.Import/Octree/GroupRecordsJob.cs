@@ -62,7 +62,8 @@ namespace FastPoints.Octree
             {
                 var field = Fields[f];
                 var found = Attributes[field.Attribute];
-                CopyColumn(bytes + field.Column.OffsetBytes, field.Column.Type, count, chunkOfPoint, attributes + field.RecordOffset,
+                CopyColumn(bytes + field.Column.OffsetBytes, field.Column.Type, count, chunkOfPoint, attributes +
+                    field.RecordOffset,
                     stride, ref found);
                 Attributes[field.Attribute] = found;
             }

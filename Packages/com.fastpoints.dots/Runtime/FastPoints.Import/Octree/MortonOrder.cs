@@ -4,7 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
-    /// <summary>The order along the Morton curve of places of any size, without making their codes. Coordinates are not negative.</summary>
+    /// <summary>The order along the Morton curve of places of any size, without making their codes. Coordinates are not
+    /// negative.</summary>
     public static class MortonOrder
     {
         /// <summary>Negative where a comes first, 0 at one place.</summary>

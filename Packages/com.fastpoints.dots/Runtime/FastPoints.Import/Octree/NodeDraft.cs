@@ -1,6 +1,7 @@
 namespace FastPoints.Octree
 {
-    /// <summary>A node as a sampler makes it: which points are its own stands in the array of nodes by point. Blittable.</summary>
+    /// <summary>A node as a sampler makes it: which points are its own stands in the array of nodes by point.
+    /// Blittable.</summary>
     public struct NodeDraft
     {
         /// <summary>All points of the node's cube are among these: a range of the sorted points.</summary>

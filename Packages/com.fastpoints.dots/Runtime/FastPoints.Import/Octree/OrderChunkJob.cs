@@ -8,8 +8,8 @@ using Unity.Mathematics;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// Orders a chunk's records along the Morton curve, those at one place by their content, so that the order is the same however they
-    /// came.
+    /// Orders a chunk's records along the Morton curve, those at one place by their content, so that the order is the same
+    /// however they came.
     /// </summary>
     /// <remarks>
     /// The first digit takes the top three octree levels; its buckets fit a core's cache and are sorted least significant digit
@@ -108,7 +108,8 @@ namespace FastPoints.Octree
                 ulong number = (ulong)p << RecordPages.RecordsPerPageLog2;
                 int inPage = table.Pages[p]->Count;
                 for (int i = 0; i < inPage; i++)
-                    to[start[keys[i] >> restBits]++] = keptBits == 0 ? number + (ulong)i : (keys[i] >> dropped & mask) << numberBits | number + (ulong)i;
+                    to[start[keys[i] >> restBits]++] = keptBits == 0 ? number + (ulong)i
+                        : (keys[i] >> dropped & mask) << numberBits | number + (ulong)i;
                 keys += inPage;
             }
             for (int b = buckets; b > 0; b--)
@@ -116,7 +117,8 @@ namespace FastPoints.Octree
             start[0] = 0;
         }
 
-        static void SortBucket(in RecordTable table, ulong* keys, ulong* scratch, uint* order, int count, int numberBits, int keptBits)
+        static void SortBucket(in RecordTable table, ulong* keys, ulong* scratch, uint* order, int count, int numberBits,
+            int keptBits)
         {
             ulong* sorted = count <= 48
                 ? InsertionSort(keys, count)

@@ -7,8 +7,8 @@ using Unity.Collections;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// Which chunk a place belongs to: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each. Chunks are cubes of
-    /// the octree; places outside the cube have a chunk of their own, the last.
+    /// Which chunk a place belongs to: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each. Chunks are
+    /// cubes of the octree; places outside the cube have a chunk of their own, the last.
     /// </summary>
     public sealed class PartitionMap : IDisposable
     {
@@ -45,7 +45,8 @@ namespace FastPoints.Octree
         /// <param name="pointsOfCell">By Morton number of the cell: counted, or estimated from a sample.</param>
         public static PartitionMap Plan(GridCube cube, int levels, NativeArray<long> pointsOfCell, long target)
         {
-            var chunkOfCell = new NativeArray<int>(pointsOfCell.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var chunkOfCell = new NativeArray<int>(pointsOfCell.Length, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             var before = new long[pointsOfCell.Length + 1];
             for (int i = 0; i < pointsOfCell.Length; i++)
                 before[i + 1] = before[i] + pointsOfCell[i];

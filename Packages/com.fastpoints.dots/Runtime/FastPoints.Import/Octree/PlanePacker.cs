@@ -24,8 +24,10 @@ namespace FastPoints.Octree
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
-        /// <param name="min">Out, by run: smallest offset from the corner; <paramref name="max"/> the largest. Three a run.</param>
-        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, Grid3 corner, bool isWide, ulong* min,
+        /// <param name="min">Out, by run: smallest offset from the corner; <paramref name="max"/> the largest. Three a
+        /// run.</param>
+        public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, Grid3 corner, bool isWide,
+            ulong* min,
             ulong* max)
         {
             var shape = new PlaneShape(3, isWide ? 7 : 0);
@@ -69,7 +71,8 @@ namespace FastPoints.Octree
                 {
                     int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
                     for (int c = 0; c < shape.ColumnCount; c++)
-                        LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], values + c * PlaneShape.MaxPointsPerBlock);
+                        LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], values +
+                            c * PlaneShape.MaxPointsPerBlock);
                     WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
                 }
             }
@@ -98,7 +101,8 @@ namespace FastPoints.Octree
         }
 
         /// <param name="min">By column: lowered to the block's smallest; <paramref name="max"/> raised to its largest.</param>
-        static void WriteBlock(ulong* values, int count, PlaneShape shape, uint* plane, ref uint* descriptor, ref long word, ulong* min,
+        static void WriteBlock(ulong* values, int count, PlaneShape shape, uint* plane, ref uint* descriptor, ref long word,
+            ulong* min,
             ulong* max)
         {
             uint widths = (uint)(count - 1) << 24;

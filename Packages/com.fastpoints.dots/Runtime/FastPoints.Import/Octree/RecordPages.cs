@@ -5,8 +5,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined and are
-    /// freed without moving a record. Blittable; one job at a time may change a list.
+    /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined
+    /// and are freed without moving a record. Blittable; one job at a time may change a list.
     /// </summary>
     public unsafe struct RecordPages
     {
@@ -80,7 +80,8 @@ namespace FastPoints.Octree
 
         Page* AddPage(int strideBytes)
         {
-            var page = (Page*)UnsafeUtility.Malloc(HeaderBytes + (long)RecordsPerPage * strideBytes, HeaderBytes, Allocator.Persistent);
+            var page = (Page*)UnsafeUtility.Malloc(HeaderBytes + (long)RecordsPerPage * strideBytes, HeaderBytes,
+                Allocator.Persistent);
             page->Next = null;
             page->Count = 0;
             if (Last == null)

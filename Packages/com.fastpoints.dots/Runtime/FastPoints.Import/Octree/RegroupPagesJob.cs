@@ -5,7 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Distributes one chunk's records over the chunks that it is split into, and frees its pages as they are done.</summary>
+    /// <summary>Distributes one chunk's records over the chunks that it is split into, and frees its pages as they are
+    /// done.</summary>
     [BurstCompile]
     public unsafe struct RegroupPagesJob : IJob
     {

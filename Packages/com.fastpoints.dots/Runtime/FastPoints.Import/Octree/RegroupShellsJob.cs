@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first doubled cube
-    /// that contains it, and there to one of the seven octants that are not the cube before.
+    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first doubled
+    /// cube that contains it, and there to one of the seven octants that are not the cube before.
     /// </summary>
     [BurstCompile]
     public unsafe struct RegroupShellsJob : IJob

@@ -4,10 +4,12 @@ using FastPoints.Points;
 
 namespace FastPoints.Octree
 {
-    /// <summary>The cube of the whole octree: first guessed, for the partition; then grown and shrunk to what the points show.</summary>
+    /// <summary>The cube of the whole octree: first guessed, for the partition; then grown and shrunk to what the points
+    /// show.</summary>
     public static class RootCube
     {
-        /// <summary>The smallest cube around a box, the box in its middle, so that points a little beyond are inside all the same.</summary>
+        /// <summary>The smallest cube around a box, the box in its middle, so that points a little beyond are inside all the
+        /// same.</summary>
         public static GridCube Around(Grid3 min, Grid3 max)
         {
             var extent = max - min;

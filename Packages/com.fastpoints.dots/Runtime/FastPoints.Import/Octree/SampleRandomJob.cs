@@ -7,12 +7,12 @@ using Unity.Mathematics;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// The random sampler: from the root down, each node takes the point of the highest priority of each of its cells, unless a node
-    /// above has a point of that cell already. Which points a node has depends on nothing but the points themselves.
+    /// The random sampler: from the root down, each node takes the point of the highest priority of each of its cells, unless a
+    /// node above has a point of that cell already. Which points a node has depends on nothing but the points themselves.
     /// </summary>
     /// <remarks>
-    /// Points are in Morton order, so that cubes and cells are ranges, and one byte a point tells where they end. A node's cells are as
-    /// fine as 2^-7 of its edge, and coarser where that made it too large: a filled volume. Cubes that would have their
+    /// Points are in Morton order, so that cubes and cells are ranges, and one byte a point tells where they end. A node's cells
+    /// are as fine as 2^-7 of its edge, and coarser where that made it too large: a filled volume. Cubes that would have their
     /// points in one octant only are passed over, and so is a node that gets no point: its children hang on the node above.
     /// </remarks>
     [BurstCompile]

@@ -16,7 +16,8 @@ namespace FastPoints.Octree
 
         /// <summary>From records in order: where cubes end, and priorities.</summary>
         /// <returns>The sum of the records' hashes.</returns>
-        public static ulong Prepare(byte* records, int count, RecordLayout layout, Grid3 corner, byte* commonCubeLog2, uint* priority)
+        public static ulong Prepare(byte* records, int count, RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
+            uint* priority)
         {
             ulong sum = 0;
             var before = default(Grid3);
@@ -25,7 +26,8 @@ namespace FastPoints.Octree
             {
                 byte* record = records + (long)i * stride;
                 var place = layout.PlaceOf(record);
-                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes, Store.RecordHash.ChecksumSeed);
+                ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
+                    Store.RecordHash.ChecksumSeed);
                 sum += hash;
                 priority[i] = (uint)(hash >> 32);
                 place -= corner;

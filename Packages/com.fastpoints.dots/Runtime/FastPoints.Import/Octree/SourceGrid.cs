@@ -31,7 +31,8 @@ namespace FastPoints.Octree
         public SourceAxis Y;
         public SourceAxis Z;
 
-        /// <summary>Grid numbers of a run of one axis; <see cref="Nowhere"/> for numbers that are not finite or too far out.</summary>
+        /// <summary>Grid numbers of a run of one axis; <see cref="Nowhere"/> for numbers that are not finite or too far
+        /// out.</summary>
         /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
             ref double worstLoss)
@@ -68,7 +69,8 @@ namespace FastPoints.Octree
             return math.abs(steps) < Limit ? (long)math.round(steps) : Nowhere;
         }
 
-        static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift, long* grid)
+        static unsafe void IntegersToGrid(byte* column, AttributeType type, int first, int count, long factor, long shift,
+            long* grid)
         {
             switch (type)
             {

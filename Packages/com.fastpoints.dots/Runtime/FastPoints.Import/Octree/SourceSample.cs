@@ -9,8 +9,8 @@ using Unity.Mathematics;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// Stored positions of some points of one source, spread evenly over its records: enough to guess how dense it is where, read in
-    /// milliseconds. A guess: nothing that follows relies on it.
+    /// Stored positions of some points of one source, spread evenly over its records: enough to guess how dense it is where, read
+    /// in milliseconds. A guess: nothing that follows relies on it.
     /// </summary>
     public sealed class SourceSample : IDisposable
     {

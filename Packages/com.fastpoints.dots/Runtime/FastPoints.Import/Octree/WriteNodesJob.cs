@@ -164,7 +164,8 @@ namespace FastPoints.Octree
             Top.ResizeUninitialized(count * stride);
             byte* to = Top.GetUnsafePtr();
             for (int i = 0; i < count; i++)
-                UnsafeUtility.MemCpy(to + (long)i * stride, m_packer.Records + (long)m_points[m_firstPointOfDraft[0] + i] * stride, stride);
+                UnsafeUtility.MemCpy(to + (long)i * stride, m_packer.Records + (long)m_points[m_firstPointOfDraft[0] +
+                    i] * stride, stride);
         }
 
         void WriteFile(int* firstChild, int* childCount)

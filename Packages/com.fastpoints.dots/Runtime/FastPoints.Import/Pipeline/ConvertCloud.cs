@@ -15,8 +15,9 @@ using Unity.Mathematics;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// From files to a stored octree. A sample guesses how dense the cloud is where; one pass over the points distributes them over
-    /// chunks; chunks that came out too large are split, small ones merged; each is made into nodes; their tops become the upper levels.
+    /// From files to a stored octree. A sample guesses how dense the cloud is where; one pass over the points distributes them
+    /// over chunks; chunks that came out too large are split, small ones merged; each is made into nodes; their tops become the
+    /// upper levels.
     /// </summary>
     public sealed class ConvertCloud : IDisposable
     {
@@ -102,7 +103,8 @@ namespace FastPoints.Pipeline
             var chosen = new List<PointAttribute>();
             foreach (var attribute in m_readers[0].Info.Schema)
             {
-                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y || attribute.Name == AttributeNames.Z;
+                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y ||
+                    attribute.Name == AttributeNames.Z;
                 if (!isPosition && (m_settings.Attributes == null || Array.IndexOf(m_settings.Attributes, attribute.Name) >= 0))
                     chosen.Add(attribute);
             }
@@ -113,7 +115,8 @@ namespace FastPoints.Pipeline
                 {
                     int column = schema.IndexOf(axis);
                     if (column < 0 || schema[column].Type == AttributeType.Int64 || schema[column].Type == AttributeType.UInt64)
-                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis + " of up to 32 bits or as floats");
+                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis +
+                            " of up to 32 bits or as floats");
                 }
                 foreach (var attribute in chosen)
                 {
@@ -197,7 +200,8 @@ namespace FastPoints.Pipeline
             }
         }
 
-        /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be anything.</summary>
+        /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be
+        /// anything.</summary>
         GridCube FirstCube()
         {
             const double believed = 4;
@@ -220,7 +224,8 @@ namespace FastPoints.Pipeline
             min = Grid3.Max(min, new Grid3(-limit, -limit, -limit));
             max = Grid3.Min(max, new Grid3(limit, limit, limit));
 
-            var extent = m_grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y, max.Z - min.Z)));
+            var extent = m_grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y,
+                max.Z - min.Z)));
             double sampled = math.cmax(extent);
             foreach (var reader in m_readers)
             {
@@ -229,7 +234,8 @@ namespace FastPoints.Pipeline
                     continue;
                 var low = math.round((claim.Min - m_grid.Grid.Origin) / m_grid.Grid.Step);
                 var high = math.round((claim.Max - m_grid.Grid.Origin) / m_grid.Grid.Step);
-                if (!math.all(math.abs(low) < limit) || !math.all(math.abs(high) < limit) || math.cmax(claim.Size) > believed * sampled)
+                if (!math.all(math.abs(low) < limit) || !math.all(math.abs(high) < limit) ||
+                    math.cmax(claim.Size) > believed * sampled)
                     continue;
                 var lowGrid = new Grid3((long)low.x, (long)low.y, (long)low.z);
                 var highGrid = new Grid3((long)high.x, (long)high.y, (long)high.z);
@@ -247,7 +253,8 @@ namespace FastPoints.Pipeline
         Grid3 ToGrid(int source, double3 stored)
         {
             var grid = m_grid.Sources[source];
-            return new Grid3(SourceGrid.ToGrid(grid.X, stored.x), SourceGrid.ToGrid(grid.Y, stored.y), SourceGrid.ToGrid(grid.Z, stored.z));
+            return new Grid3(SourceGrid.ToGrid(grid.X, stored.x), SourceGrid.ToGrid(grid.Y, stored.y),
+                SourceGrid.ToGrid(grid.Z, stored.z));
         }
 
         IEnumerator<JobHandle> Distribute()
@@ -281,10 +288,12 @@ namespace FastPoints.Pipeline
         void Warn(SourceInfo info, in PointFindings found)
         {
             if (found.LeftOut > 0)
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out", found.LeftOut));
+                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out",
+                    found.LeftOut));
             if (found.WorstLossSteps > 0)
             {
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "positions were rounded, by up to {0:R}, to the grid's steps",
+                info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
+                    "positions were rounded, by up to {0:R}, to the grid's steps",
                     found.WorstLossSteps * math.cmax(m_grid.Grid.Step)));
             }
         }

@@ -10,7 +10,8 @@ namespace FastPoints.Pipeline
         /// cloud. The stored bytes depend on it, and on nothing about the machine.</summary>
         public long PointsPerChunk;
 
-        /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the same.</summary>
+        /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
+        /// same.</summary>
         public int ChunksAtOnce;
     }
 }

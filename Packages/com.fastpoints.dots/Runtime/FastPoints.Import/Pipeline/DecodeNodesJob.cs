@@ -8,8 +8,8 @@ using Unity.Jobs;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// Unpacks chosen nodes into a batch: positions as doubles in grid steps from the batch's corner, attributes as they are. Planes
-    /// are checked before they are read; a damaged node is marked and not unpacked.
+    /// Unpacks chosen nodes into a batch: positions as doubles in grid steps from the batch's corner, attributes as they are.
+    /// Planes are checked before they are read; a damaged node is marked and not unpacked.
     /// </summary>
     [BurstCompile]
     public unsafe struct DecodeNodesJob : IJobParallelFor
@@ -66,7 +66,8 @@ namespace FastPoints.Pipeline
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
 
         PlaneView ViewOf(in ChosenNode node, byte* file, int plane) =>
-            new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide), node.HostedBlocks);
+            new PlaneView(file + (Ranges[node.FirstRange + plane].OffsetBytes - FileOffset), ShapeOf(plane, node.IsWide),
+                node.HostedBlocks);
 
         void WritePositions(in ChosenNode node, byte* file)
         {
@@ -88,7 +89,8 @@ namespace FastPoints.Pipeline
             }
         }
 
-        void WriteColumn(in ChosenNode node, byte* file, int planeIndex, int columnInPlane, in StoredColumn column, PointColumn target)
+        void WriteColumn(in ChosenNode node, byte* file, int planeIndex, int columnInPlane, in StoredColumn column,
+            PointColumn target)
         {
             var plane = ViewOf(node, file, planeIndex);
             int size = target.Type.SizeOf();

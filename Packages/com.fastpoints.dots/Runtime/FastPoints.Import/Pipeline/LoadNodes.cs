@@ -16,7 +16,8 @@ namespace FastPoints.Pipeline
         {
             var attributes = new List<PointAttribute>
             {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64), new PointAttribute(AttributeNames.Y, AttributeType.Float64),
+                new PointAttribute(AttributeNames.X, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
                 new PointAttribute(AttributeNames.Z, AttributeType.Float64),
             };
             attributes.AddRange(folder.Manifest.Attributes.Select(wanted));
@@ -27,7 +28,8 @@ namespace FastPoints.Pipeline
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">Of <see cref="SchemaFor"/>, with room for all points of the selection.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<JobHandle> Run(CloudFolder folder, NodeSelection selection, PointBatch batch, StageProgress progress)
+        public static IEnumerator<JobHandle> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+            StageProgress progress)
         {
             using (var read = new StoreRead())
             {
@@ -163,7 +165,8 @@ namespace FastPoints.Pipeline
                 for (int i = 0; i < m_isDamaged.Length; i++)
                     if (m_isDamaged[i])
                         throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
-                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[i] + " is damaged");
+                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[i] +
+                                " is damaged");
             }
 
             public void Dispose()

@@ -9,8 +9,8 @@ using Unity.Mathematics;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// Which nodes of a stored cloud a picture is drawn from: those where the points above lie farthest apart on the screen first, until a
-    /// budget of points is used up. Chunks' tables are loaded as the selection gets to them.
+    /// Which nodes of a stored cloud a picture is drawn from: those where the points above lie farthest apart on the screen
+    /// first, until a budget of points is used up. Chunks' tables are loaded as the selection gets to them.
     /// </summary>
     public sealed class NodeSelection : IDisposable
     {

@@ -10,7 +10,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Pipeline
 {
-    /// <summary>From chunks of records to a stored octree: each chunk into its file, the tops of all into the upper levels.</summary>
+    /// <summary>From chunks of records to a stored octree: each chunk into its file, the tops of all into the upper
+    /// levels.</summary>
     public sealed class OctreeBuild : IDisposable
     {
         readonly ChunkSet m_chunks;

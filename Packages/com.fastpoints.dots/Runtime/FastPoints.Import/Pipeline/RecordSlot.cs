@@ -23,7 +23,8 @@ namespace FastPoints.Pipeline
             m_layout = layout;
             m_map = map;
             capacity = Math.Max(1, capacity);
-            Records = new NativeArray<byte>(checked(capacity * layout.StrideBytes), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            Records = new NativeArray<byte>(checked(capacity * layout.StrideBytes), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             FirstOfChunk = new NativeArray<int>(map.Chunks.Length + 2, Allocator.Persistent);
             Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);

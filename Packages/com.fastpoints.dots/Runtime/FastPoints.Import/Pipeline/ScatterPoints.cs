@@ -8,7 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Pipeline
 {
-    /// <summary>Takes every block of a source into the chunks of a partition. Owns the records until they are handed over.</summary>
+    /// <summary>Takes every block of a source into the chunks of a partition. Owns the records until they are handed
+    /// over.</summary>
     public sealed class ScatterPoints : IBlockConsumer, IDisposable
     {
         readonly PointSchema m_attributes;

@@ -9,8 +9,8 @@ using Unity.Jobs;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// Sums of two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that no order
-    /// changes. Two different multisets of points have equal sums with a probability of about 2^-128; nothing but a
+    /// Sums of two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that no
+    /// order changes. Two different multisets of points have equal sums with a probability of about 2^-128; nothing but a
     /// deliberate construction against these hashes does better.
     /// </summary>
     public sealed class SumPoints : IBlockConsumer, IDisposable

@@ -13,8 +13,8 @@ using Unity.Mathematics;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// Proves a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum; and, against its
-    /// sources, that the points are the same as a multiset, over position and every attribute.
+    /// Proves a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum; and,
+    /// against its sources, that the points are the same as a multiset, over position and every attribute.
     /// </summary>
     public sealed unsafe class VerifyCloud : IDisposable
     {
@@ -39,10 +39,12 @@ namespace FastPoints.Pipeline
         /// <summary>Work for a pump. What is wrong with the cloud is in the result; nothing is thrown for it.</summary>
         /// <param name="against">The sources to compare with; none to leave that out.</param>
         /// <exception cref="PointCloudException">The path is no cloud at all, or a source cannot be read.</exception>
-        public static IEnumerator<JobHandle> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result, StageProgress progress)
+        public static IEnumerator<JobHandle> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
+            StageProgress progress)
         {
             if (!CloudFolder.IsCloud(path))
-                throw new PointCloudException(FailureCode.NotFound, path, -1, "no cloud: wanted a folder with " + StoreFormat.ManifestName);
+                throw new PointCloudException(FailureCode.NotFound, path, -1, "no cloud: wanted a folder with " +
+                    StoreFormat.ManifestName);
             CloudFolder folder;
             try
             {
@@ -82,7 +84,8 @@ namespace FastPoints.Pipeline
         {
             if (m_folder.Upper.Nodes.Length > 0)
             {
-                using (var work = CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper, StoreFormat.UpperMagic))
+                using (var work = CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper,
+                    StoreFormat.UpperMagic))
                     while (work.MoveNext())
                         yield return work.Current;
             }
@@ -214,7 +217,8 @@ namespace FastPoints.Pipeline
             }
             if (m_firstSum != manifest.Checksum)
             {
-                m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: checksum of all points: wanted {1:x16}, got {2:x16}",
+                m_result.Add(string.Format(CultureInfo.InvariantCulture,
+                    "{0}: checksum of all points: wanted {1:x16}, got {2:x16}",
                     m_folder.FolderPath, manifest.Checksum, m_firstSum));
             }
         }
@@ -239,7 +243,8 @@ namespace FastPoints.Pipeline
                         while (blocks.MoveNext())
                             yield return blocks.Current;
                 var wanted = reader.Info.Schema.Select(names.ToArray());
-                using (var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid), reader.MaxPointsPerBlock))
+                using (var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
+                    reader.MaxPointsPerBlock))
                 {
                     using (var scan = SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress))
                         while (scan.MoveNext())
@@ -260,7 +265,8 @@ namespace FastPoints.Pipeline
             else if (m_result.Ok && (firstSum != m_firstSum || secondSum != m_secondSum))
             {
                 m_result.Add(string.Format(CultureInfo.InvariantCulture,
-                    "against the sources: the points are not the same: hash sums {0:x16}{1:x16}, got {2:x16}{3:x16}", firstSum, secondSum,
+                    "against the sources: the points are not the same: hash sums {0:x16}{1:x16}, got {2:x16}{3:x16}", firstSum,
+                        secondSum,
                     m_firstSum, m_secondSum));
             }
         }

@@ -11,10 +11,11 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// Writes a cloud's folder under a temporary name, and gives it its own when everything is there. Each file is complete or absent:
-    /// written under another name, flushed, renamed. One thread writes; callers never wait for a disk.
+    /// Writes a cloud's folder under a temporary name, and gives it its own when everything is there. Each file is complete or
+    /// absent: written under another name, flushed, renamed. One thread writes; callers never wait for a disk.
     /// </summary>
-    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing. A lock file keeps a second build of the same target out.</remarks>
+    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing. A lock file keeps a second build of the same target
+    /// out.</remarks>
     public sealed unsafe class CloudFolderWriter : IDisposable
     {
         const int PieceBytes = 1 << 20;

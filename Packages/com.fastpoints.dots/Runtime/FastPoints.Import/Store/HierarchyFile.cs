@@ -13,7 +13,8 @@ namespace FastPoints.Store
         public static NativeArray<byte> Create(NativeArray<byte> table, int nodeCount, int planeCount, List<ChunkRecord> chunks,
             CloudManifest manifest)
         {
-            chunks.Sort((a, b) => a.AttachNode != b.AttachNode ? a.AttachNode.CompareTo(b.AttachNode) : a.Number.CompareTo(b.Number));
+            chunks.Sort((a, b) => a.AttachNode != b.AttachNode ? a.AttachNode.CompareTo(b.AttachNode)
+                : a.Number.CompareTo(b.Number));
             int chunkBytes = chunks.Count * ChunkRecord.SizeBytes;
             var file = new NativeArray<byte>(FileHeader.SizeBytes + table.Length + chunkBytes, Allocator.Persistent);
             var start = (byte*)file.GetUnsafePtr();

@@ -57,7 +57,8 @@ namespace FastPoints.Store
                 verdict.Plane = p;
                 if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
                     verdict.What = NodeVerdict.Fault.PlaneHash;
-                else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide), Nodes[index].HostedBlocks))
+                else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
+                    Nodes[index].HostedBlocks))
                     verdict.What = NodeVerdict.Fault.PlaneShape;
             }
         }
@@ -72,7 +73,8 @@ namespace FastPoints.Store
             ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
-            var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16, Allocator.Temp);
+            var records = (byte*)UnsafeUtility.Malloc(math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock, 16,
+                Allocator.Temp);
             UnsafeUtility.MemClear(records, math.max(4, recordBytes) * PlaneShape.MaxPointsPerBlock);
             var min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
             var max = new Grid3(long.MinValue, long.MinValue, long.MinValue);
@@ -124,7 +126,8 @@ namespace FastPoints.Store
             return verdict;
         }
 
-        void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes, ref NodeVerdict verdict)
+        void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes,
+            ref NodeVerdict verdict)
         {
             for (int p = 1; p < PlaneCount; p++)
             {

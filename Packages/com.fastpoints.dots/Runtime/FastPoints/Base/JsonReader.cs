@@ -29,7 +29,8 @@ namespace FastPoints.Base
             m_text = text;
         }
 
-        /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see cref="ToDouble"/>.</returns>
+        /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see
+        /// cref="ToDouble"/>.</returns>
         /// <exception cref="FormatException">It is no JSON; the message tells where.</exception>
         public static object Parse(string text)
         {
@@ -43,7 +44,8 @@ namespace FastPoints.Base
 
         /// <summary>A value that must be a whole number in the range of a long.</summary>
         public static long ToLong(object value) =>
-            value is Number n && long.TryParse(n.Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long result)
+            value is Number n && long.TryParse(n.Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture,
+                out long result)
                 ? result
                 : throw new FormatException("wanted a whole number, got " + Describe(value));
 
@@ -215,7 +217,8 @@ namespace FastPoints.Base
 
         void Space()
         {
-            while (m_at < m_text.Length && (m_text[m_at] == ' ' || m_text[m_at] == '\n' || m_text[m_at] == '\r' || m_text[m_at] == '\t'))
+            while (m_at < m_text.Length && (m_text[m_at] == ' ' || m_text[m_at] == '\n' || m_text[m_at] == '\r' ||
+                m_text[m_at] == '\t'))
                 m_at++;
         }
 

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace FastPoints.Base
 {
-    /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, doubles so that they read back the same.</summary>
+    /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, doubles so that they read back the
+    /// same.</summary>
     public sealed class JsonWriter
     {
         readonly StringBuilder m_text = new StringBuilder();

@@ -9,8 +9,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// An opened cloud: its manifest, the upper nodes, and one record a chunk; chunks' tables are loaded when asked for. Everything is
-    /// checked before it is believed.
+    /// An opened cloud: its manifest, the upper nodes, and one record a chunk; chunks' tables are loaded when asked for.
+    /// Everything is checked before it is believed.
     /// </summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
@@ -71,15 +71,19 @@ namespace FastPoints.Store
             string path = ChunkPath(chunk);
             var header = StoreFile.ReadHeader(path, StoreFormat.ChunkMagic);
             if (header.CloudId != Manifest.CloudId || header.Number != record.Number || header.NodeCount != record.NodeCount ||
-                header.PointCount != record.PointCount || header.FileBytes != record.FileBytes || header.PlaneCount != Layout.Planes.Count ||
+                header.PointCount != record.PointCount || header.FileBytes != record.FileBytes ||
+                    header.PlaneCount != Layout.Planes.Count ||
                 header.TableOffset != record.TableOffset || header.TableHash != record.TableHash || header.ChunkCount != 0)
                 throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that the hierarchy means");
-            using (var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset, Allocator.Persistent))
+            using (var bytes = StoreFile.Read(path, header.TableOffset, header.FileBytes - header.TableOffset,
+                Allocator.Persistent))
             {
                 if (ContentHash.Of(bytes.GetUnsafeReadOnlyPtr(), bytes.Length) != header.TableHash)
-                    throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset, "the node table is damaged: its hash does not fit");
+                    throw new PointCloudException(FailureCode.BadInput, path, header.TableOffset,
+                        "the node table is damaged: its hash does not fit");
                 var table = Take(bytes, header.NodeCount, header.PlaneCount);
-                string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table, header.PointCount);
+                string problem = table.FindProblem(record.Cube, header.TableOffset, Layout, true) ?? FindCountProblem(table,
+                    header.PointCount);
                 if (problem == null)
                     return table;
                 table.Dispose();
@@ -91,9 +95,12 @@ namespace FastPoints.Store
         {
             string path = Path.Combine(FolderPath, StoreFormat.HierarchyName);
             var header = StoreFile.ReadHeader(path, StoreFormat.HierarchyMagic);
-            if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points || header.FileBytes != Manifest.HierarchyBytes ||
-                header.PlaneCount != Layout.Planes.Count || header.ChunkCount != Manifest.ChunkCount || header.TableOffset != FileHeader.SizeBytes)
-                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that " + StoreFormat.ManifestName + " means");
+            if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points ||
+                header.FileBytes != Manifest.HierarchyBytes ||
+                header.PlaneCount != Layout.Planes.Count || header.ChunkCount != Manifest.ChunkCount ||
+                    header.TableOffset != FileHeader.SizeBytes)
+                throw new PointCloudException(FailureCode.BadInput, path, 0, "is not the file that " +
+                    StoreFormat.ManifestName + " means");
             long upperBytes = header.NodeCount == 0 ? 0 : StoreFile.ReadHeader(UpperPath, StoreFormat.UpperMagic).FileBytes;
             if (upperBytes != Manifest.UpperBytes)
                 throw PointCloudException.Wanted(FailureCode.BadInput, UpperPath, -1, "size", Manifest.UpperBytes, upperBytes);
@@ -118,7 +125,8 @@ namespace FastPoints.Store
         static NodeTable Take(NativeArray<byte> bytes, int nodeCount, int planeCount)
         {
             var nodes = new NativeArray<NodeRecord>(nodeCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var planes = new NativeArray<PlaneRange>(nodeCount * planeCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var planes = new NativeArray<PlaneRange>(nodeCount * planeCount, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             var start = (byte*)bytes.GetUnsafeReadOnlyPtr();
             long nodeBytes = (long)nodeCount * NodeRecord.SizeBytes;
             UnsafeUtility.MemCpy(nodes.GetUnsafePtr(), start, nodeBytes);

@@ -113,14 +113,16 @@ namespace FastPoints.Store
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
             json.BeginArray("sources");
             foreach (var source in Sources)
-                json.BeginObject().Add("name", source.Name).Add("bytes", source.FileBytes).Add("points", source.Points).EndObject();
+                json.BeginObject().Add("name", source.Name).Add("bytes", source.FileBytes).Add("points",
+                    source.Points).EndObject();
             json.EndArray();
             json.BeginObject("files").Add("hierarchyBytes", HierarchyBytes).AddHex("hierarchyHash", HierarchyHash)
                 .Add("upperBytes", UpperBytes).EndObject();
             return json.EndObject().ToString();
         }
 
-        /// <exception cref="PointCloudException">It is no cloud's JSON, or a member is missing or senseless: it names it.</exception>
+        /// <exception cref="PointCloudException">It is no cloud's JSON, or a member is missing or senseless: it names
+        /// it.</exception>
         public static CloudManifest FromJson(string text, string path)
         {
             string member = "";
@@ -132,7 +134,8 @@ namespace FastPoints.Store
                 e is OverflowException)
             {
                 throw new PointCloudException(FailureCode.BadInput, path, -1,
-                    (member.Length > 0 ? "\"" + member + "\": " : "") + (e is FormatException ? e.Message : "missing or of the wrong kind"), e);
+                    (member.Length > 0 ? "\"" + member + "\": " : "") + (e is FormatException ? e.Message
+                        : "missing or of the wrong kind"), e);
             }
             catch (NotSupportedException e)
             {
@@ -171,7 +174,8 @@ namespace FastPoints.Store
             var grid = (Dictionary<string, object>)Get(json, "grid", ref member);
             result.Grid.Origin = Double3(Get(grid, "origin", ref member));
             result.Grid.Step = Double3(Get(grid, "step", ref member));
-            if (!math.all(result.Grid.Step > 0) || !math.all(math.isfinite(result.Grid.Step)) || !math.all(math.isfinite(result.Grid.Origin)))
+            if (!math.all(result.Grid.Step > 0) || !math.all(math.isfinite(result.Grid.Step)) ||
+                !math.all(math.isfinite(result.Grid.Origin)))
                 throw new FormatException("wanted finite origins and positive steps");
             var root = (Dictionary<string, object>)Get(json, "root", ref member);
             result.Root.Corner = Place(Get(root, "corner", ref member));

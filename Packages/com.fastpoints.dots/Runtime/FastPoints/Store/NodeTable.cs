@@ -59,7 +59,8 @@ namespace FastPoints.Store
                 return "side 2^" + node.SideLog2 + " with cells of 2^" + node.CellLog2;
             if (!region.Contains(node.Cube))
                 return "cube " + node.Cube + " outside of " + region;
-            if (((node.Corner.X - region.Corner.X) | (node.Corner.Y - region.Corner.Y) | (node.Corner.Z - region.Corner.Z)) << (64 - node.SideLog2) != 0
+            if (((node.Corner.X - region.Corner.X) | (node.Corner.Y - region.Corner.Y) |
+                (node.Corner.Z - region.Corner.Z)) << (64 - node.SideLog2) != 0
                 && node.SideLog2 > 0)
                 return "cube " + node.Cube + " is not of the octree of " + region;
             if (node.Parent >= index || node.Parent < -1)
@@ -72,7 +73,8 @@ namespace FastPoints.Store
                 if (index < parent.FirstChild || index >= (long)parent.FirstChild + parent.ChildCount)
                     return "is none of its parent's children";
             }
-            if (node.ChildCount < 0 || (node.ChildCount > 0 && node.FirstChild != nextChild) || node.ChildCount > m_nodes.Length - nextChild)
+            if (node.ChildCount < 0 || (node.ChildCount > 0 && node.FirstChild != nextChild) ||
+                node.ChildCount > m_nodes.Length - nextChild)
                 return "children " + node.FirstChild + " to " + ((long)node.FirstChild + node.ChildCount);
             nextChild += node.ChildCount;
             if (node.PointCount < 1 || node.PointCount > StoreFormat.MaxPointsPerNode)
@@ -124,7 +126,8 @@ namespace FastPoints.Store
                 if (range.OffsetBytes < FileHeader.SizeBytes || range.OffsetBytes % PlaneShape.AlignmentBytes != 0 ||
                     range.LengthBytes < shortest || range.LengthBytes % PlaneShape.AlignmentBytes != 0 ||
                     range.OffsetBytes > dataBytes - range.LengthBytes)
-                    return "plane " + p + ": " + range.LengthBytes + " bytes from " + range.OffsetBytes + " in a file with room to " + dataBytes;
+                    return "plane " + p + ": " + range.LengthBytes + " bytes from " + range.OffsetBytes +
+                        " in a file with room to " + dataBytes;
             }
             return null;
         }

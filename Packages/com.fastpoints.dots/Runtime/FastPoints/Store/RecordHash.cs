@@ -8,8 +8,8 @@ namespace FastPoints.Store
     /// is the cloud's checksum, which no order changes; the hash also decides which point stands for a cell.
     /// </summary>
     /// <remarks>
-    /// The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order without gaps,
-    /// filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one. Each
+    /// The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order without
+    /// gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one. Each
     /// number goes through a round of XXH64's tail, the end through its avalanche. Different seeds give independent hashes.
     /// </remarks>
     public static unsafe class RecordHash

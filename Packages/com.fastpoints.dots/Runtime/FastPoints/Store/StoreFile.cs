@@ -6,7 +6,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>Small reads of a stored cloud's files: headers and tables, on the calling thread. Planes are read in the background.</summary>
+    /// <summary>Small reads of a stored cloud's files: headers and tables, on the calling thread. Planes are read in the
+    /// background.</summary>
     public static unsafe class StoreFile
     {
         /// <summary>No text of a manifest is longer.</summary>
@@ -18,7 +19,8 @@ namespace FastPoints.Store
             return Reading(path, file =>
             {
                 if (file.Length > MaxTextBytes)
-                    throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes + " bytes", file.Length);
+                    throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "size", "at most " + MaxTextBytes +
+                        " bytes", file.Length);
                 using (var reader = new StreamReader(file))
                     return reader.ReadToEnd();
             });
@@ -72,7 +74,8 @@ namespace FastPoints.Store
         public static string FindProblem(FileHeader header, ulong magic, long fileBytes)
         {
             if (header.Magic != magic)
-                return "not the file that its name says: wanted magic " + magic.ToString("x16") + ", got " + header.Magic.ToString("x16");
+                return "not the file that its name says: wanted magic " + magic.ToString("x16") + ", got " +
+                    header.Magic.ToString("x16");
             if (header.Version != StoreFormat.Version)
                 return "version: wanted " + StoreFormat.Version + ", got " + header.Version;
             ulong hash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));

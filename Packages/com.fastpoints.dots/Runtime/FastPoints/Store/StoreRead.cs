@@ -7,7 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>One background read of consecutive bytes of a file into memory of its own, used again from read to read.</summary>
+    /// <summary>One background read of consecutive bytes of a file into memory of its own, used again from read to
+    /// read.</summary>
     public sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.
@@ -39,7 +40,8 @@ namespace FastPoints.Store
             {
                 if (m_bytes.IsCreated)
                     m_bytes.Dispose();
-                m_bytes = new NativeArray<byte>(Math.Max(16, m_count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+                m_bytes = new NativeArray<byte>(Math.Max(16, m_count), Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
             }
             m_command[0] = new ReadCommand { Buffer = m_bytes.GetUnsafePtr(), Offset = offset, Size = m_count };
             m_read = AsyncReadManager.Read(path, (ReadCommand*)m_command.GetUnsafePtr(), 1);
@@ -57,7 +59,8 @@ namespace FastPoints.Store
             var status = m_read.Status;
             m_read.Dispose();
             if (status != ReadStatus.Complete)
-                throw new PointCloudException(status == ReadStatus.Truncated ? FailureCode.Truncated : FailureCode.ReadFailed, m_path,
+                throw new PointCloudException(status == ReadStatus.Truncated ? FailureCode.Truncated : FailureCode.ReadFailed,
+                    m_path,
                     m_command[0].Offset, "wanted " + m_count + " bytes, the read ended as " + status);
         }
 

@@ -19,7 +19,8 @@ namespace FastPoints.Tests.Octree
             m_columns = columns;
             m_points = columns[0].Length;
             m_blockPoints = blockPoints;
-            Info = new SourceInfo { Path = "memory", Format = "memory", Schema = schema, Transform = transform, PointsReadable = m_points };
+            Info = new SourceInfo { Path = "memory", Format = "memory", Schema = schema, Transform = transform,
+                PointsReadable = m_points };
         }
 
         /// <summary>Points with whole coordinates, an intensity, and a colour.</summary>
@@ -41,9 +42,12 @@ namespace FastPoints.Tests.Octree
             }
             return new MemoryReader(new PointSchema(new[]
             {
-                new PointAttribute(AttributeNames.X, AttributeType.Int32), new PointAttribute(AttributeNames.Y, AttributeType.Int32),
-                new PointAttribute(AttributeNames.Z, AttributeType.Int32), new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
-                new PointAttribute(AttributeNames.Red, AttributeType.UInt16), new PointAttribute(AttributeNames.Green, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.X, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Y, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Z, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Red, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Green, AttributeType.UInt16),
                 new PointAttribute(AttributeNames.Blue, AttributeType.UInt16),
             }), transform, blockPoints, x, y, z, intensity, red, green, blue);
         }
@@ -86,7 +90,8 @@ namespace FastPoints.Tests.Octree
                 {
                     int size = Points.Schema[c].Type.SizeOf();
                     var raw = new byte[range.Count * size];
-                    Buffer.BlockCopy(m_reader.m_columns[m_reader.Info.Schema.IndexOf(Points.Schema[c].Name)], (int)FirstPoint * size, raw, 0, raw.Length);
+                    Buffer.BlockCopy(m_reader.m_columns[m_reader.Info.Schema.IndexOf(Points.Schema[c].Name)],
+                        (int)FirstPoint * size, raw, 0, raw.Length);
                     NativeArray<byte>.Copy(raw, 0, bytes, Points.Column(c).OffsetBytes, raw.Length);
                 }
                 m_result.Value = new DecodeResult { Points = range.Count };

@@ -40,14 +40,16 @@ namespace FastPoints.Tests.Pipeline
         ConvertResult Convert(PointReader reader, string name = "cloud", ConvertSettings settings = null)
         {
             ConvertResult result = null;
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings ?? new ConvertSettings(), r => result = r, null));
+            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, Target(name), settings ?? new ConvertSettings(), r =>
+                result = r, null));
             return result;
         }
 
         VerifyResult Verify(PointReader against, string name = "cloud")
         {
             var result = new VerifyResult();
-            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), against == null ? Array.Empty<PointReader>() : new[] { against }, result, null));
+            WorkPump.RunToEnd(VerifyCloud.Run(Target(name), against == null ? Array.Empty<PointReader>() : new[] { against },
+                result, null));
             return result;
         }
 
@@ -92,7 +94,8 @@ namespace FastPoints.Tests.Pipeline
         [Test]
         public void Convert_UniformCube_KeepsEveryPointInSmallNodes()
         {
-            var made = Prove(MemoryReader.Of(Uniform(240000, 100000), s_centimetres, 20000), new ConvertSettings { PointsPerChunk = 100000 });
+            var made = Prove(MemoryReader.Of(Uniform(240000, 100000), s_centimetres, 20000),
+                new ConvertSettings { PointsPerChunk = 100000 });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
             using (var folder = CloudFolder.Open(Target()))
                 foreach (var node in folder.Upper.Nodes)
@@ -205,7 +208,8 @@ namespace FastPoints.Tests.Pipeline
             z[4999] = float.NegativeInfinity;
             var reader = new MemoryReader(new PointSchema(new[]
             {
-                new PointAttribute(AttributeNames.X, AttributeType.Float32), new PointAttribute(AttributeNames.Y, AttributeType.Float32),
+                new PointAttribute(AttributeNames.X, AttributeType.Float32),
+                new PointAttribute(AttributeNames.Y, AttributeType.Float32),
                 new PointAttribute(AttributeNames.Z, AttributeType.Float32),
             }), PositionTransform.Identity, 700, x, y, z);
             var made = Prove(reader);
@@ -225,7 +229,8 @@ namespace FastPoints.Tests.Pipeline
             {
                 JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
                 string name = "w" + workers;
-                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings { PointsPerChunk = 60000, ChunksAtOnce = workers });
+                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings { PointsPerChunk = 60000,
+                    ChunksAtOnce = workers });
                 foreach (string file in Directory.GetFiles(Target(name), "*", SearchOption.AllDirectories))
                 {
                     string relative = file.Substring(Target(name).Length);
@@ -288,7 +293,8 @@ namespace FastPoints.Tests.Pipeline
         [Test]
         public void Verify_AnyByteChanged_FindsIt()
         {
-            Convert(MemoryReader.Of(Uniform(40000, 2000), s_centimetres), "cloud", new ConvertSettings { PointsPerChunk = 25000 });
+            Convert(MemoryReader.Of(Uniform(40000, 2000), s_centimetres), "cloud",
+                new ConvertSettings { PointsPerChunk = 25000 });
             Assert.That(Verify(null).Ok, Is.True);
             var random = new System.Random(11);
             foreach (string file in Directory.GetFiles(Target(), "*.bin", SearchOption.AllDirectories))

@@ -41,7 +41,8 @@ namespace FastPoints.Tests.Store
                 ulong minimum = width == 64 ? 0 : (ulong)random.Next(int.MaxValue);
                 var values = new ulong[count];
                 for (int i = 0; i < count; i++)
-                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? most : ((ulong)random.Next() << 33 ^ (ulong)random.Next() << 10) & most);
+                    values[i] = minimum + (i == 0 ? 0 : i == 1 ? most
+                        : ((ulong)random.Next() << 33 ^ (ulong)random.Next() << 10) & most);
                 var words = new uint[PlaneShape.WordsOf(count, width) + 2];
                 var back = new ulong[count];
                 fixed (uint* w = words)
