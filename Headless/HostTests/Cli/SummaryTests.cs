@@ -125,10 +125,10 @@ namespace FastPoints.HostTests.Cli
             }
         }
 
-        static void HasPictureKeys(JsonElement json)
+        static void HasPictureKeys(JsonElement json, JsonValueKind nodes = JsonValueKind.Null)
         {
             Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
-            HasKey(json, "nodes", JsonValueKind.Null);
+            HasKey(json, "nodes", nodes);
             HasKey(json, "seconds", JsonValueKind.Number);
             HasKey(json, "device", JsonValueKind.String);
         }
@@ -143,6 +143,45 @@ namespace FastPoints.HostTests.Cli
             Assert.That(json.GetProperty("psnr").ValueKind, Is.EqualTo(JsonValueKind.Null), "infinite");
             Assert.That(json.GetProperty("ssim").GetDouble(), Is.EqualTo(1).Within(1e-9));
             Assert.That(json.GetProperty("uncovered").GetDouble(), Is.Zero);
+        }
+
+        [Test]
+        public void ConvertVerifyPicture_OfACloud_HaveTheirKeys()
+        {
+            string cloud = m_scratch["keys.fastpoints"];
+            HasConvertKeys(Summary("convert", "convert", m_demo, "-o", cloud));
+            var json = Summary("verify", "verify", cloud, "--against", m_demo);
+            Assert.That(json.GetProperty("ok").GetBoolean(), Is.True);
+            Assert.That(json.GetProperty("problems").GetArrayLength(), Is.Zero);
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+            foreach (var level in json.GetProperty("levels").EnumerateArray())
+                foreach (string number in new[] { "level", "nodes", "points", "minDistance" })
+                    HasKey(level, number, JsonValueKind.Number);
+            HasPictureKeys(Summary("picture", "picture", cloud, "-o", m_scratch["cloud.png"], "--size", "160x90"), JsonValueKind.Number);
+        }
+
+        [Test]
+        public void Verify_OfADamagedCloud_IsBadInput()
+        {
+            string cloud = m_scratch["damaged.fastpoints"];
+            Assert.That(CliCall.Of("convert", m_demo, "-o", cloud).Status, Is.EqualTo(ExitStatus.Done));
+            string upper = Path.Combine(cloud, "upper.bin");
+            byte[] bytes = File.ReadAllBytes(upper);
+            bytes[bytes.Length / 2] ^= 4;
+            File.WriteAllBytes(upper, bytes);
+            var call = CliCall.Of("verify", cloud);
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
+            Assert.That(call.Output, Does.Contain("its hash does not fit"));
+        }
+
+        static void HasConvertKeys(JsonElement json)
+        {
+            Assert.That(json.GetProperty("points").GetInt64(), Is.EqualTo(3000));
+            foreach (string number in new[] { "pointsLeftOut", "nodes", "levelCount", "bytesOnDisk", "temporaryBytesPeak" })
+                HasKey(json, number, JsonValueKind.Number);
+            HasKey(json, "checksum", JsonValueKind.String);
+            HasKey(json.GetProperty("bytesPerPoint"), "position", JsonValueKind.Number);
+            HasKey(json.GetProperty("bytesPerPoint"), "color", JsonValueKind.Number);
         }
 
         [Test]
@@ -171,7 +210,9 @@ namespace FastPoints.HostTests.Cli
             var json = Summary("", m_demo, "--out", folder);
             HasInfoKeys(json.GetProperty("info"), false);
             HasPreviewKeys(json.GetProperty("preview"));
-            HasPictureKeys(json.GetProperty("picture"));
+            HasConvertKeys(json.GetProperty("convert"));
+            HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
+            Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")), Is.True);
             Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
             Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
                 Is.EquivalentTo(new[] { "report.html", "preview.png", "picture.png" }));
