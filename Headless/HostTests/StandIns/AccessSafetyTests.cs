@@ -94,6 +94,18 @@ namespace FastPoints.HostTests.StandIns
             public void Execute(int index) => Values[(index + 1) % Values.Length] = index;
         }
 
+        struct ShiftJob : IJobFor
+        {
+            public NativeArray<int> Values;
+            public int By;
+
+            public void Execute(int index)
+            {
+                if (index + By >= 0 && index + By < Values.Length)
+                    Values[index + By] = index;
+            }
+        }
+
         struct OutOfRangeJob : IJob
         {
             public NativeArray<int> Values;
@@ -113,6 +125,15 @@ namespace FastPoints.HostTests.StandIns
             public NativeList<int> List;
 
             public void Execute() => List.Add(1);
+        }
+
+        struct IdleListJob : IJob
+        {
+            public NativeList<int> List;
+
+            public void Execute()
+            {
+            }
         }
 
         struct ReadOnlyListJob : IJob
@@ -192,6 +213,15 @@ namespace FastPoints.HostTests.StandIns
             new UnrestrictedNeighbourJob { Values = m_values }.ScheduleParallel(16, 4, default).Complete();
             Assert.That(m_values[1], Is.Zero);
             Assert.That(m_values[0], Is.EqualTo(15));
+        }
+
+        [TestCase(-1)]
+        [TestCase(1)]
+        public void ParallelJob_OneBeforeOrBehindItsBatch_Throws(int by)
+        {
+            Assert.That(() => new ShiftJob { Values = m_values, By = by }.ScheduleParallel(16, 4, default).Complete(),
+                Throws.TypeOf<IndexOutOfRangeException>());
+            new ShiftJob { Values = m_values, By = 0 }.ScheduleParallel(16, 4, default).Complete();
         }
 
         [TestCase(-1)]
@@ -277,7 +307,8 @@ namespace FastPoints.HostTests.StandIns
             m_list.Add(3);
             Assert.That(() => view[0], Throws.TypeOf<ObjectDisposedException>());
             NativeArray<int> again = m_list.AsArray();
-            new AppendJob { List = m_list }.Schedule().Complete();
+            // A job that may write the list may make it grow: what it did in the end does not matter.
+            new IdleListJob { List = m_list }.Schedule().Complete();
             Assert.That(() => again[0], Throws.TypeOf<ObjectDisposedException>());
         }
 

@@ -185,6 +185,7 @@ namespace FastPoints.HostTests.StandIns
             Assert.That(JobHandle.CombineDependencies(none, none), Is.EqualTo(none));
         }
 
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
         [Test]
         public void CheckFence_DependencyOrNot_IsTold()
         {
@@ -194,7 +195,11 @@ namespace FastPoints.HostTests.StandIns
             Assert.That(JobHandle.CheckFenceIsDependencyOrDidSyncFence(a, c), Is.True);
             c.Complete();
             Assert.That(JobHandle.CheckFenceIsDependencyOrDidSyncFence(b, default), Is.True);
+            JobHandle other = new NothingJob().Schedule();
+            Assert.That(JobHandle.CheckFenceIsDependencyOrDidSyncFence(other, c), Is.False);
+            other.Complete();
         }
+#endif
 
         [Test]
         public void Exception_InAJob_IsThrownByCompleteOnce()
