@@ -10,9 +10,11 @@ namespace FastPoints.Picture
         /// <summary>Share of the picture's width and height that is left free on each side.</summary>
         const double Margin = 0.03;
 
-        /// <summary>Of the outline, this share at each side may lie outside: few far points would leave most of a picture
-        /// empty.</summary>
+        /// <summary>Of the outline, this share at each side may lie outside ...</summary>
         const double StrayShare = 0.005;
+
+        /// <summary>... if what is left is then nearer than this share of the distance from which all is seen.</summary>
+        const double WorthTrimming = 0.9;
 
         /// <summary>Shifts towards the middle: each leaves a half or less of what is left.</summary>
         const int Rounds = 10;
@@ -24,8 +26,7 @@ namespace FastPoints.Picture
         /// <param name="outline">Some positions in the box, which the camera frames; null, or fewer than eight, for the box's
         /// corners.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
-            UpAxis upAxis,
-            double fovDegrees = DefaultFovDegrees)
+            UpAxis upAxis, double fovDegrees = DefaultFovDegrees)
         {
             bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
             bounds = Solid(bounds);
@@ -56,12 +57,22 @@ namespace FastPoints.Picture
             }
         }
 
+        /// <summary>As large as shows all of the outline, or, where its few farthest points cost much of the picture, all but
+        /// those.</summary>
         static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
+            int heightPx)
+        {
+            var all = FrameOrthographic(bounds, outline, 0, forward, up, widthPx, heightPx);
+            var most = FrameOrthographic(bounds, outline, Strays(outline), forward, up, widthPx, heightPx);
+            return most.HeightGeo < all.HeightGeo * WorthTrimming ? most : all;
+        }
+
+        static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, int strays, double3 forward, double3 up, int widthPx,
             int heightPx)
         {
             var center = bounds.Center;
             var camera = Camera.Orthographic(center, center + forward, up, 1);
-            Extent(camera, outline, false, out var min, out var max);
+            Extent(camera, outline, strays, false, out var min, out var max);
             var middle = (min + max) / 2;
             var size = max - min;
             camera.HeightGeo = math.max(size.y, size.x * heightPx / widthPx) / (1 - 2 * Margin);
@@ -72,21 +83,32 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>
-        /// The closest place on a line of sight from which the whole outline is in the picture, with the line shifted (three
-        /// times,
-        /// which converges to a hundredth of the picture) until the outline's extent is centred.
-        /// </summary>
+        /// <summary>As near as shows all of the outline, or, where its few farthest points cost much of the picture, all but
+        /// those.</summary>
         static Camera FramePerspective(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
             int heightPx,
             double fovDegrees)
         {
             double tanY = math.tan(math.radians(fovDegrees) / 2) * (1 - 2 * Margin);
             double tanX = tanY * widthPx / heightPx;
+            var camera = Camera.Perspective(bounds.Center, bounds.Center + forward, up, fovDegrees);
+            double farther = FramePerspective(ref camera, bounds, outline, 0, tanX, tanY);
+            var trimmed = camera;
+            double nearer = FramePerspective(ref trimmed, bounds, outline, Strays(outline), tanX, tanY);
+            return nearer < farther * WorthTrimming ? trimmed : camera;
+        }
+
+        /// <summary>
+        /// Moves a camera to the closest place on its line of sight from which the outline, but for some strays, is in the
+        /// picture, with the line shifted until the outline's extent is centred.
+        /// </summary>
+        /// <returns>Distance to the middle of the outline.</returns>
+        static double FramePerspective(ref Camera camera, BoundsGeo bounds, double3[] outline, int strays, double tanX,
+            double tanY)
+        {
             var needed = new double[outline.Length];
             var target = bounds.Center;
-            var camera = Camera.Perspective(target, target + forward, up, fovDegrees);
-            for (int round = 0; round <= Rounds; round++)
+            for (int round = 0; ; round++)
             {
                 camera.EyeGeo = target;
                 for (int i = 0; i < outline.Length; i++)
@@ -95,19 +117,19 @@ namespace FastPoints.Picture
                     needed[i] = math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z;
                 }
                 Array.Sort(needed);
-                double distance = math.max(math.cmax(bounds.Size) * 1e-6, needed[needed.Length - 1 - Strays(outline)]);
+                double distance = math.max(math.cmax(bounds.Size) * 1e-6, needed[needed.Length - 1 - strays]);
                 camera.EyeGeo = target - camera.Forward * distance;
                 if (round == Rounds)
-                    break;
-                Extent(camera, outline, true, out var min, out var max);
+                    return distance;
+                Extent(camera, outline, strays, true, out var min, out var max);
                 var shift = (min + max) / 2 * distance;
                 target += camera.Right * shift.x + camera.Up * shift.y;
             }
-            return camera;
         }
 
-        /// <summary>Of the outline in the picture: in units (orthographic), or in tangents of the angle from the axis.</summary>
-        static void Extent(in Camera camera, double3[] outline, bool divide, out double2 min, out double2 max)
+        /// <summary>Of the outline in the picture, but for so many strays on each side: in units, or in tangents of the angle
+        /// from the axis.</summary>
+        static void Extent(in Camera camera, double3[] outline, int strays, bool divide, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
             var y = new double[outline.Length];
@@ -120,7 +142,7 @@ namespace FastPoints.Picture
             }
             Array.Sort(x);
             Array.Sort(y);
-            int strays = Strays(outline), last = outline.Length - 1 - strays;
+            int last = outline.Length - 1 - strays;
             min = new double2(x[strays], y[strays]);
             max = new double2(x[last], y[last]);
         }

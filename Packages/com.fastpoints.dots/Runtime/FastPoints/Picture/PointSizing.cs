@@ -13,8 +13,8 @@ namespace FastPoints.Picture
         public const float MinPx = 1;
         public const float MaxPx = 6;
 
-        /// <summary>Points that should cover a pixel, on average: exp(-2.5) = 8 % of random pixels stay empty.</summary>
-        const double PointsPerPixel = 2.5;
+        /// <summary>Points that should cover a pixel, on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
+        const double PointsPerPixel = 3.5;
 
         /// <summary>A tile's points grow to so many times those of the middle tile: beyond, strays would turn to
         /// blocks.</summary>

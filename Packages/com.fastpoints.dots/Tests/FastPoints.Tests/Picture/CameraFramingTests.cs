@@ -48,6 +48,39 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
+        public void Frame_FewFarPoints_DoNotShrinkTheOthers()
+        {
+            // A ball of points in a long box: all of it, as large as it gets, or with four of a thousand points far away.
+            var random = new Unity.Mathematics.Random(5);
+            var outline = new double3[1000];
+            for (int i = 0; i < outline.Length; i++)
+                outline[i] = math.normalize(random.NextDouble3(new double3(-1, -1, -1), new double3(1, 1, 1)));
+            var box = new BoundsGeo(new double3(-50, -50, -50), new double3(50, 50, 50));
+            foreach (int strays in new[] { 0, 4 })
+            {
+                for (int i = 0; i < strays; i++)
+                    outline[i] = new double3(i < 2 ? 50 : -50, 40, 30);
+                foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
+                {
+                    var camera = CameraFraming.Frame(view, box, outline, 300, 300, UpAxis.Z);
+                    var projection = new PointProjection(camera, PositionTransform.Identity, 300, 300);
+                    double lowest = 0, highest = 300;
+                    for (int i = 4; i < outline.Length; i++)
+                    {
+                        var at = outline[i];
+                        Assert.That(projection.Project(at.x, at.y, at.z, out double x, out double y, out _), Is.True);
+                        Assert.That(x, Is.InRange(0, 300));
+                        Assert.That(y, Is.InRange(0, 300));
+                        lowest = Math.Max(lowest, y);
+                        highest = Math.Min(highest, y);
+                    }
+                    Assert.That(lowest - highest, Is.GreaterThan(250), view + ", " + strays + " strays");
+                    Assert.That((lowest + highest) / 2, Is.EqualTo(150).Within(8));
+                }
+            }
+        }
+
+        [Test]
         public void Frame_Top_HasNorthAtTheTopAndEastAtTheRight()
         {
             var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
