@@ -12,7 +12,7 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds: LAS, PLY. Several become one cloud; they have the same attributes.",
+            Description = "Point clouds: LAS, LAZ, PLY. Several become one cloud; they have the same attributes.",
         };
         readonly Option<string> m_output = new("--output", "-o")
         {

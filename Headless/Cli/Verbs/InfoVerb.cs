@@ -13,7 +13,7 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds: LAS, PLY.",
+            Description = "Point clouds: LAS, LAZ, PLY.",
         };
         readonly Option<bool> m_scan = new("--scan")
         {

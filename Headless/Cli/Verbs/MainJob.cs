@@ -17,7 +17,7 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.ZeroOrMore,
-            Description = "Point clouds: LAS, PLY. Without one, a street is scanned first (see demo-cloud).",
+            Description = "Point clouds: LAS, LAZ, PLY. Without one, a street is scanned first (see demo-cloud).",
         };
         readonly Option<string?> m_out = new("--out")
         {

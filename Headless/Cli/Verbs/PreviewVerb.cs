@@ -9,7 +9,7 @@ namespace FastPoints.Cli.Verbs
     /// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
     public sealed class PreviewVerb : Verb
     {
-        readonly Argument<string> m_file = new("FILE") { Description = "A point cloud: LAS, PLY." };
+        readonly Argument<string> m_file = new("FILE") { Description = "A point cloud: LAS, LAZ, PLY." };
         readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<int> m_points = new("--points")
         {

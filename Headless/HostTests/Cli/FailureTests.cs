@@ -77,6 +77,7 @@ namespace FastPoints.HostTests.Cli
         [TestCase("demo-cloud", "-o", "OUT/made.ply", "--points", "100000", "--order", "random")]
         [TestCase("preview", "DEMO", "-o", "OUT/p.png")]
         [TestCase("picture", "DEMO", "-o", "OUT/p.png")]
+        [TestCase("convert", "DEMO", "-o", "OUT/made.fastpoints")]
         [TestCase("demo-cloud", "-o", "OUT/tiled.las", "--tile", "DEMO", "--times", "3")]
         public void Work_ThatIsCancelled_LeavesNothing(params string[] args)
         {
