@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Threading;
 using FastPoints.Cli;
 using NUnit.Framework;
 
@@ -9,10 +10,27 @@ namespace FastPoints.HostTests.Cli
     /// <summary>What only a process of its own can show.</summary>
     public sealed class SignalTests
     {
+        const int MostSeconds = 60;
+
+        /// <summary>A shell that runs this in the background has interrupts ignored, and what it starts inherits that: GNU's env
+        /// puts it back to what a terminal gives.</summary>
         static Process Start(params string[] args)
         {
-            string name = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "FastPoints.Cli.exe" : "FastPoints.Cli");
-            return Process.Start(new ProcessStartInfo(name, args) { RedirectStandardError = true, RedirectStandardOutput = true });
+            string name = Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli");
+            var start = new ProcessStartInfo { RedirectStandardError = true, RedirectStandardOutput = true };
+            if (OperatingSystem.IsLinux())
+            {
+                start.FileName = "env";
+                start.ArgumentList.Add("--default-signal=INT");
+                start.ArgumentList.Add(name);
+            }
+            else
+            {
+                start.FileName = name;
+            }
+            foreach (string arg in args)
+                start.ArgumentList.Add(arg);
+            return Process.Start(start);
         }
 
         [TestCase("INT")]
@@ -22,6 +40,7 @@ namespace FastPoints.HostTests.Cli
         {
             using var scratch = new ScratchFolder();
             using var process = Start("demo-cloud", "-o", scratch["big.las"], "--points", "400000000");
+            using var limit = new Timer(_ => process.Kill(), null, MostSeconds * 1000, Timeout.Infinite);
             // The first line of progress: the file is being written.
             string line = process.StandardError.ReadLine();
             Assert.That(line, Does.Contain("points/s"));
