@@ -56,9 +56,6 @@ namespace FastPoints.Pipeline
                 Ranges = preview.Ranges;
                 Plan = preview.Plan;
                 bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
-                if (drawSample && sample.Count < Math.Min(m_budget, m_reader.PointCount) - sample.NonFinite)
-                    Plan.Assumptions.Add("a budget of " + m_budget + " points does not fit in memory: lowered to " +
-                        sample.Count);
 
                 progress?.Begin("draw");
                 using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))

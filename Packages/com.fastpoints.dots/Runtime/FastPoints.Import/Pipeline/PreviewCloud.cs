@@ -97,6 +97,9 @@ namespace FastPoints.Pipeline
                 while (measuring.MoveNext())
                     yield return measuring.Current;
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
+            int most = PreviewSample.MaxPoints(Sample.Points.Schema);
+            if (m_options.Points > most && Sample.PointsInSource > most)
+                Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " + most);
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
             progress?.End();
