@@ -103,6 +103,20 @@ namespace FastPoints.HostTests.StandIns
             public void Execute() => Result.Value = Values[0];
         }
 
+        unsafe struct OwnPointerJob : IJob
+        {
+            public fixed int Scratch[64];
+            public NativeReference<int> Result;
+
+            public void Execute()
+            {
+                int* first = (int*)UnsafeUtility.AddressOf(ref Scratch[0]);
+                System.GC.Collect();
+                first[7] = 5;
+                Result.Value = Scratch[7];
+            }
+        }
+
         static NativeArray<int> Array(int length) => new NativeArray<int>(length, Allocator.Persistent);
 
         [Test]
@@ -222,6 +236,17 @@ namespace FastPoints.HostTests.StandIns
             new ThreadIndexJob { IndexOfElement = field, IndexOfUtility = utility, ThreadIndex = -1 }.Schedule(64, 1).Complete();
             Assert.That(field.ToArray(), Is.EqualTo(utility.ToArray()));
             Assert.That(field.ToArray(), Is.All.InRange(0, JobsUtility.ThreadIndexCount - 1));
+        }
+
+        [Test]
+        public void Job_WithAPointerToItsOwnField_KeepsItAcrossACollection()
+        {
+            using var result = new NativeReference<int>(Allocator.Persistent);
+            JobHandle handle = default;
+            for (int i = 0; i < 4; i++)
+                handle = new OwnPointerJob { Result = result }.Schedule(handle);
+            handle.Complete();
+            Assert.That(result.Value, Is.EqualTo(5));
         }
 
         [Test]

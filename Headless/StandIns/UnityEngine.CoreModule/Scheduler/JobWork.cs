@@ -67,17 +67,12 @@ namespace StandIns.Scheduling
 
         internal override void Execute(int begin, int end, int batchSize, bool shared, int threadIndex)
         {
-            if (!shared)
-            {
-                JobPatch<T>.SetThreadIndex(ref Data, threadIndex);
-                default(TKind).Execute(ref Data, begin, end, batchSize);
-                return;
-            }
-            // Each range has a copy of its own: a job's fields are no way from one index to another, and the range that
-            // a thread may write is kept in them.
+            // On the stack: a job may hold pointers to its own fields, and this object may be moved. And a copy for each range: a
+            // job's fields are no way from one index to another, and the range that a thread may write is kept in them.
             T data = Data;
             JobPatch<T>.SetThreadIndex(ref data, threadIndex);
-            JobPatch<T>.Restrict(ref data, begin, end);
+            if (shared)
+                JobPatch<T>.Restrict(ref data, begin, end);
             default(TKind).Execute(ref data, begin, end, batchSize);
         }
 
