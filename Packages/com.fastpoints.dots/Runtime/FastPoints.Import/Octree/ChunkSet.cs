@@ -129,8 +129,13 @@ namespace FastPoints.Octree
                 int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
                 counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
                 var cells = new CellFinder(cube, levels);
-                job = new CountCellsJob { Pages = chunk.Pages, Layout = m_layout, Cells = cells,
-                    PointsOfCell = counts }.Schedule();
+                job = new CountCellsJob
+                {
+                    Pages = chunk.Pages,
+                    Layout = m_layout,
+                    Cells = cells,
+                    PointsOfCell = counts
+                }.Schedule();
                 yield return job;
                 job.Complete();
                 map = PartitionMap.Plan(cube, levels, counts, target);

@@ -19,8 +19,14 @@ namespace FastPoints.Tests.Octree
             m_columns = columns;
             m_points = columns[0].Length;
             m_blockPoints = blockPoints;
-            Info = new SourceInfo { Path = "memory", Format = "memory", Schema = schema, Transform = transform,
-                PointsReadable = m_points };
+            Info = new SourceInfo
+            {
+                Path = "memory",
+                Format = "memory",
+                Schema = schema,
+                Transform = transform,
+                PointsReadable = m_points
+            };
         }
 
         /// <summary>Points with whole coordinates, an intensity, and a colour.</summary>

@@ -229,8 +229,11 @@ namespace FastPoints.Tests.Pipeline
             {
                 JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
                 string name = "w" + workers;
-                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings { PointsPerChunk = 60000,
-                    ChunksAtOnce = workers });
+                Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings
+                {
+                    PointsPerChunk = 60000,
+                    ChunksAtOnce = workers
+                });
                 foreach (string file in Directory.GetFiles(Target(name), "*", SearchOption.AllDirectories))
                 {
                     string relative = file.Substring(Target(name).Length);

@@ -16,8 +16,12 @@ namespace FastPoints.Tests.Store
                 Points = 1L << 40,
                 PointsLeftOut = 3,
                 Checksum = ulong.MaxValue,
-                Grid = new CloudGrid { Origin = new double3(1e7, -0.1, 1.0 / 3), Step = new double3(1e-4, 0.01, math.pow(2.0,
-                    -30)) },
+                Grid = new CloudGrid
+                {
+                    Origin = new double3(1e7, -0.1, 1.0 / 3),
+                    Step = new double3(1e-4, 0.01, math.pow(2.0,
+                    -30))
+                },
                 Root = new GridCube(new Grid3(-5, 1L << 60, 0), 43),
                 BoundsMin = new Grid3(-1, 2, 3),
                 BoundsMax = new Grid3(1L << 59, 5, 6),

@@ -123,43 +123,43 @@ namespace FastPoints.Files
             int lastPoints = 0, lastBytes = 0;
 
             using (var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent))
-            fixed (byte* first = input)
-            {
-                byte* model = (byte*)models.GetUnsafePtr();
-                IntegerModel.Initialize(model, 32, 2);
-                byte* end = first + bytes.Length;
-                byte* next = first;
-                RangeCode.Start(out uint value, out uint length, ref next);
-                for (long i = 0; i < count; i++)
+                fixed (byte* first = input)
                 {
-                    if (isVariable)
-                        lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
-                    lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
-                    if (next > end)
-                        return "ends within the entry of chunk " + Text(i);
-                    var chunk = new LazChunk { Offset = offset, Bytes = (uint)lastBytes, Points = (uint)lastPoints };
-                    if (!isVariable)
-                        chunk.Points = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
-                    if (chunk.Bytes > start - offset)
-                        return "chunk " + Text(i) + " would end at byte " + Text(offset + chunk.Bytes)
-                            + ", in or behind the table";
-                    if (chunk.Bytes < m_format.RecordBytes && chunk.Points > 0)
-                        return "chunk " + Text(i) + " has " + Text(chunk.Bytes) + " bytes, wanted at least a record of "
-                            + Text(m_format.RecordBytes);
-                    if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
-                        return "chunk " + Text(i) + " claims " + Text(chunk.Points) + " points in " + Text(chunk.Bytes)
-                            + " bytes";
-                    offset += chunk.Bytes;
-                    pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
-                    if (chunk.Points > 0)
-                        Chunks.Add(chunk);
-                    else if (!isVariable)
-                        m_emptyChunks++;
+                    byte* model = (byte*)models.GetUnsafePtr();
+                    IntegerModel.Initialize(model, 32, 2);
+                    byte* end = first + bytes.Length;
+                    byte* next = first;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (long i = 0; i < count; i++)
+                    {
+                        if (isVariable)
+                            lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
+                        lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
+                        if (next > end)
+                            return "ends within the entry of chunk " + Text(i);
+                        var chunk = new LazChunk { Offset = offset, Bytes = (uint)lastBytes, Points = (uint)lastPoints };
+                        if (!isVariable)
+                            chunk.Points = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
+                        if (chunk.Bytes > start - offset)
+                            return "chunk " + Text(i) + " would end at byte " + Text(offset + chunk.Bytes)
+                                + ", in or behind the table";
+                        if (chunk.Bytes < m_format.RecordBytes && chunk.Points > 0)
+                            return "chunk " + Text(i) + " has " + Text(chunk.Bytes) + " bytes, wanted at least a record of "
+                                + Text(m_format.RecordBytes);
+                        if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
+                            return "chunk " + Text(i) + " claims " + Text(chunk.Points) + " points in " + Text(chunk.Bytes)
+                                + " bytes";
+                        offset += chunk.Bytes;
+                        pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
+                        if (chunk.Points > 0)
+                            Chunks.Add(chunk);
+                        else if (!isVariable)
+                            m_emptyChunks++;
+                    }
+                    if (offset < start)
+                        m_info.Warn(offset, Text(start - offset) + " bytes between the last chunk and the chunk table belong to "
+                            + "none");
                 }
-                if (offset < start)
-                    m_info.Warn(offset, Text(start - offset) + " bytes between the last chunk and the chunk table belong to "
-                        + "none");
-            }
             return null;
         }
 

@@ -48,16 +48,16 @@ namespace FastPoints.Files.Tests
             var stream = encoder.Finish();
 
             using (var state = new NativeArray<byte>(SymbolModel.BytesOf(capacity), Allocator.Persistent))
-            fixed (byte* input = Padded(stream))
-            {
-                byte* place = (byte*)state.GetUnsafePtr();
-                SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
-                byte* next = input;
-                RangeCode.Start(out uint value, out uint length, ref next);
-                for (int i = 0; i < wanted.Length; i++)
-                    Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
-                Assert.That(next - input, Is.EqualTo(stream.Length), "a decoder takes all that the encoder wrote");
-            }
+                fixed (byte* input = Padded(stream))
+                {
+                    byte* place = (byte*)state.GetUnsafePtr();
+                    SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
+                    byte* next = input;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (int i = 0; i < wanted.Length; i++)
+                        Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
+                    Assert.That(next - input, Is.EqualTo(stream.Length), "a decoder takes all that the encoder wrote");
+                }
         }
 
         [TestCase(8)]
@@ -86,19 +86,19 @@ namespace FastPoints.Files.Tests
             var stream = encoder.Finish();
 
             using (var state = new NativeArray<byte>(IntegerModel.BytesOf(bits, Contexts), Allocator.Persistent))
-            fixed (byte* input = Padded(stream))
-            {
-                byte* place = (byte*)state.GetUnsafePtr();
-                IntegerModel.Initialize(place, bits, Contexts);
-                byte* next = input;
-                RangeCode.Start(out uint value, out uint length, ref next);
-                for (int i = 0; i < wanted.Length; i++)
+                fixed (byte* input = Padded(stream))
                 {
-                    int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length, ref next);
-                    Assert.That((int)(unchecked(predictions[i] + difference) & mask), Is.EqualTo(wanted[i]), "number " + i);
+                    byte* place = (byte*)state.GetUnsafePtr();
+                    IntegerModel.Initialize(place, bits, Contexts);
+                    byte* next = input;
+                    RangeCode.Start(out uint value, out uint length, ref next);
+                    for (int i = 0; i < wanted.Length; i++)
+                    {
+                        int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length, ref next);
+                        Assert.That((int)(unchecked(predictions[i] + difference) & mask), Is.EqualTo(wanted[i]), "number " + i);
+                    }
+                    Assert.That(next - input, Is.EqualTo(stream.Length));
                 }
-                Assert.That(next - input, Is.EqualTo(stream.Length));
-            }
         }
 
         [TestCase(1)]
@@ -137,18 +137,18 @@ namespace FastPoints.Files.Tests
                 for (int i = 0; i < 64; i++)
                     noise[i] = 255;
                 using (var state = new NativeArray<byte>(SymbolModel.BytesOf(symbols), Allocator.Persistent))
-                fixed (byte* input = noise)
-                {
-                    byte* place = (byte*)state.GetUnsafePtr();
-                    SymbolModel.Initialize(place, symbols);
-                    byte* next = input;
-                    RangeCode.Start(out uint value, out uint length, ref next);
-                    bool isSound = true;
-                    for (int i = 0; i < 100000 && next < input + 4000; i++)
-                        isSound &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols
-                            && value < length && length >= 1u << 24;
-                    Assert.That(isSound, Is.True, symbols + " symbols");
-                }
+                    fixed (byte* input = noise)
+                    {
+                        byte* place = (byte*)state.GetUnsafePtr();
+                        SymbolModel.Initialize(place, symbols);
+                        byte* next = input;
+                        RangeCode.Start(out uint value, out uint length, ref next);
+                        bool isSound = true;
+                        for (int i = 0; i < 100000 && next < input + 4000; i++)
+                            isSound &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols
+                                && value < length && length >= 1u << 24;
+                        Assert.That(isSound, Is.True, symbols + " symbols");
+                    }
             }
         }
 
