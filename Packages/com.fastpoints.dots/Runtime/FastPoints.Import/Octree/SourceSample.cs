@@ -111,8 +111,9 @@ namespace FastPoints.Octree
             int blocks = reader.BlockCount;
             if (points == 0)
                 return runs;
+            // Small clouds whole: their grid is chosen from all their digits.
             long wanted = Math.Max(MinRuns, Math.Min(MaxRuns, points / PointsPerRun));
-            long length = Math.Max(1, Math.Min(RunPoints, points / wanted));
+            long length = Math.Max(1, Math.Min(RunPoints, (points + wanted - 1) / wanted));
             if (!reader.HasFixedStride)
             {
                 // Only the beginnings of blocks are cheap: longer ones where there are fewer.
@@ -128,9 +129,9 @@ namespace FastPoints.Octree
                 return runs;
             }
             int at = 0;
-            for (long i = 0; i < wanted && i < points; i++)
+            for (long i = 0; i < wanted && i * length < points; i++)
             {
-                long first = points / wanted * i;
+                long first = Math.Max(points / wanted, length) * i;
                 while (first >= reader.FirstPointOfBlock(at) + reader.PointsInBlock(at))
                     at++;
                 int inBlock = (int)(first - reader.FirstPointOfBlock(at));

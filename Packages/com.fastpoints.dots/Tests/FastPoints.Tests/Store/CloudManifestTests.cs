@@ -56,6 +56,17 @@ namespace FastPoints.Tests.Store
             Assert.That(back.Divisors[0], Is.EqualTo(257));
         }
 
+        [Test]
+        public void ToJson_EveryPowerOfTwo_ReadsBackTheSame()
+        {
+            for (int exponent = -1000; exponent < 1000; exponent++)
+            {
+                double value = System.Math.Pow(2, exponent);
+                string json = new JsonWriter().BeginArray().Add(null, value).EndArray().ToString();
+                Assert.That(JsonReader.ToDouble(((System.Collections.Generic.List<object>)JsonReader.Parse(json))[0]), Is.EqualTo(value));
+            }
+        }
+
         [TestCase("\"points\": 1099511627776", "\"points\": -1", "\"points\"")]
         [TestCase("\"points\": 1099511627776", "\"points\": 1.5", "\"points\"")]
         [TestCase("\"points\": 1099511627776", "\"points\": \"1\"", "\"points\"")]
