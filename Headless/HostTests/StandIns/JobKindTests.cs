@@ -111,10 +111,19 @@ namespace FastPoints.HostTests.StandIns
             public void Execute()
             {
                 int* first = (int*)UnsafeUtility.AddressOf(ref Scratch[0]);
-                System.GC.Collect();
+                // Until then a young object, with garbage before it, on the managed heap has moved for sure.
+                for (int i = 0; i < 3; i++)
+                    System.GC.Collect(i, System.GCCollectionMode.Forced, true, true);
                 first[7] = 5;
-                Result.Value = Scratch[7];
+                Result.Value += Scratch[7];
             }
+        }
+
+        [System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]
+        static void MakeGarbage()
+        {
+            for (int i = 0; i < 100; i++)
+                System.GC.KeepAlive(new byte[1000]);
         }
 
         static NativeArray<int> Array(int length) => new NativeArray<int>(length, Allocator.Persistent);
@@ -242,11 +251,15 @@ namespace FastPoints.HostTests.StandIns
         public void Job_WithAPointerToItsOwnField_KeepsItAcrossACollection()
         {
             using var result = new NativeReference<int>(Allocator.Persistent);
+            JobsUtility.JobWorkerCount = 0;
             JobHandle handle = default;
             for (int i = 0; i < 4; i++)
+            {
+                MakeGarbage();
                 handle = new OwnPointerJob { Result = result }.Schedule(handle);
+            }
             handle.Complete();
-            Assert.That(result.Value, Is.EqualTo(5));
+            Assert.That(result.Value, Is.EqualTo(4 * 5));
         }
 
         [Test]
