@@ -9,9 +9,12 @@ namespace FastPoints.Cli
     /// <summary>What one workload took: medians over its timed runs.</summary>
     public sealed class Measurement
     {
-        /// <summary>Runs before the first timed one, and at least this long: until the JIT has compiled its last tier.</summary>
-        const int WarmUpRuns = 3;
-        const double WarmUpMs = 300;
+        /// <summary>Before the first timed run: the JIT compiles its last tier in the background after 30 calls and a pause in
+        /// which nothing new is called. Long runs call enough within themselves.</summary>
+        const int WarmUpRuns = 40;
+        const int FewestWarmUpRuns = 3;
+        const double WarmUpMs = 400;
+        const double LongWarmUpMs = 1500;
 
         /// <summary>Shorter runs are repeated within one sample, since clocks and schedulers blur them.</summary>
         const double ShortestSampleMs = 5;
@@ -52,7 +55,7 @@ namespace FastPoints.Cli
                     workload.Prepare(context);
                     var warming = Stopwatch.StartNew();
                     int warmUps = 0;
-                    for (; warmUps < WarmUpRuns || warming.Elapsed.TotalMilliseconds < WarmUpMs; warmUps++)
+                    for (; !IsWarm(warmUps, warming.Elapsed.TotalMilliseconds); warmUps++)
                         workload.Run();
                     repeats[i] = (int)Math.Clamp(ShortestSampleMs / (warming.Elapsed.TotalMilliseconds / warmUps), 1, 1000);
                     long before = GC.GetTotalAllocatedBytes(true);
@@ -90,6 +93,9 @@ namespace FastPoints.Cli
                 run.Progress.End();
             }
         }
+
+        static bool IsWarm(int runs, double ms) =>
+            (runs >= WarmUpRuns && ms >= WarmUpMs) || (runs >= FewestWarmUpRuns && ms >= LongWarmUpMs);
 
         static double Median(List<double> values)
         {
