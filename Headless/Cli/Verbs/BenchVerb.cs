@@ -107,6 +107,11 @@ namespace FastPoints.Cli.Verbs
             var table = new TextTable(heads.ToArray());
             foreach (var m in results)
             {
+                if (m.Points == 0 && m.Bytes == 0)
+                {
+                    table.Add(m.Name, "no input");
+                    continue;
+                }
                 var limit = results.FirstOrDefault(r => r.Name == m.LimitName);
                 var cells = new List<string>
                 {
