@@ -54,9 +54,9 @@ namespace FastPoints.Benchmarks
             public Pass(string path)
             {
                 m_path = path;
-                byte[] header = new byte[227];
-                using (var file = File.OpenRead(path))
-                    file.Read(header, 0, header.Length);
+                byte[] header;
+                using (var file = new BinaryReader(File.OpenRead(path)))
+                    header = file.ReadBytes(227);
                 m_dataOffset = BitConverter.ToInt32(header, 96);
                 Points = BitConverter.ToInt32(header, 107);
                 double extent = Math.Max(BitConverter.ToDouble(header, 179) - BitConverter.ToDouble(header, 187),
