@@ -23,7 +23,6 @@ namespace FastPoints.Files
         int m_recordBytes;
         int m_pointsDone;
         int m_isStopped;
-        int m_stoppedLayer;
 
         /// <summary>Points by the chunk itself, 0 where it does not say.</summary>
         uint m_pointsInChunk;
@@ -31,12 +30,6 @@ namespace FastPoints.Files
         int m_firstRecordOffset;
         fixed ushort m_returnContexts[256];
         fixed uint m_points[TilePoints];
-
-        /// <summary>Points that the chunk says it has, once started; 0 where it does not say.</summary>
-        public long PointsInChunk => m_pointsInChunk;
-
-        /// <summary>Byte of the input at which a decode that came short stopped.</summary>
-        public long StopOffset(LayeredChunk* chunk) => m_layerCount == 0 ? 0 : Layers(chunk)[m_stoppedLayer].Stream.Offset;
 
         static int LayersOffset => (UnsafeUtility.SizeOf<LayeredChunk>() + 63) / 64 * 64;
 
@@ -121,7 +114,6 @@ namespace FastPoints.Files
             int headerBytes = LazLayer.ChunkHeaderBytes(chunk->m_recordBytes, chunk->m_layerCount);
             chunk->m_pointsDone = 0;
             chunk->m_pointsInChunk = 0;
-            chunk->m_stoppedLayer = 0;
             chunk->m_isStopped = inputBytes < headerBytes ? 1 : 0;
             if (chunk->m_isStopped != 0)
                 return;
@@ -137,7 +129,7 @@ namespace FastPoints.Files
                 if (layer->IsWanted == 0 && !hasAllLayers)
                     continue;
                 long there = bytes;
-                long enough = 4 + layer->MaxInputBytesPerPoint * points;
+                long enough = LazLayer.StartBytes + layer->MaxInputBytesPerPoint * points;
                 if (!hasAllLayers && there > enough)
                     there = enough;
                 if (layer->IsWanted != 0)
@@ -245,11 +237,7 @@ namespace FastPoints.Files
                     done = DecodeLayer(chunk, layers + i, tile, coded);
                     layers[i].Stream.Suspend(input);
                 }
-                if (done < coded)
-                {
-                    coded = done;
-                    chunk->m_stoppedLayer = i;
-                }
+                coded = done;
             }
             int total = raw + coded;
             chunk->m_pointsDone += total;

@@ -62,8 +62,8 @@ namespace FastPoints.Files
             }
             Points = batch;
             m_wantsAllLayers = ConfigureState(wanted, allocator);
-            m_input = Bytes(Math.Max(reader.MaxInputBytes(), LazLayer.ChunkHeaderBytes(m_format.RecordBytes,
-                m_format.Layers.Length)) + RangeCode.PaddingBytes, allocator);
+            long inputBytes = Math.Max(reader.MaxInputBytes(), SmallChunkBytes);
+            m_input = Bytes(inputBytes + RangeCode.PaddingBytes, allocator);
             m_tile = Bytes((long)m_tilePoints * m_format.RecordBytes, allocator);
             m_inputBytes = new NativeArray<long>(1, allocator);
             m_command = new NativeArray<ReadCommand>(1, allocator);
@@ -153,14 +153,13 @@ namespace FastPoints.Files
         {
             long bytes = block.EndOffset - start;
             bool isWhole = block.IsToEnd && Range.First + Range.Count == block.Points;
+            long most = m_reader.MaxInputBytes(decode.Total);
             if (!m_format.IsLayered)
             {
-                if (!isWhole)
-                    bytes = Math.Min(bytes, PointwiseChunk.MaxInputBytes(m_format.Items, m_format.RecordBytes, decode.Total));
-                decode.IsToEnd = isWhole && m_format.Compressor != LazCompressor.Pointwise;
-                return Read(start, bytes);
+                decode.IsToEnd = isWhole && bytes <= most && m_format.Compressor != LazCompressor.Pointwise;
+                return Read(start, Math.Min(bytes, most));
             }
-            if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole)
+            if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole && bytes <= most)
                 return Read(start, bytes);
 
             decode.HasAllLayers = false;

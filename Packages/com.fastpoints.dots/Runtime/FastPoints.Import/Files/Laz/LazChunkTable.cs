@@ -17,7 +17,8 @@ namespace FastPoints.Files
     /// </remarks>
     public sealed class LazChunkTable
     {
-        const int TableOffsetBytes = 8;
+        /// <summary>Between the offset of the points and the first chunk: where the table is.</summary>
+        public const int TableOffsetBytes = 8;
         const int TableHeaderBytes = 8;
 
         /// <summary>Bytes of the points of a file that has none: the table's offset, and the table.</summary>
@@ -50,10 +51,6 @@ namespace FastPoints.Files
         /// <summary>Whether the chunks had to be taken for lost: <see cref="Chunks"/> is what is known of them (perhaps none),
         /// and the rest must be looked for from <see cref="EndOfKnown"/>.</summary>
         public bool IsLost { get; private set; }
-
-        public long EndOfKnown => Chunks.Count == 0
-            ? FirstChunkOffset
-            : Chunks[Chunks.Count - 1].Offset + Chunks[Chunks.Count - 1].Bytes;
 
         /// <summary>Reads the table of a chunked file with points. Oddities become warnings.</summary>
         public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)

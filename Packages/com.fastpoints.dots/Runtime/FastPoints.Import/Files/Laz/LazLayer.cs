@@ -26,6 +26,9 @@ namespace FastPoints.Files
     /// </summary>
     public struct LazLayer
     {
+        /// <summary>Bytes that a stream takes before its first symbol.</summary>
+        public const int StartBytes = 4;
+
         public LazLayerKind Kind;
 
         /// <summary>Of the layer's first byte in a record; the first layer also has the bytes 14 and 15 (in part).</summary>
@@ -90,15 +93,18 @@ namespace FastPoints.Files
                 MaxInputBytesPerPoint = maxInputBytes,
             };
 
+        /// <summary>Bytes of input that <paramref name="points"/> points of a chunk take at most, header and all
+        /// layers.</summary>
+        public static long MaxInputBytes(LazLayer[] layers, int recordBytes, long points)
+        {
+            long bytes = ChunkHeaderBytes(recordBytes, layers.Length);
+            foreach (var layer in layers)
+                bytes += StartBytes + layer.MaxInputBytesPerPoint * points;
+            return bytes;
+        }
+
         /// <summary>Bytes at the start of a chunk in front of the layers: the first point, the point count, the layers'
         /// sizes.</summary>
         public static int ChunkHeaderBytes(int recordBytes, int layerCount) => recordBytes + 4 + 4 * layerCount;
-
-        /// <summary>Bytes of a layer's part that are enough for so many points.</summary>
-        public long InputBytesFor(long layerBytes, long points)
-        {
-            long enough = 4 + MaxInputBytesPerPoint * points;
-            return layerBytes < enough ? layerBytes : enough;
-        }
     }
 }

@@ -21,8 +21,14 @@ namespace FastPoints.Files
     /// </remarks>
     public sealed class LazReader : PointReader
     {
-        /// <summary>Chunks up to this are one block.</summary>
+        /// <summary>Chunks up to this are one block, unless their records are long.</summary>
         public const int MaxBlockPoints = 1 << 20;
+
+        /// <summary>No record is so long that fewer points make a block.</summary>
+        const int LeastLongChunkPoints = 1 << 16;
+
+        /// <summary>Records of a block: a slot holds its columns, whatever a file claims.</summary>
+        const int MaxBlockBytes = 32 << 20;
 
         /// <summary>Compressed bytes of a layered chunk, which a slot holds whole.</summary>
         public const long MaxLayeredChunkBytes = 1L << 29;
@@ -42,7 +48,8 @@ namespace FastPoints.Files
 
         LazReader(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
         {
-            m_longChunkPoints = longChunkPoints;
+            int ofBytes = Math.Max(LeastLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes);
+            m_longChunkPoints = Math.Min(longChunkPoints, ofBytes);
             m_las = las;
             m_source = source;
             Format = format;
@@ -150,10 +157,17 @@ namespace FastPoints.Files
             foreach (var block in m_blocks)
             {
                 long start = block.Checkpoint < 0 ? m_chunks[block.Chunk].Offset : m_checkpoints[block.Checkpoint].FileOffset;
-                most = Math.Max(most, block.EndOffset - start);
+                long before = block.FirstInChunk - (block.Checkpoint < 0 ? 0 : m_checkpoints[block.Checkpoint].Point);
+                most = Math.Max(most, Math.Min(block.EndOffset - start, MaxInputBytes(before + block.Points)));
             }
             return most;
         }
+
+        /// <summary>Bytes that so many points of a chunk take at most: all that is read of one, however long it says it
+        /// is.</summary>
+        internal long MaxInputBytes(long points) => Format.IsLayered
+            ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
+            : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
         /// <summary>A warning for a block that gave fewer points than it has, or did not end where it should; once a
         /// block.</summary>

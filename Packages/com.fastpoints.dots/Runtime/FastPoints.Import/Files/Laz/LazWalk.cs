@@ -59,7 +59,7 @@ namespace FastPoints.Files
         IEnumerator<JobHandle> WalkHeaders(List<LazChunk> chunks)
         {
             int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
-            long at = m_reader.Header.PointsOffset + 8;
+            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
             for (int walked = 0; pointsLeft > 0 && at + headerBytes <= m_source.Length; walked++)
             {
@@ -88,7 +88,7 @@ namespace FastPoints.Files
 
         IEnumerator<JobHandle> WalkStreams(List<LazChunk> chunks)
         {
-            long at = m_reader.Header.PointsOffset + 8;
+            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
             using (var stream = new LazWalkStream(m_reader, m_format))
             {
@@ -150,7 +150,8 @@ namespace FastPoints.Files
                 long untilCheckpoint = m_checkpointPoints - stream.Point % m_checkpointPoints;
                 yield return stream.Decode((int)Math.Min(Math.Min(SlicePoints, untilCheckpoint), points - stream.Point));
                 stream.EndDecode();
-                bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 && stream.Point < points;
+                bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 &&
+                    stream.Point < points;
                 if (isAtCheckpoint && !stream.IsStopped
                     && (m_checkpoints.Count == 0 || m_checkpoints[m_checkpoints.Count - 1].FileOffset != stream.FileOffset))
                     m_checkpoints.Add(stream.Checkpoint());

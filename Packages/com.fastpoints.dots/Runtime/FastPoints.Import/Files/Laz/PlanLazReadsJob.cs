@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// <see cref="LayeredChunk.Start"/> expects them: neighbours in one read, of each no more than the points take.
     /// </summary>
     [BurstCompile]
-    unsafe struct PlanLazReadsJob : IJob
+    public unsafe struct PlanLazReadsJob : IJob
     {
         /// <summary>The chunk's header, at its start.</summary>
         [ReadOnly] public NativeArray<byte> Input;
@@ -51,7 +51,7 @@ namespace FastPoints.Files
                 long bytes = *(uint*)(sizes + 4 * i);
                 if (BytesPerPoint[i] != 0)
                 {
-                    long enough = 4 + BytesPerPoint[i] * Points;
+                    long enough = LazLayer.StartBytes + BytesPerPoint[i] * Points;
                     long read = bytes < enough ? bytes : enough;
                     // A size that leaves the file or the buffer is a lie, and so is all behind it.
                     bool isCut = read > ChunkEnd - inFile || read > BufferBytes - inBuffer;

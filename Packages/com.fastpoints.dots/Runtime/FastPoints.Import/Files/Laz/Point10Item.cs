@@ -14,8 +14,6 @@ namespace FastPoints.Files
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Point10Item
     {
-        public const int RecordBytes = 20;
-
         const int XContexts = 2;
         const int YContexts = 22;
         const int ZContexts = 20;

@@ -10,8 +10,6 @@ namespace FastPoints.Files
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct RgbItem
     {
-        public const int RecordBytes = 6;
-
         const int NotGreyBit = 64;
 
         const int UsedAt = 64;

@@ -94,7 +94,8 @@ namespace FastPoints.Files.Tests
                     RangeCode.Start(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                     {
-                        int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length, ref next);
+                        int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length,
+                            ref next);
                         Assert.That((int)(unchecked(predictions[i] + difference) & mask), Is.EqualTo(wanted[i]), "number " + i);
                     }
                     Assert.That(next - input, Is.EqualTo(stream.Length));

@@ -11,8 +11,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Files.Tests
 {
     /// <summary>
-    /// Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes of it is a
-    /// cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes outside its
+    /// Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes of it is
+    /// a cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes outside its
     /// state and its tile.
     /// </summary>
     /// <remarks>
@@ -53,7 +53,8 @@ namespace FastPoints.Files.Tests
                 ItemVersion = format >= 6 ? 3 + seed % 2 : isV1 ? 1 : 2,
                 ExtraBytes = seed % 3,
                 HasVariableChunks = kind == "Variable",
-                TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd : LazTablePlace.AtOffset,
+                TablePlace = kind == "Lost" ? LazTablePlace.Missing : seed % 2 == 0 ? LazTablePlace.AtFileEnd
+                    : LazTablePlace.AtOffset,
                 ChunkPoints = kind == "One" ? new int[0] : new[] { 40 },
             };
             return writer.Write(LazRecords.Make(format, writer.ExtraBytes, 100, seed));
@@ -131,7 +132,8 @@ namespace FastPoints.Files.Tests
             catch (PointCloudException failure)
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, story + ": " + failure.Message);
+                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, story + ": " +
+                    failure.Message);
             }
         }
 
@@ -159,7 +161,8 @@ namespace FastPoints.Files.Tests
             var isWanted = isLayered ? new bool[layers.Length] : null;
             for (int i = 0; isLayered && i < isWanted.Length; i++)
                 isWanted[i] = true;
-            long stateBytes = isLayered ? LayeredChunk.StateBytes(layers, isWanted, recordBytes) : PointwiseChunk.StateBytes(items);
+            long stateBytes = isLayered ? LayeredChunk.StateBytes(layers, isWanted, recordBytes)
+                : PointwiseChunk.StateBytes(items);
             using (var state = Marked((int)stateBytes, Guard, Mark))
             using (var tile = Marked(points * recordBytes, Guard, Mark))
             using (var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark))
@@ -217,7 +220,8 @@ namespace FastPoints.Files.Tests
                         bytes[random.Next(bytes.Length)] ^= (byte)(1 << random.Next(8));
                     break;
                 case 2:
-                    // A field of four bytes at an extreme, somewhere near the start (header, VLRs, chunk header) half of the time.
+                    // A field of four bytes at an extreme, somewhere near the start (header, VLRs, chunk header) half of the
+                    // time.
                     int at = random.Next(Math.Max(1, (random.Next(2) == 0 ? Math.Min(bytes.Length, 700) : bytes.Length) - 4));
                     byte fill = (byte)(random.Next(3) == 0 ? 0 : random.Next(2) == 0 ? 255 : random.Next(256));
                     for (int i = 0; i < 4 && at + i < bytes.Length; i++)
