@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
@@ -114,6 +115,16 @@ namespace FastPoints.Files.Tests
                 Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), LazFileReading.Truth(las),
                     layout.RecordBytes), Is.Null);
             }
+        }
+
+        [TestCase("broken_coder.laz", FailureCode.Unsupported, "entropy coder: wanted 0, got 15")]
+        [TestCase("broken_type.laz", FailureCode.Unsupported, "item type: wanted 0 or 6 to 14, got 22")]
+        public void Open_BrokenSample_SaysWhatIsWrong(string name, FailureCode code, string story)
+        {
+            string path = TestData.SampleOrIgnore("broken/" + name);
+            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(path).Dispose());
+            Assert.That(failure.Code, Is.EqualTo(code));
+            Assert.That(failure.Message, Does.Contain(story));
         }
 
         [TestCase("laz/autzen_trim.laz", 110000)]

@@ -205,6 +205,38 @@ namespace FastPoints.Files.Tests
                 Check(writer, LazRecords.Make(8, 0, 2000, 51), 0, workers);
         }
 
+        [TestCase(1)]
+        [TestCase(8)]
+        public void Read_CompressorNone_GivesThePlainRecords(int format)
+        {
+            var writer = new LazFileWriter { PointFormat = format, ItemVersion = format < 6 ? 2 : 3, IsPlain = true };
+            Check(writer, LazRecords.Make(format, 0, 500, 15), 0);
+        }
+
+        [Test]
+        public void Read_NoiseInAChunk_IsToldAndTheOthersAreWhole()
+        {
+            var records = LazRecords.Make(3, 0, 900, 16);
+            var writer = new LazFileWriter { PointFormat = 3, ChunkPoints = new[] { 300 } };
+            var bytes = writer.Write(records);
+            int middle = (BitConverter.ToInt32(bytes, LasHeader.At.PointsOffset) + bytes.Length) / 2;
+            for (int i = 0; i < 20; i++)
+                bytes[middle + i] ^= 0x55;
+            using (var file = new TemporaryFile(bytes, ".laz"))
+            using (var reader = LazFileReading.Open(file.Path))
+            {
+                var got = new byte[900 * writer.RecordBytes];
+                var ranges = new[] { new BlockRange(0, 0, 300), new BlockRange(1, 0, 300), new BlockRange(2, 0, 300) };
+                LazFileReading.Read(reader, LazFileReading.LayoutOf(file.Path), ranges, reader.Info.Schema, 3, got);
+                var wanted = Flat(records);
+                int chunk = 300 * writer.RecordBytes;
+                Assert.That(got.Take(chunk), Is.EqualTo(wanted.Take(chunk)));
+                Assert.That(got.Skip(2 * chunk), Is.EqualTo(wanted.Skip(2 * chunk)));
+                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1));
+                Assert.That(reader.Info.Warnings[0].Text, Does.StartWith("chunk 1"));
+            }
+        }
+
         [Test]
         public void Open_NoPoints_IsAnEmptyCloud()
         {
@@ -275,6 +307,7 @@ namespace FastPoints.Files.Tests
             using (var reader = LazFileReading.Open(file.Path))
             {
                 Assert.That(reader.Info.Format, Is.EqualTo("LAZ"));
+                Assert.That(reader, writer.IsPlain ? Is.TypeOf<LasReader>() : Is.TypeOf<LazReader>());
                 Assert.That(reader.PointCount, Is.EqualTo(records.Count));
                 Assert.That(reader.Info.PointsReadable, Is.EqualTo(records.Count));
                 var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path), slots);

@@ -39,6 +39,9 @@ namespace FastPoints.Tests.Support
 
         public LazTablePlace TablePlace = LazTablePlace.AtOffset;
 
+        /// <summary>Whether the records are not compressed at all, though the file says LAZ.</summary>
+        public bool IsPlain;
+
         /// <summary>Points that the header claims; -1 for the truth.</summary>
         public long Claims = -1;
 
@@ -104,6 +107,12 @@ namespace FastPoints.Tests.Support
 
         void WritePoints(BinaryWriter file, LazItem[] items, IReadOnlyList<byte[]> records)
         {
+            if (IsPlain)
+            {
+                foreach (var record in records)
+                    file.Write(record);
+                return;
+            }
             if (ChunkPoints.Length == 0)
             {
                 file.Write(LazEncoder.Chunk(items, records));
@@ -143,7 +152,7 @@ namespace FastPoints.Tests.Support
             vlr.Write(LazFormat.RecordId);
             vlr.Write((ushort)(34 + 6 * items.Length));
             vlr.Write(Padded("", 32));
-            vlr.Write((ushort)(ChunkPoints.Length == 0 ? LazCompressor.Pointwise
+            vlr.Write((ushort)(IsPlain ? LazCompressor.None : ChunkPoints.Length == 0 ? LazCompressor.Pointwise
                 : PointFormat >= 6 ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked));
             vlr.Write((ushort)0);
             vlr.Write(new byte[] { 3, 4, 0, 0 });
