@@ -1,0 +1,57 @@
+using System;
+using FastPoints.Points;
+using Unity.Collections;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// The octree that a source brings along (COPC, Potree, EPT), as far as its hierarchy has been read: additive levels, each
+    /// node's points in a block of their own.
+    /// </summary>
+    /// <remarks>
+    /// Nodes are only ever added, a parent before its children, so an index stays what it was while pages are read. Memory:
+    /// 24 bytes a node.
+    /// </remarks>
+    public sealed class SourceTree : IDisposable
+    {
+        NativeList<SourceNode> m_nodes;
+
+        /// <param name="cube">The root's cube, CRS units.</param>
+        /// <param name="spacing">Distance between points of the root, CRS units; halved from level to level.</param>
+        public SourceTree(BoundsGeo cube, double spacing, Allocator allocator)
+        {
+            Cube = cube;
+            Spacing = spacing;
+            m_nodes = new NativeList<SourceNode>(64, allocator);
+        }
+
+        public BoundsGeo Cube { get; }
+
+        public double Spacing { get; }
+
+        public int NodeCount => m_nodes.Length;
+
+        /// <summary>Levels among the nodes that are known.</summary>
+        public int LevelCount { get; private set; }
+
+        /// <summary>Whether all pages of the hierarchy were read (or given up with a warning).</summary>
+        public bool IsWhole { get; set; }
+
+        public SourceNode this[int node] => m_nodes[node];
+
+        public void Add(SourceNode node)
+        {
+            m_nodes.Add(node);
+            LevelCount = Math.Max(LevelCount, node.Level + 1);
+        }
+
+        /// <summary>Edge of a level's nodes, CRS units.</summary>
+        public double EdgeOfLevel(int level) => Cube.Size.x / Math.Pow(2, level);
+
+        public void Dispose()
+        {
+            if (m_nodes.IsCreated)
+                m_nodes.Dispose();
+        }
+    }
+}
