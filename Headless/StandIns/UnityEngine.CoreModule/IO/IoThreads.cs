@@ -4,22 +4,27 @@ using System.Threading;
 
 namespace StandIns.Io
 {
-    /// <summary>Two threads that open, read and close files, first come first served.</summary>
+    /// <summary>Two threads that open, read and close files, first come first served. A job thread with nothing to run helps: it
+    /// takes the next read, and finds the bytes in its own cache when it decodes them.</summary>
     static class IoThreads
     {
         const int Count = 2;
 
         static readonly object s_gate = new object();
         static readonly Queue<Action> s_queue = new Queue<Action>();
+        static int s_waiting;
         static int s_started;
         static int s_sleepers;
         static bool s_paused;
+
+        internal static bool HasWaiting => Volatile.Read(ref s_waiting) > 0;
 
         internal static void Enqueue(Action work)
         {
             lock (s_gate)
             {
                 s_queue.Enqueue(work);
+                s_waiting++;
                 if (s_sleepers == 0 && s_started < Count)
                 {
                     s_started++;
@@ -39,6 +44,23 @@ namespace StandIns.Io
             }
         }
 
+        /// <summary>Does what is first in the queue on the calling thread, if there is something.</summary>
+        internal static bool TryRunOne()
+        {
+            Action work;
+            if (!HasWaiting)
+                return false;
+            lock (s_gate)
+            {
+                if (s_queue.Count == 0 || s_paused)
+                    return false;
+                work = s_queue.Dequeue();
+                s_waiting--;
+            }
+            work();
+            return true;
+        }
+
         static void Run()
         {
             while (true)
@@ -53,6 +75,7 @@ namespace StandIns.Io
                         s_sleepers--;
                     }
                     work = s_queue.Dequeue();
+                    s_waiting--;
                 }
                 work();
             }

@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using StandIns.Io;
 using StandIns.Memory;
 using StandIns.Safety;
 using Unity.Jobs;
@@ -117,7 +118,7 @@ namespace StandIns.Scheduling
             return Volatile.Read(ref node.Version) != handle.m_Version || node.Done;
         }
 
-        /// <summary>Waits for the job, running others meanwhile, and throws what it or a job before it threw.</summary>
+        /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile, and throws what it or a job before it threw.</summary>
         internal static void Complete(JobHandle handle)
         {
             if (handle.m_Index == 0)
@@ -127,7 +128,7 @@ namespace StandIns.Scheduling
             int spins = 0;
             while (!IsCompleted(handle))
             {
-                if (RunBatches(node, version) || RunOne())
+                if (RunBatches(node, version) || RunOne() || IoThreads.TryRunOne())
                 {
                     spins = 0;
                 }

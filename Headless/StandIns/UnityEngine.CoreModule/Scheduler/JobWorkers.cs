@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using StandIns.Io;
 
 namespace StandIns.Scheduling
 {
@@ -80,13 +81,13 @@ namespace StandIns.Scheduling
                     s_wanted[worker].Wait();
                     continue;
                 }
-                if (JobScheduler.RunOne())
+                if (JobScheduler.RunOne() || IoThreads.TryRunOne())
                     continue;
                 bool found = false;
                 for (int i = 0; i < Spins && !found; i++)
                 {
                     Thread.SpinWait(10);
-                    found = !JobQueue.IsEmpty;
+                    found = !JobQueue.IsEmpty || IoThreads.HasWaiting;
                 }
                 if (!found)
                     JobQueue.WaitForWork();

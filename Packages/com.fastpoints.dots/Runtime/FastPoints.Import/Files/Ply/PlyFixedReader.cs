@@ -12,7 +12,7 @@ namespace FastPoints.Files
     /// element.</remarks>
     sealed class PlyFixedReader : PlyReader
     {
-        const int MaxBlockPoints = 65536;
+        const int MaxBlockPoints = 32768;
 
         /// <summary>Records of many properties come in shorter blocks, so that a slot's memory stays small.</summary>
         const int MaxBlockBytes = 4 << 20;
