@@ -76,7 +76,7 @@ namespace FastPoints.Cli.Verbs
             run.Inputs.AddRange(files);
             foreach (string file in files)
             {
-                string own = Path.GetFileNameWithoutExtension(file) + "-report";
+                string own = CloudName.Of(file) + "-report";
                 reports.Add(Report.Make(file, outFolder == null ? own : files.Length == 1 ? outFolder : Path.Combine(outFolder, own), run));
             }
             StageTable.Of(run.Progress).Write(run.Out, "  ");
@@ -136,7 +136,7 @@ namespace FastPoints.Cli.Verbs
                 // The same view, so that the two can be laid over each other.
                 picture.Camera = preview.Camera;
                 run.Progress.Group = "octree";
-                string cloudPath = Path.Combine(folder, Path.GetFileNameWithoutExtension(file) + StoreFormat.FolderExtension);
+                string cloudPath = Path.Combine(folder, CloudName.Of(file) + StoreFormat.FolderExtension);
                 var convert = ConvertStep.Run([reader], cloudPath, new ConvertSettings(), run);
                 run.Out.WriteLine("  octree   " + convert.Describe());
                 run.Out.Flush();
@@ -149,7 +149,7 @@ namespace FastPoints.Cli.Verbs
                     run.Out.WriteLine("           " + assumption);
                 run.Out.WriteLine();
 
-                var page = new ReportPage(Path.GetFileName(file));
+                var page = new ReportPage(Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file));
                 page.Facts(facts.Lines());
                 foreach (var warning in reader.Info.Warnings)
                     page.Warning("warning: " + warning);

@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Text;
 using FastPoints.Base;
 
@@ -58,14 +59,19 @@ namespace FastPoints.Files
             new Kind("a Leica PTG file", "PTG"),
         };
 
-        /// <summary>Opens a LAS or PLY file. Dispose the reader.</summary>
+        /// <summary>Opens a LAS, LAZ or PLY file, or a Potree octree by its folder or its index in it. Dispose the
+        /// reader.</summary>
         /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
         /// header; one line.</exception>
         public static PointReader Open(string path)
         {
+            if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
+                path = SourceFolder.FindIndex(path) ?? throw SourceFolder.NoIndex(path);
             using (var source = FileSource.Open(path))
             {
                 byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
+                if (SourceJson.Is(head))
+                    return OpenIndex(SourceJson.Read(source));
                 foreach (var kind in s_kinds)
                 {
                     if (!StartsWith(head, kind.Magic))
@@ -73,11 +79,28 @@ namespace FastPoints.Files
                     if (kind.Open != null)
                         return kind.Open(source);
                     throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                        "this is " + kind.Name + ": wanted LAS or PLY");
+                        "this is " + kind.Name + ": wanted LAS, LAZ, PLY or Potree");
                 }
                 throw new PointCloudException(FailureCode.Unsupported, path, 0,
                     "no known point cloud format: wanted LAS (LASF) or PLY (ply), got " + Shown(head));
             }
+        }
+
+        /// <summary>The octree that a JSON index is the head of.</summary>
+        static PointReader OpenIndex(SourceJson index)
+        {
+            if (index.IsObject("hierarchy") && index.Has("encoding"))
+                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "a Potree 2 octree is not read yet");
+            if (index.Has("octreeDir") || index.Has("pointAttributes"))
+                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "a Potree 1 octree is not read yet");
+            if (index.Has("hierarchyType") || index.IsList("schema") && index.Has("dataType"))
+                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "an Entwine octree (EPT) is not read yet");
+            if (index.IsText("format") && index.Text("format") == "fastpoints")
+                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0,
+                    "this is a converted cloud already, not a source: draw it, or convert what it was made from");
+            throw new PointCloudException(FailureCode.Unsupported, index.Path, 0,
+                "this is JSON, but no point cloud's: wanted Potree's metadata.json or cloud.js, got the members "
+                    + string.Join(", ", index.Names));
         }
 
         static bool StartsWith(byte[] head, byte[] magic)

@@ -22,19 +22,22 @@ namespace FastPoints.Base
         }
 
         readonly string m_text;
+        readonly bool m_allowsTrailingCommas;
         int m_at;
 
-        JsonReader(string text)
+        JsonReader(string text, bool allowsTrailingCommas)
         {
             m_text = text;
+            m_allowsTrailingCommas = allowsTrailingCommas;
         }
 
+        /// <param name="allowTrailingCommas">Whether a comma may stand behind the last item, as JavaScript lets it.</param>
         /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see
         /// cref="ToDouble"/>.</returns>
         /// <exception cref="FormatException">It is no JSON; the message tells where.</exception>
-        public static object Parse(string text)
+        public static object Parse(string text, bool allowTrailingCommas = false)
         {
-            var reader = new JsonReader(text);
+            var reader = new JsonReader(text, allowTrailingCommas);
             object value = reader.Value(0);
             reader.Space();
             if (reader.m_at != text.Length)
@@ -92,6 +95,8 @@ namespace FastPoints.Base
                 return members;
             do
             {
+                if (IsTrailing('}'))
+                    break;
                 Space();
                 string name = String();
                 Needs(':');
@@ -110,7 +115,11 @@ namespace FastPoints.Base
             if (Takes(']'))
                 return items;
             do
+            {
+                if (IsTrailing(']'))
+                    break;
                 items.Add(Value(depth + 1));
+            }
             while (Takes(','));
             Needs(']');
             return items;
@@ -207,6 +216,15 @@ namespace FastPoints.Base
                 return false;
             m_at++;
             return true;
+        }
+
+        /// <summary>Whether the comma just read was the last of its object or array, and may be.</summary>
+        bool IsTrailing(char end)
+        {
+            if (!m_allowsTrailingCommas)
+                return false;
+            Space();
+            return m_at < m_text.Length && m_text[m_at] == end;
         }
 
         void Needs(char c)

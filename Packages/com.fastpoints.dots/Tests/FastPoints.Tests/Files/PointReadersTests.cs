@@ -43,6 +43,39 @@ namespace FastPoints.Files.Tests
             Directory.Delete(m_path);
         }
 
+        [TestCase("ept.json", "{\"dataType\":\"binary\",\"schema\":[]}", "Entwine")]
+        [TestCase("cloud.json", "{\"format\":\"fastpoints\",\"version\":1}", "converted cloud already")]
+        [TestCase("metadata.json", " { \"name\": \"x\", }", "got the members name")]
+        public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string story)
+        {
+            string folder = m_path + "-folder";
+            string index = Path.Combine(folder, name);
+            Directory.CreateDirectory(folder);
+            try
+            {
+                File.WriteAllText(index, content, Encoding.UTF8);
+                foreach (string path in new[] { folder, index, folder + Path.DirectorySeparatorChar })
+                {
+                    var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(path));
+                    Assert.That(failure.Code, Is.EqualTo(FailureCode.Unsupported));
+                    Assert.That(failure.Path, Is.EqualTo(index));
+                    Assert.That(failure.Message, Does.Contain(story));
+                }
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+
+        [TestCase("{\"a\":", "no JSON")]
+        [TestCase("{[", "no JSON")]
+        public void Open_BrokenJson_SaysWhere(string content, string story)
+        {
+            File.WriteAllText(m_path, content);
+            CheckFailure(FailureCode.BadInput, story);
+        }
+
         [Test]
         public void Open_EmptyFile_IsTruncated()
         {

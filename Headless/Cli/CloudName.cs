@@ -1,0 +1,20 @@
+using System.IO;
+
+namespace FastPoints.Cli
+{
+    /// <summary>What a source is called in the names of the files that are made of it.</summary>
+    public static class CloudName
+    {
+        /// <summary>A file's name without its extension; for an octree its folder's name, whether the folder or the index in it
+        /// was named.</summary>
+        public static string Of(string path)
+        {
+            string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+            bool isIndex = Path.GetFileName(full) is "metadata.json" or "cloud.js" or "ept.json";
+            if (isIndex && Path.GetDirectoryName(full) is { } folder)
+                full = folder;
+            string name = Directory.Exists(full) ? Path.GetFileName(full) : Path.GetFileNameWithoutExtension(full);
+            return name.Length > 0 ? name : "cloud";
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Store;
+
+namespace FastPoints.Files
+{
+    /// <summary>What kind of point cloud a folder is, by the index file that lies in it.</summary>
+    static class SourceFolder
+    {
+        /// <summary>Names under which writers leave an index; what is in it decides.</summary>
+        static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
+
+        /// <summary>The index of an octree's folder, or null for a folder that has none.</summary>
+        public static string FindIndex(string folder)
+        {
+            foreach (string name in s_indexNames)
+            {
+                string path = Path.Combine(folder, name);
+                if (File.Exists(path))
+                    return path;
+            }
+            return null;
+        }
+
+        /// <summary>The failure of a folder without an index.</summary>
+        public static PointCloudException NoIndex(string folder) => new PointCloudException(FailureCode.NotFound, folder, -1,
+            "is a folder, wanted a file or the folder of an octree (with " + string.Join(", ", Wanted()) + " in it)");
+
+        static IEnumerable<string> Wanted()
+        {
+            foreach (string name in s_indexNames)
+                if (name != StoreFormat.ManifestName)
+                    yield return name;
+        }
+    }
+}
