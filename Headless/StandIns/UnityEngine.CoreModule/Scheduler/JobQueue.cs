@@ -1,4 +1,5 @@
 using System.Threading;
+using StandIns.Io;
 
 namespace StandIns.Scheduling
 {
@@ -62,12 +63,12 @@ namespace StandIns.Scheduling
             return false;
         }
 
-        /// <summary>Sleeps until a job is pushed.</summary>
+        /// <summary>Sleeps until a job is pushed or a read is begun.</summary>
         internal static void WaitForWork()
         {
             lock (s_gate)
             {
-                if (s_count > 0)
+                if (s_count > 0 || IoThreads.HasWaiting)
                     return;
                 s_sleepers++;
                 Monitor.Wait(s_gate);
@@ -100,6 +101,16 @@ namespace StandIns.Scheduling
             lock (s_gate)
             {
                 if (s_count > 0)
+                    Monitor.Pulse(s_gate);
+            }
+        }
+
+        /// <summary>Wakes a thread that sleeps, if there is one: a read waits.</summary>
+        internal static void WakeOne()
+        {
+            lock (s_gate)
+            {
+                if (s_sleepers > 0)
                     Monitor.Pulse(s_gate);
             }
         }

@@ -65,7 +65,15 @@ namespace FastPoints.Files
             int stride = RecordBytes;
             if (values == 3)
             {
-                for (int i = 0; i < count; i++, source += stride)
+                int i = 0;
+                for (; i < count - 3; i += 4, source += 4 * stride)
+                {
+                    byte* second = source + stride, third = second + stride, fourth = third + stride;
+                    *(uint*)(column0 + i) = (uint)(source[0] | second[0] << 8 | third[0] << 16 | fourth[0] << 24);
+                    *(uint*)(column1 + i) = (uint)(source[1] | second[1] << 8 | third[1] << 16 | fourth[1] << 24);
+                    *(uint*)(column2 + i) = (uint)(source[2] | second[2] << 8 | third[2] << 16 | fourth[2] << 24);
+                }
+                for (; i < count; i++, source += stride)
                 {
                     column0[i] = source[0];
                     column1[i] = source[1];
@@ -109,7 +117,15 @@ namespace FastPoints.Files
             int stride = RecordBytes;
             if (values == 3 && !IsBigEndian)
             {
-                for (int i = 0; i < count; i++, source += stride)
+                int i = 0;
+                for (; i < count - 1; i += 2, source += 2 * stride)
+                {
+                    byte* second = source + stride;
+                    *(ulong*)(column0 + i) = *(uint*)source | (ulong)*(uint*)second << 32;
+                    *(ulong*)(column1 + i) = *(uint*)(source + 4) | (ulong)*(uint*)(second + 4) << 32;
+                    *(ulong*)(column2 + i) = *(uint*)(source + 8) | (ulong)*(uint*)(second + 8) << 32;
+                }
+                for (; i < count; i++, source += stride)
                 {
                     column0[i] = *(uint*)source;
                     column1[i] = *(uint*)(source + 4);
