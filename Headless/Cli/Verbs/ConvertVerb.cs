@@ -12,7 +12,7 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds: LAS, LAZ, PLY. Several become one cloud; they have the same attributes.",
+            Description = "Point clouds, or folders of them. Several become one cloud with the attributes of all.",
         };
         readonly Option<string> m_output = new("--output", "-o")
         {
@@ -46,6 +46,7 @@ namespace FastPoints.Cli.Verbs
         [
             ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
             ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
+            ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)
@@ -58,27 +59,16 @@ namespace FastPoints.Cli.Verbs
                 Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             };
             run.Inputs.AddRange(files);
-            var readers = new List<PointReader>();
-            try
-            {
-                foreach (string file in files)
-                {
-                    readers.Add(PointReaders.Open(file));
-                    run.Warn(readers[^1].Info);
-                }
-                string output = parsed.GetRequiredValue(m_output);
-                if (settings.Attributes?.FirstOrDefault(a => !readers[0].Info.Schema.Has(a)) is { } unknown)
-                    throw new UsageException("--attributes: " + files[0] + " has no " + unknown + "; it has "
-                        + string.Join(", ", readers[0].Info.Schema.Select(a => a.Name)));
-                var result = ConvertStep.Run(readers, output, settings, run);
-                run.WriteKeys = result.WriteKeys;
-                run.Out.WriteLine(output + ": " + result.Describe());
-                StageTable.Of(run.Progress).Write(run.Out, "  ");
-            }
-            finally
-            {
-                readers.ForEach(r => r.Dispose());
-            }
+            using var reader = PointReaders.Open(files);
+            run.Warn(reader.Info);
+            string output = parsed.GetRequiredValue(m_output);
+            if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
+                throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
+                    + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));
+            var result = ConvertStep.Run([reader], output, settings, run);
+            run.WriteKeys = result.WriteKeys;
+            run.Out.WriteLine(output + ": " + result.Describe());
+            StageTable.Of(run.Progress).Write(run.Out, "  ");
         }
     }
 }

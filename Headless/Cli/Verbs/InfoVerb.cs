@@ -13,18 +13,21 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Point clouds: LAS, LAZ, PLY.",
+            Description = "Point clouds, or folders of them.",
         };
         readonly Option<bool> m_scan = new("--scan")
         {
             Description = "Decode every point: how many there are, their bounds, each attribute's range and sum.",
         };
 
+        readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
+
         public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
             + "system, oddities."))
         {
             Command.Add(m_files);
             Command.Add(m_scan);
+            Command.Add(m_asOne);
             AddCommonOptions();
         }
 
@@ -33,6 +36,7 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints info scan.las", "from the header, whatever the size"),
             ("./fastpoints info --scan scan.ply --json facts.json", "from every point"),
             ("./fastpoints info *.las --json - | jq '.files[].points'", "many files, for a script"),
+            ("./fastpoints info tiles/", "all clouds in a folder as one"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)
@@ -41,10 +45,11 @@ namespace FastPoints.Cli.Verbs
             bool scan = parsed.GetValue(m_scan);
             run.Inputs.AddRange(files);
             var all = new List<SourceFacts>();
-            run.WriteKeys = json => WriteKeys(json, files.Length, all);
-            foreach (string file in files)
+            var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
+            run.WriteKeys = json => WriteKeys(json, clouds.Length, all);
+            foreach (var cloud in clouds)
             {
-                using var reader = PointReaders.Open(file);
+                using var reader = PointReaders.Open(cloud);
                 var facts = new SourceFacts(reader);
                 all.Add(facts);
                 if (scan)

@@ -17,8 +17,9 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_files = new("FILE")
         {
             Arity = ArgumentArity.ZeroOrMore,
-            Description = "Point clouds: LAS, LAZ, PLY. Without one, a street is scanned first (see demo-cloud).",
+            Description = "Point clouds, or folders of them. Without one, a street is scanned first (see demo-cloud).",
         };
+        readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: report on that." };
         readonly Option<string?> m_out = new("--out")
         {
             HelpName = "DIR",
@@ -41,6 +42,7 @@ namespace FastPoints.Cli.Verbs
             + "writes a page with pictures, facts and times."))
         {
             Command.Add(m_files);
+            Command.Add(m_asOne);
             Command.Add(m_out);
             Command.Add(m_points);
             Command.Add(m_seed);
@@ -62,7 +64,8 @@ namespace FastPoints.Cli.Verbs
             if (points < 1)
                 throw new UsageException("--points is at least 1");
             var reports = new List<Report>();
-            run.WriteKeys = json => WriteKeys(json, Math.Max(1, files.Length), reports);
+            var clouds = parsed.GetValue(m_asOne) && files.Length > 0 ? [files] : files.Select(f => new[] { f }).ToArray();
+            run.WriteKeys = json => WriteKeys(json, Math.Max(1, clouds.Length), reports);
             if (files.Length == 0)
             {
                 string folder = outFolder ?? "demo-report";
@@ -71,13 +74,13 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points) + " points into " + demo);
                 run.Out.Flush();
                 DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
-                reports.Add(Report.Make(demo, folder, run));
+                reports.Add(Report.Make([demo], folder, run));
             }
             run.Inputs.AddRange(files);
-            foreach (string file in files)
+            foreach (var cloud in clouds)
             {
-                string own = CloudName.Of(file) + "-report";
-                reports.Add(Report.Make(file, outFolder == null ? own : files.Length == 1 ? outFolder : Path.Combine(outFolder, own), run));
+                string own = CloudName.Of(cloud[0]) + "-report";
+                reports.Add(Report.Make(cloud, outFolder == null ? own : clouds.Length == 1 ? outFolder : Path.Combine(outFolder, own), run));
             }
             StageTable.Of(run.Progress).Write(run.Out, "  ");
             run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
@@ -115,10 +118,11 @@ namespace FastPoints.Cli.Verbs
             public required ConvertStep Convert { get; init; }
             public required DrawStep Picture { get; init; }
 
-            public static Report Make(string file, string folder, CliRun run)
+            public static Report Make(string[] files, string folder, CliRun run)
             {
                 int firstStage = run.Progress.Finished.Count;
-                using var reader = PointReaders.Open(file);
+                using var reader = PointReaders.Open(files);
+                string file = files[0];
                 var facts = new SourceFacts(reader);
                 facts.Write(run.Out);
                 run.Out.WriteLine();
@@ -149,7 +153,7 @@ namespace FastPoints.Cli.Verbs
                     run.Out.WriteLine("           " + assumption);
                 run.Out.WriteLine();
 
-                var page = new ReportPage(Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file));
+                var page = new ReportPage(files.Length > 1 ? reader.Info.Path : Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file));
                 page.Facts(facts.Lines());
                 foreach (var warning in reader.Info.Warnings)
                     page.Warning("warning: " + warning);

@@ -10,7 +10,11 @@ namespace FastPoints.Cli.Verbs
     /// <summary>A picture of every point.</summary>
     public sealed class PictureVerb : Verb
     {
-        readonly Argument<string> m_cloud = new("CLOUD") { Description = "A point cloud: LAS, PLY, or a converted one." };
+        readonly Argument<string[]> m_clouds = new("CLOUD")
+        {
+            Arity = ArgumentArity.OneOrMore,
+            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one.",
+        };
         readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<long> m_budget = new("--budget")
         {
@@ -26,7 +30,7 @@ namespace FastPoints.Cli.Verbs
 
         public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
         {
-            Command.Add(m_cloud);
+            Command.Add(m_clouds);
             Command.Add(m_output);
             m_picture = new PictureSettings(Command);
             Command.Add(m_budget);
@@ -44,13 +48,14 @@ namespace FastPoints.Cli.Verbs
 
         public override void Run(ParseResult parsed, CliRun run)
         {
-            string cloud = parsed.GetRequiredValue(m_cloud), output = parsed.GetRequiredValue(m_output);
+            var clouds = parsed.GetRequiredValue(m_clouds);
+            string output = parsed.GetRequiredValue(m_output);
             string? against = parsed.GetValue(m_against);
             var options = m_picture.Read(parsed);
             long budget = parsed.GetValue(m_budget);
             if (budget < 0)
                 throw new UsageException("--budget is at least 1");
-            run.Inputs.Add(cloud);
+            run.Inputs.AddRange(clouds);
             if (against != null)
                 run.Inputs.Add(against);
             var reference = against != null ? Png.Read(against) : null;
@@ -58,7 +63,9 @@ namespace FastPoints.Cli.Verbs
                 throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size", options.WidthPx + "x" + options.HeightPx,
                     reference.Width + "x" + reference.Height);
 
-            var result = CloudFolder.IsCloud(cloud) ? DrawStep.RunStored(cloud, options, budget, run) : Draw(cloud, options, budget, run);
+            var result = clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
+                ? DrawStep.RunStored(clouds[0], options, budget, run)
+                : Draw(clouds, options, budget, run);
             if (reference != null)
                 result.Error = ImageError.Compare(result.Image, reference, options.Background);
             run.WriteKeys = result.WriteKeys;
@@ -73,9 +80,9 @@ namespace FastPoints.Cli.Verbs
             StageTable.Of(run.Progress).Write(run.Out, "  ");
         }
 
-        static DrawStep Draw(string file, PictureOptions options, long budget, CliRun run)
+        static DrawStep Draw(string[] files, PictureOptions options, long budget, CliRun run)
         {
-            using var reader = PointReaders.Open(file);
+            using var reader = PointReaders.Open(files);
             run.Warn(reader.Info);
             return DrawStep.Run(reader, options, budget, run);
         }

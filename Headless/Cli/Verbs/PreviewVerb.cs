@@ -9,7 +9,11 @@ namespace FastPoints.Cli.Verbs
     /// <summary>A first picture from a sample that costs the same whatever the file's size.</summary>
     public sealed class PreviewVerb : Verb
     {
-        readonly Argument<string> m_file = new("FILE") { Description = "A point cloud: LAS, LAZ, PLY." };
+        readonly Argument<string[]> m_files = new("FILE")
+        {
+            Arity = ArgumentArity.OneOrMore,
+            Description = "Point clouds, or folders of them; several are drawn as one.",
+        };
         readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<int> m_points = new("--points")
         {
@@ -29,7 +33,7 @@ namespace FastPoints.Cli.Verbs
 
         public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
         {
-            Command.Add(m_file);
+            Command.Add(m_files);
             Command.Add(m_output);
             Command.Add(m_points);
             Command.Add(m_exact);
@@ -46,13 +50,13 @@ namespace FastPoints.Cli.Verbs
 
         public override void Run(ParseResult parsed, CliRun run)
         {
-            string file = parsed.GetRequiredValue(m_file);
+            var files = parsed.GetRequiredValue(m_files);
             int points = parsed.GetValue(m_points);
             if (points < 1)
                 throw new UsageException("--points is at least 1");
             var options = new PreviewOptions { Points = points, Exact = parsed.GetValue(m_exact), Picture = m_picture.Read(parsed) };
-            run.Inputs.Add(file);
-            using var reader = PointReaders.Open(file);
+            run.Inputs.AddRange(files);
+            using var reader = PointReaders.Open(files);
             run.Warn(reader.Info);
             var result = PreviewStep.Run(reader, options, run);
             string output = parsed.GetRequiredValue(m_output);

@@ -17,7 +17,7 @@ namespace FastPoints.Cli.Verbs
             HelpName = "FILE...",
             Arity = ArgumentArity.OneOrMore,
             AllowMultipleArgumentsPerToken = true,
-            Description = "The files that it was made from: the points are the same, position and every attribute, or it fails.",
+            Description = "The files (or their folder) that it was made from: the points are the same, position and every attribute, or it fails.",
         };
 
         public VerifyVerb() : base(new Command("verify", "Read every byte of a converted cloud: structure, hashes, each point in its "
@@ -43,11 +43,11 @@ namespace FastPoints.Cli.Verbs
             run.WriteKeys = json => WriteKeys(json, result);
             try
             {
-                foreach (string file in parsed.GetValue(m_against) ?? [])
+                if (parsed.GetValue(m_against) is { Length: > 0 } files)
                 {
-                    run.Inputs.Add(file);
-                    readers.Add(PointReaders.Open(file));
-                    run.Warn(readers[^1].Info);
+                    run.Inputs.AddRange(files);
+                    readers.Add(PointReaders.Open(files));
+                    run.Warn(readers[0].Info);
                 }
                 run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));
             }

@@ -67,6 +67,12 @@ namespace FastPoints.Files
         /// <param name="allocator">Of the slot's memory.</param>
         public abstract BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator);
 
+        /// <summary>Gives the file's handle back, where that is possible, and keeps all that was found; the next slot takes it
+        /// again. There are no slots at this time.</summary>
+        public virtual void CloseFile()
+        {
+        }
+
         public abstract void Dispose();
     }
 }

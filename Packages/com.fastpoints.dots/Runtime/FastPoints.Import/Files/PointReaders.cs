@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Base;
@@ -59,19 +60,33 @@ namespace FastPoints.Files
             new Kind("a Leica PTG file", "PTG"),
         };
 
-        /// <summary>Opens a LAS, LAZ or PLY file, or a Potree octree by its folder or its index in it. Dispose the
-        /// reader.</summary>
+        /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one as it is. Dispose the reader.</summary>
+        /// <exception cref="PointCloudException">As for one file.</exception>
+        public static PointReader Open(IReadOnlyList<string> paths) => paths.Count == 1 ? Open(paths[0]) : TiledReader.Open(paths);
+
+        /// <summary>Opens a LAS, LAZ or PLY file, a Potree octree by its folder or its index in it, or all clouds that lie in a
+        /// folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
         /// header; one line.</exception>
         public static PointReader Open(string path)
         {
             if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
-                path = SourceFolder.FindIndex(path) ?? throw SourceFolder.NoIndex(path);
+            {
+                // Tiles may lie beside a metadata.json that is something else.
+                string index = SourceFolder.FindIndex(path);
+                if (index == null)
+                    return TiledReader.OpenFolder(path);
+                using (var source = FileSource.Open(index))
+                    return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path);
+            }
             using (var source = FileSource.Open(path))
             {
                 byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
                 if (SourceJson.Is(head))
-                    return OpenIndex(SourceJson.Read(source));
+                {
+                    var index = SourceJson.Read(source);
+                    return OpenIndex(index) ?? throw NoOctree(index);
+                }
                 foreach (var kind in s_kinds)
                 {
                     if (!StartsWith(head, kind.Magic))
@@ -86,7 +101,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>The octree that a JSON index is the head of.</summary>
+        /// <summary>The octree that a JSON index is the head of; null for other JSON.</summary>
         static PointReader OpenIndex(SourceJson index)
         {
             if (index.IsObject("hierarchy") && index.Has("encoding"))
@@ -98,10 +113,13 @@ namespace FastPoints.Files
             if (index.IsText("format") && index.Text("format") == "fastpoints")
                 throw new PointCloudException(FailureCode.Unsupported, index.Path, 0,
                     "this is a converted cloud already, not a source: draw it, or convert what it was made from");
-            throw new PointCloudException(FailureCode.Unsupported, index.Path, 0,
+            return null;
+        }
+
+        static PointCloudException NoOctree(SourceJson index) =>
+            new PointCloudException(FailureCode.Unsupported, index.Path, 0,
                 "this is JSON, but no point cloud's: wanted Potree's metadata.json or cloud.js, got the members "
                     + string.Join(", ", index.Names));
-        }
 
         static bool StartsWith(byte[] head, byte[] magic)
         {

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.IO;
-using FastPoints.Base;
 using FastPoints.Store;
 
 namespace FastPoints.Files
@@ -21,17 +19,6 @@ namespace FastPoints.Files
                     return path;
             }
             return null;
-        }
-
-        /// <summary>The failure of a folder without an index.</summary>
-        public static PointCloudException NoIndex(string folder) => new PointCloudException(FailureCode.NotFound, folder, -1,
-            "is a folder, wanted a file or the folder of an octree (with " + string.Join(", ", Wanted()) + " in it)");
-
-        static IEnumerable<string> Wanted()
-        {
-            foreach (string name in s_indexNames)
-                if (name != StoreFormat.ManifestName)
-                    yield return name;
         }
     }
 }

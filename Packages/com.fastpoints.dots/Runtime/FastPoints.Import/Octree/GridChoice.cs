@@ -17,13 +17,6 @@ namespace FastPoints.Octree
         /// <summary>A float source's extent takes at most 2^31 steps, so that offsets in the octree fit 32 bits.</summary>
         const int FloatExtentLog2 = 31;
 
-        // Common steps of decimal scales: 0.01 and 0.025 meet at 0.005.
-        static readonly int[] s_divisors = { 1, 2, 4, 5, 8, 10, 16, 20, 25, 32, 40, 50, 64, 100, 125, 200, 250, 500, 1000 };
-
-        /// <summary>What is taken for the same number of steps: scales such as 0.01 are no binary fractions.</summary>
-        const double ScaleTolerance = 1e-9;
-        const double OffsetToleranceSteps = 1e-3;
-
         public CloudGrid Grid;
 
         /// <summary>By source.</summary>
@@ -54,8 +47,9 @@ namespace FastPoints.Octree
                         choice.Sources[i].Y = axes[i];
                     else
                         choice.Sources[i].Z = axes[i];
-                    isNarrow &= axes[i].IsInteger;
-                    RangeOf(infos[i].Schema[infos[i].Schema.IndexOf(name)].Type, out long least, out long most);
+                    var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
+                    isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
+                    RangeOf(type, out long least, out long most);
                     long a = least * axes[i].Factor + axes[i].Shift, b = most * axes[i].Factor + axes[i].Shift;
                     lowest = Math.Min(lowest, Math.Min(a, b));
                     highest = Math.Max(highest, Math.Max(a, b));
@@ -84,7 +78,7 @@ namespace FastPoints.Octree
 
             var axes = new SourceAxis[infos.Count];
             for (int i = 0; i < axes.Length; i++)
-                axes[i] = AxisOf(infos[i], axis, name, isInteger, step, origin);
+                axes[i] = AxisOf(infos[i], axis, name, step, origin);
             return axes;
         }
 
@@ -93,59 +87,40 @@ namespace FastPoints.Octree
         /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
-            SourceAxis On(int axis, string name) => AxisOf(info, axis, name,
-                !info.Schema[info.Schema.IndexOf(name)].Type.IsFloat(),
-                grid.Step[axis], grid.Origin[axis]);
+            SourceAxis On(int axis, string name) => AxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
             return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
         }
 
-        static SourceAxis AxisOf(SourceInfo info, int axis, string name, bool isInteger, double step, double origin)
+        static SourceAxis AxisOf(SourceInfo info, int axis, string name, double step, double origin)
         {
             double scale = info.Transform.Scale[axis], offset = info.Transform.Offset[axis];
             var result = new SourceAxis { Scale = scale, Offset = offset, Origin = origin, Step = step };
-            if (!isInteger)
+            if (info.Schema[info.Schema.IndexOf(name)].Type.IsFloat())
                 return result;
-            double factor = Math.Round(scale / step), shift = Math.Round((offset - origin) / step);
-            if (Math.Abs(factor) >= 1L << 28 || Math.Abs(shift) >= SourceGrid.Limit / 2)
+            if (!CommonGrid.TryPlace(scale, offset, step, origin, out result.Factor, out result.Shift, out double loss))
             {
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "scale and offset of " + name + ": no grid holds them together with the other files'");
             }
             result.IsInteger = true;
-            result.Factor = (long)factor;
-            result.Shift = (long)shift;
-            if (!IsWhole(scale / step, ScaleTolerance) || !IsWhole((offset - origin) / step, OffsetToleranceSteps))
+            if (loss > 0)
             {
-                double loss = Math.Abs(scale / step - factor) * int.MaxValue + Math.Abs((offset - origin) / step - shift);
                 info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
-                    "{0} does not fit the common grid: moved by up to {1:R}", name, loss * step));
+                    "{0} does not fit the common grid: moved by up to {1:R}", name, loss));
             }
             return result;
         }
 
-        static bool IsWhole(double value, double tolerance) =>
-            Math.Abs(value - Math.Round(value)) <= tolerance * Math.Max(1, tolerance < 1e-6 ? Math.Abs(value) : 1);
-
-        /// <summary>The finest scale, or a part of it where the others need that.</summary>
         static double CommonStep(IReadOnlyList<SourceInfo> infos, int axis)
         {
-            double finest = double.PositiveInfinity;
-            foreach (var info in infos)
-                finest = Math.Min(finest, Math.Abs(info.Transform.Scale[axis]));
-            double origin = infos[0].Transform.Offset[axis];
-            foreach (int divisor in s_divisors)
+            var scales = new double[infos.Count];
+            var offsets = new double[infos.Count];
+            for (int i = 0; i < scales.Length; i++)
             {
-                double step = finest / divisor;
-                bool fits = true;
-                foreach (var info in infos)
-                {
-                    fits &= IsWhole(info.Transform.Scale[axis] / step, ScaleTolerance) &&
-                        IsWhole((info.Transform.Offset[axis] - origin) / step, OffsetToleranceSteps);
-                }
-                if (fits)
-                    return step;
+                scales[i] = infos[i].Transform.Scale[axis];
+                offsets[i] = infos[i].Transform.Offset[axis];
             }
-            return finest;
+            return CommonGrid.StepOf(scales, offsets);
         }
 
         /// <summary>A power of two that keeps all digits of the sample where 31 bits for its extent allow.</summary>

@@ -22,10 +22,10 @@ namespace FastPoints.Octree
     public struct SourceGrid
     {
         /// <summary>Places further out are left out, so that sums of places and sides stay within a long.</summary>
-        public const long Limit = 1L << 60;
+        public const long Limit = CommonGrid.Limit;
 
         /// <summary>What a place without meaning carries: far outside <see cref="Limit"/>.</summary>
-        public const long Nowhere = long.MinValue;
+        public const long Nowhere = CommonGrid.Nowhere;
 
         public SourceAxis X;
         public SourceAxis Y;
@@ -64,7 +64,7 @@ namespace FastPoints.Octree
         public static long ToGrid(in SourceAxis axis, double stored)
         {
             if (axis.IsInteger)
-                return (long)stored * axis.Factor + axis.Shift;
+                return math.abs(stored * axis.Factor) < Limit ? (long)stored * axis.Factor + axis.Shift : Nowhere;
             double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * (1 / axis.Step);
             return math.abs(steps) < Limit ? (long)math.round(steps) : Nowhere;
         }
@@ -103,6 +103,22 @@ namespace FastPoints.Octree
                 case AttributeType.UInt8:
                     for (int i = 0; i < count; i++)
                         grid[i] = column[first + i] * factor + shift;
+                    return;
+                case AttributeType.Int64:
+                    long most = Limit / math.max(1, math.abs(factor));
+                    for (int i = 0; i < count; i++)
+                    {
+                        long stored = ((long*)column)[first + i];
+                        grid[i] = stored > -most && stored < most ? stored * factor + shift : Nowhere;
+                    }
+                    return;
+                case AttributeType.UInt64:
+                    ulong unsignedMost = (ulong)(Limit / math.max(1, math.abs(factor)));
+                    for (int i = 0; i < count; i++)
+                    {
+                        ulong stored = ((ulong*)column)[first + i];
+                        grid[i] = stored < unsignedMost ? (long)stored * factor + shift : Nowhere;
+                    }
                     return;
                 default:
                     for (int i = 0; i < count; i++)

@@ -113,10 +113,8 @@ namespace FastPoints.Pipeline
                 var schema = reader.Info.Schema;
                 foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
                 {
-                    int column = schema.IndexOf(axis);
-                    if (column < 0 || schema[column].Type == AttributeType.Int64 || schema[column].Type == AttributeType.UInt64)
-                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis +
-                            " of up to 32 bits or as floats");
+                    if (!schema.Has(axis))
+                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis);
                 }
                 foreach (var attribute in chosen)
                 {
@@ -272,18 +270,27 @@ namespace FastPoints.Pipeline
                     while (scan.MoveNext())
                         yield return scan.Current;
                 var found = m_scatter.EndSource();
-                m_manifest.Sources.Add(new CloudManifest.Source
+                if (reader is TiledReader tiles)
                 {
-                    Name = Path.GetFileName(reader.Info.Path),
-                    FileBytes = reader.Info.FileBytes,
-                    Points = found.Count + found.LeftOut,
-                });
+                    for (int t = 0; t < tiles.TileCount; t++)
+                    {
+                        tiles.DescribeTile(t, out string path, out long bytes, out long points);
+                        AddSource(path, bytes, points);
+                    }
+                }
+                else
+                {
+                    AddSource(reader.Info.Path, reader.Info.FileBytes, found.Count + found.LeftOut);
+                }
                 Warn(reader.Info, found);
             }
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();
         }
+
+        void AddSource(string path, long fileBytes, long points) =>
+            m_manifest.Sources.Add(new CloudManifest.Source { Name = Path.GetFileName(path), FileBytes = fileBytes, Points = points });
 
         void Warn(SourceInfo info, in PointFindings found)
         {

@@ -38,5 +38,29 @@ namespace FastPoints.Points
         }
 
         public static bool IsFloat(this AttributeType type) => type == AttributeType.Float32 || type == AttributeType.Float64;
+
+        public static bool IsSigned(this AttributeType type) => type == AttributeType.Int8 || type == AttributeType.Int16 ||
+            type == AttributeType.Int32 || type == AttributeType.Int64 || type.IsFloat();
+
+        /// <summary>The narrowest type that holds the values of both; floats of 64 bits where none does.</summary>
+        public static AttributeType Common(AttributeType a, AttributeType b)
+        {
+            if (a == b)
+                return a;
+            if (a.IsFloat() || b.IsFloat())
+                return FitsFloat32(a) && FitsFloat32(b) ? AttributeType.Float32 : AttributeType.Float64;
+            int bytes = System.Math.Max(a.SizeOf(), b.SizeOf());
+            if (a.IsSigned() == b.IsSigned())
+                return a.SizeOf() == bytes ? a : b;
+            var unsigned = a.IsSigned() ? b : a;
+            if (unsigned.SizeOf() == bytes)
+                bytes *= 2;
+            return bytes == 2 ? AttributeType.Int16
+                : bytes == 4 ? AttributeType.Int32
+                : bytes == 8 ? AttributeType.Int64
+                : AttributeType.Float64;
+        }
+
+        static bool FitsFloat32(AttributeType type) => type == AttributeType.Float32 || type.SizeOf() <= 2;
     }
 }

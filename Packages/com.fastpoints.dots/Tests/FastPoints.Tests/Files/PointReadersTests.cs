@@ -36,16 +36,15 @@ namespace FastPoints.Files.Tests
         }
 
         [Test]
-        public void Open_Folder_IsNotFound()
+        public void Open_EmptyFolder_IsUnsupported()
         {
             Directory.CreateDirectory(m_path);
-            CheckFailure(FailureCode.NotFound, "is a folder");
+            CheckFailure(FailureCode.Unsupported, "has no point cloud");
             Directory.Delete(m_path);
         }
 
         [TestCase("ept.json", "{\"dataType\":\"binary\",\"schema\":[]}", "Entwine")]
         [TestCase("cloud.json", "{\"format\":\"fastpoints\",\"version\":1}", "converted cloud already")]
-        [TestCase("metadata.json", " { \"name\": \"x\", }", "got the members name")]
         public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string story)
         {
             string folder = m_path + "-folder";
@@ -66,6 +65,13 @@ namespace FastPoints.Files.Tests
             {
                 Directory.Delete(folder, true);
             }
+        }
+
+        [Test]
+        public void Open_JsonOfSomethingElse_IsNoCloud()
+        {
+            File.WriteAllText(m_path, " { \"name\": \"x\", }");
+            CheckFailure(FailureCode.Unsupported, "got the members name");
         }
 
         [TestCase("{\"a\":", "no JSON")]

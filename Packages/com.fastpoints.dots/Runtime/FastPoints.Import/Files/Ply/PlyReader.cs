@@ -19,7 +19,7 @@ namespace FastPoints.Files
     {
         const int FirstHeaderBytes = 16 << 10;
 
-        readonly FileHandle m_file;
+        FileHandle m_file;
         readonly HashSet<int> m_brokenBlocks = new HashSet<int>();
         bool m_isOpen;
         int m_brokenWarning = -1;
@@ -34,8 +34,6 @@ namespace FastPoints.Files
             Info = info;
             Vertex = header.Elements[header.VertexIndex];
             Names = PlyNames.Of(Vertex);
-            m_file = AsyncReadManager.OpenFileAsync(info.Path);
-            m_isOpen = true;
         }
 
         public PlyHeader Header { get; }
@@ -45,7 +43,16 @@ namespace FastPoints.Files
         /// <summary>Attribute name of each property of the vertex element; null for lists.</summary>
         private protected string[] Names { get; }
 
-        internal FileHandle File => m_file;
+        internal FileHandle File
+        {
+            get
+            {
+                if (!m_isOpen)
+                    m_file = AsyncReadManager.OpenFileAsync(Info.Path);
+                m_isOpen = true;
+                return m_file;
+            }
+        }
 
         /// <inheritdoc cref="Open(FileSource)"/>
         public static PlyReader Open(string path)
@@ -124,7 +131,9 @@ namespace FastPoints.Files
             return info;
         }
 
-        public override void Dispose()
+        public override void Dispose() => CloseFile();
+
+        public override void CloseFile()
         {
             if (!m_isOpen)
                 return;

@@ -1,0 +1,137 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that its range lies in, and a job that makes the tile's
+    /// columns the cloud's.</summary>
+    sealed class TiledRead : BlockRead
+    {
+        readonly TiledReader m_reader;
+        readonly int m_capacity;
+        readonly Allocator m_allocator;
+        readonly NativeReference<DecodeResult> m_noResult;
+        Tile m_tile;
+        BlockRead m_inner;
+        NativeArray<TileColumn> m_columns;
+        bool m_isBusy;
+        bool m_isDisposed;
+
+        public TiledRead(TiledReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            foreach (var attribute in wanted)
+            {
+                int index = reader.Info.Schema.IndexOf(attribute.Name);
+                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
+                    throw new ArgumentException("the files have no attribute " + attribute, nameof(wanted));
+            }
+            m_reader = reader;
+            m_capacity = capacity;
+            m_allocator = allocator;
+            Points = new PointBatch(wanted, capacity, allocator);
+            m_noResult = new NativeReference<DecodeResult>(allocator);
+            Result = m_noResult;
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            if (m_isBusy)
+                throw new InvalidOperationException("the slot has a range in flight");
+            int points = m_reader.PointsInBlock(range.Block);
+            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > m_capacity)
+                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
+                    " of " + points + ", capacity " + m_capacity);
+            var tile = m_reader.TileOfBlock(range.Block);
+            if (tile != m_tile)
+                Change(tile);
+            m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Points.Count = 0;
+            Result = m_inner.Result;
+            Decoded = new FillTileColumnsJob
+            {
+                Input = m_inner.Points.Bytes,
+                Decoded = m_inner.Result,
+                Columns = m_columns,
+                Capacity = range.Count,
+                Output = Points.Bytes,
+            }.ScheduleParallel(FillTileColumnsJob.PieceCount(range.Count), 1, m_inner.Decoded);
+            m_isBusy = true;
+        }
+
+        public override void Complete()
+        {
+            if (!m_isBusy)
+                throw new InvalidOperationException("the slot has no range in flight");
+            m_isBusy = false;
+            Decoded.Complete();
+            try
+            {
+                m_inner.Complete();
+                Points.Count = Math.Min(m_inner.Points.Count, Range.Count);
+            }
+            finally
+            {
+                m_reader.TellWarnings(m_tile);
+            }
+        }
+
+        public override void Dispose()
+        {
+            if (m_isDisposed)
+                return;
+            m_isDisposed = true;
+            Decoded.Complete();
+            Leave();
+            Points.Dispose();
+            m_noResult.Dispose();
+        }
+
+        void Change(Tile tile)
+        {
+            Leave();
+            m_reader.Enter(tile);
+            m_tile = tile;
+            m_inner = tile.Reader.CreateRead(WantedOf(tile), Math.Min(m_capacity, tile.MaxPointsPerBlock), m_allocator);
+            var columns = new List<TileColumn>();
+            for (int i = 0; i < Points.Schema.Count; i++)
+            {
+                var to = Points.Schema[i];
+                int from = m_inner.Points.Schema.IndexOf(to.Name);
+                var column = TileSchema.Convert(tile, from < 0 ? null : m_inner.Points.Schema[from], to,
+                    m_reader.Info.Transform);
+                column.From = from < 0 ? default : m_inner.Points.Column(from);
+                column.To = Points.Column(i);
+                columns.Add(column);
+            }
+            m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
+        }
+
+        /// <summary>What of the wanted attributes the tile has; where it has none, what it takes to count its points.</summary>
+        PointSchema WantedOf(Tile tile)
+        {
+            var names = new string[Points.Schema.Count];
+            for (int i = 0; i < names.Length; i++)
+                names[i] = Points.Schema[i].Name;
+            var wanted = tile.Schema.Select(names);
+            return wanted.Count > 0 || names.Length == 0 ? wanted : tile.Schema.Select(AttributeNames.X);
+        }
+
+        void Leave()
+        {
+            if (m_tile == null)
+                return;
+            Result = m_noResult;
+            m_inner?.Dispose();
+            m_inner = null;
+            if (m_columns.IsCreated)
+                m_columns.Dispose();
+            m_reader.Leave(m_tile);
+            m_tile = null;
+        }
+    }
+}
