@@ -46,6 +46,21 @@ namespace FastPoints.Cli
                 foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
                     yield return line;
             yield return ("crs", Info.Crs.Summary ?? "unknown");
+            if (reader.Tree is { } tree)
+                yield return ("octree", Human.Count(tree.NodeCount) + " nodes on " + tree.LevelCount + " levels"
+                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints()) + " of them without points");
+        }
+
+        /// <summary>The source's own octree level by level, or null where it has none.</summary>
+        public TextTable? Levels()
+        {
+            if (reader.Tree is not { } tree)
+                return null;
+            var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
+            foreach (var level in TreeLevel.Of(tree))
+                table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
+                    Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
+            return table;
         }
 
         IEnumerable<(string, string)> BoundsLines(string name, BoundsGeo bounds)
@@ -88,11 +103,41 @@ namespace FastPoints.Cli
                 writer.WriteLine("  " + fact.Key.PadRight(NameWidth) + fact.Value);
             writer.WriteLine();
             Attributes().Write(writer, "  ");
+            if (Levels() is { } levels)
+            {
+                writer.WriteLine();
+                levels.Write(writer, "  ");
+            }
             if (Info.Warnings.Count > 0)
                 writer.WriteLine();
             foreach (var warning in Info.Warnings)
                 writer.WriteLine("  warning: " + (warning.ByteOffset >= 0
                     ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text);
+        }
+
+        void WriteTree(Utf8JsonWriter json)
+        {
+            if (reader.Tree is not { } tree)
+            {
+                json.WriteNull("tree");
+                return;
+            }
+            json.WriteStartObject("tree");
+            json.WriteNumber("nodes", tree.NodeCount);
+            json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints());
+            json.WriteBoolean("isWhole", tree.IsWhole);
+            json.WriteStartArray("levels");
+            foreach (var level in TreeLevel.Of(tree))
+            {
+                json.WriteStartObject();
+                json.WriteNumber("level", level.Level);
+                json.WriteNumber("nodes", level.Nodes);
+                json.WriteInteger("points", level.Points);
+                json.WriteReal("spacing", level.Spacing);
+                json.WriteEndObject();
+            }
+            json.WriteEndArray();
+            json.WriteEndObject();
         }
 
         /// <summary>The keys of <c>info</c>, into an object that is open.</summary>
@@ -126,6 +171,7 @@ namespace FastPoints.Cli
             }
             json.WriteEndArray();
             json.WriteString("crs", Info.Crs.Summary);
+            WriteTree(json);
             if (Found == null)
             {
                 json.WriteNull("columnSums");

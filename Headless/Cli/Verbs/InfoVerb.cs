@@ -52,6 +52,8 @@ namespace FastPoints.Cli.Verbs
                 using var reader = PointReaders.Open(cloud);
                 var facts = new SourceFacts(reader);
                 all.Add(facts);
+                if (reader.Tree != null && !reader.BlocksAreKnown)
+                    run.Pump(reader.FindBlocks());
                 if (scan)
                 {
                     var summarise = new SummariseCloud(reader);

@@ -26,6 +26,9 @@ namespace FastPoints.HostTests.Hpc
             Assert.That(verifier.WalkedCount, Is.GreaterThan(builds.Package.SelectMany(HpcEntries.Jobs).Count()));
         }
 
+        /// <summary>Jobs that call managed code, each with its reason in its summary.</summary>
+        private static readonly string[] s_managedJobs = { "FastPoints.Files.DecompressJob" };
+
         /// <summary>A job without the attribute runs, slowly, and no walk starts at it. Tests may have such.</summary>
         [Test]
         public void Jobs_OfThePackage_AllHaveBurstCompile()
@@ -34,7 +37,7 @@ namespace FastPoints.HostTests.Hpc
             IEnumerable<string> without = builds.Package.Where(m => m.Assembly.Name.Name != "FastPoints.Tests")
                 .SelectMany(HpcEntries.Jobs).Where(j => !HpcEntries.IsCompiled(j)).Select(j => j.FullName);
 
-            Assert.That(without, Is.Empty);
+            Assert.That(without, Is.EquivalentTo(s_managedJobs));
         }
     }
 }

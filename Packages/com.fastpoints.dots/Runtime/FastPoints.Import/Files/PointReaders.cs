@@ -105,7 +105,7 @@ namespace FastPoints.Files
         static PointReader OpenIndex(SourceJson index)
         {
             if (index.IsObject("hierarchy") && index.Has("encoding"))
-                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "a Potree 2 octree is not read yet");
+                return Potree2Reader.Open(index);
             if (index.Has("octreeDir") || index.Has("pointAttributes"))
                 throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "a Potree 1 octree is not read yet");
             if (index.Has("hierarchyType") || index.IsList("schema") && index.Has("dataType"))

@@ -19,15 +19,19 @@ namespace FastPoints.Files
         readonly Dictionary<string, object> m_members;
         readonly string m_name;
 
-        SourceJson(string path, string name, Dictionary<string, object> members)
+        SourceJson(string path, long fileBytes, string name, Dictionary<string, object> members)
         {
             Path = path;
+            FileBytes = fileBytes;
             m_name = name;
             m_members = members;
         }
 
         /// <summary>Of the file.</summary>
         public string Path { get; }
+
+        /// <summary>Bytes of the file.</summary>
+        public long FileBytes { get; }
 
         public IEnumerable<string> Names => m_members.Keys;
 
@@ -56,7 +60,7 @@ namespace FastPoints.Files
             try
             {
                 return JsonReader.Parse(text, true) is Dictionary<string, object> members
-                    ? new SourceJson(source.Path, "", members)
+                    ? new SourceJson(source.Path, source.Length, "", members)
                     : throw new FormatException("wanted an object");
             }
             catch (FormatException e)
@@ -112,6 +116,17 @@ namespace FastPoints.Files
             return objects;
         }
 
+        /// <summary>Whether <see cref="Numbers"/> would give so many.</summary>
+        public bool IsNumbers(string name, int count)
+        {
+            if (!(Member(name) is List<object> list) || list.Count != count)
+                return false;
+            foreach (object item in list)
+                if (!JsonReader.IsNumber(item))
+                    return false;
+            return true;
+        }
+
         /// <summary>A list of finite numbers, exactly so many.</summary>
         public double[] Numbers(string name, int count)
         {
@@ -138,7 +153,7 @@ namespace FastPoints.Files
         object Member(string name) => m_members.TryGetValue(name, out object value) ? value : null;
 
         SourceJson ToObject(object value, string name) => value is Dictionary<string, object> members
-            ? new SourceJson(Path, m_name + name + ".", members)
+            ? new SourceJson(Path, FileBytes, m_name + name + ".", members)
             : throw Bad(name, "an object");
 
         double ToNumber(object value, string name)

@@ -48,6 +48,16 @@ namespace FastPoints.Files
         /// <summary>Edge of a level's nodes, CRS units.</summary>
         public double EdgeOfLevel(int level) => Cube.Size.x / Math.Pow(2, level);
 
+        /// <summary>Nodes that only hold others together, or whose points are not there.</summary>
+        public int NodesWithoutPoints()
+        {
+            int count = 0;
+            for (int i = 0; i < m_nodes.Length; i++)
+                if (m_nodes[i].Block < 0)
+                    count++;
+            return count;
+        }
+
         public void Dispose()
         {
             if (m_nodes.IsCreated)

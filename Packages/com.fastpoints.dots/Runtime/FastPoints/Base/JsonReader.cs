@@ -58,6 +58,11 @@ namespace FastPoints.Base
                 ? result
                 : throw new FormatException("wanted a number, got " + Describe(value));
 
+        /// <summary>Whether <see cref="ToDouble"/> gives a finite number.</summary>
+        public static bool IsNumber(object value) =>
+            value is Number n && double.TryParse(n.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double result)
+                && !double.IsInfinity(result);
+
         static string Describe(object value)
         {
             switch (value)

@@ -13,10 +13,21 @@ namespace FastPoints.Files
         public static LasFieldCopy[] Make(LasRecordLayout layout, PointBatch batch)
         {
             var fields = new LasField[batch.Schema.Count];
+            var columns = new PointColumn[fields.Length];
             for (int i = 0; i < fields.Length; i++)
+            {
                 if (!layout.TryFind(batch.Schema[i].Name, out fields[i]) || fields[i].Type != batch.Schema[i].Type)
                     throw new ArgumentException("the records have no attribute " + batch.Schema[i]);
+                columns[i] = batch.Column(i);
+            }
+            return Make(fields, columns);
+        }
 
+        /// <summary>The same for records of any format.</summary>
+        /// <param name="fields">Where the wanted values lie in a record.</param>
+        /// <param name="columns">Where each of them goes in the batch.</param>
+        public static LasFieldCopy[] Make(LasField[] fields, PointColumn[] columns)
+        {
             var copies = new List<LasFieldCopy>(fields.Length);
             for (int i = 0; i < fields.Length; i++)
             {
@@ -24,9 +35,9 @@ namespace FastPoints.Files
                 copies.Add(new LasFieldCopy
                 {
                     RecordByte = fields[i].ByteOffset,
-                    Column0 = batch.Column(i).OffsetBytes,
-                    Column1 = three ? batch.Column(i + 1).OffsetBytes : 0,
-                    Column2 = three ? batch.Column(i + 2).OffsetBytes : 0,
+                    Column0 = columns[i].OffsetBytes,
+                    Column1 = three ? columns[i + 1].OffsetBytes : 0,
+                    Column2 = three ? columns[i + 2].OffsetBytes : 0,
                     Kind = KindOf(fields[i], three),
                     BitShift = (byte)fields[i].BitShift,
                     BitMask = (byte)((1 << fields[i].BitWidth) - 1),

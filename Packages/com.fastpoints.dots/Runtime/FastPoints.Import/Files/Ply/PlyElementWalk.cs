@@ -14,7 +14,7 @@ namespace FastPoints.Files
         const int WindowBytes = 4 << 20;
 
         readonly PlyReader m_reader;
-        readonly PlyFileRead m_read;
+        readonly NativeFileRead m_read;
         NativeArray<PlyWalkElement> m_elements;
         NativeArray<PlyStep> m_steps;
         NativeReference<PlyWalkState> m_state;
@@ -43,7 +43,7 @@ namespace FastPoints.Files
                 steps.AddRange(passing);
             }
             long window = Math.Min(WindowBytes, reader.Info.FileBytes);
-            m_read = new PlyFileRead(reader.Info.Path, reader.File, window, Allocator.Persistent);
+            m_read = new NativeFileRead(reader.Info.Path, reader.File, window, Allocator.Persistent);
             m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
             m_steps = new NativeArray<PlyStep>(steps.ToArray(), Allocator.Persistent);
             m_state = new NativeReference<PlyWalkState>(new PlyWalkState { Position = header.DataOffset }, Allocator.Persistent);

@@ -10,7 +10,7 @@ namespace FastPoints.Files
     abstract class PlyRead : BlockRead
     {
         readonly PlyReader m_reader;
-        readonly PlyFileRead m_file;
+        readonly NativeFileRead m_file;
         NativeReference<DecodeResult> m_result;
         NativeReference<PlyOddities> m_oddities;
         bool m_isBusy;
@@ -26,13 +26,13 @@ namespace FastPoints.Files
             }
             m_reader = reader;
             Points = new PointBatch(wanted, capacity, allocator);
-            m_file = new PlyFileRead(reader.Info.Path, reader.File, inputBytes, allocator);
+            m_file = new NativeFileRead(reader.Info.Path, reader.File, inputBytes, allocator);
             m_result = new NativeReference<DecodeResult>(allocator);
             m_oddities = new NativeReference<PlyOddities>(allocator);
             Result = m_result;
         }
 
-        protected PlyFileRead File => m_file;
+        protected NativeFileRead File => m_file;
         protected NativeReference<PlyOddities> Oddities => m_oddities;
 
         /// <summary>Starts the read and the job behind it.</summary>

@@ -15,7 +15,7 @@ namespace FastPoints.Files
     {
         sealed class Slot
         {
-            public PlyFileRead Read;
+            public NativeFileRead Read;
             public NativeReference<PlyRowCount> Count;
             public JobHandle Counted;
             public bool IsBusy;
@@ -39,7 +39,7 @@ namespace FastPoints.Files
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot
                 {
-                    Read = new PlyFileRead(reader.Info.Path, reader.File, bytes, Allocator.Persistent),
+                    Read = new NativeFileRead(reader.Info.Path, reader.File, bytes, Allocator.Persistent),
                     Count = new NativeReference<PlyRowCount>(Allocator.Persistent),
                 };
         }

@@ -9,12 +9,12 @@ namespace FastPoints.Files
 {
     /// <summary>One stretch of a file in native memory: at most one read in flight into a buffer that is used again and
     /// again.</summary>
-    sealed unsafe class PlyFileRead : IDisposable
+    sealed unsafe class NativeFileRead : IDisposable
     {
         /// <summary>Bytes behind the data that jobs may write their end mark to, or load and not use.</summary>
         public const int PaddingBytes = 16;
 
-        readonly string m_path;
+        string m_path;
         readonly FileHandle m_file;
         readonly byte* m_pointer;
         NativeArray<byte> m_buffer;
@@ -22,7 +22,7 @@ namespace FastPoints.Files
         ReadHandle m_handle;
         bool m_isReading;
 
-        public PlyFileRead(string path, FileHandle file, long capacityBytes, Allocator allocator)
+        public NativeFileRead(string path, FileHandle file, long capacityBytes, Allocator allocator)
         {
             m_path = path;
             m_file = file;
@@ -40,21 +40,41 @@ namespace FastPoints.Files
         public long Offset { get; private set; }
         public int Bytes { get; private set; }
 
-        public JobHandle Begin(long offset, int bytes)
+        public JobHandle Begin(long offset, int bytes) => Begin(m_file, offset, bytes);
+
+        /// <summary>The same from another open file.</summary>
+        public JobHandle Begin(in FileHandle file, long offset, int bytes)
         {
-            Offset = offset;
-            Bytes = bytes;
-            if (bytes == 0)
+            if (!Prepare(offset, bytes))
                 return default;
-            m_command[0] = new ReadCommand { Buffer = m_pointer, Offset = offset, Size = bytes };
             var commands = new ReadCommandArray
             {
                 ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
                 CommandCount = 1,
             };
-            m_handle = AsyncReadManager.Read(m_file, commands);
+            m_handle = AsyncReadManager.Read(file, commands);
             m_isReading = true;
             return m_handle.JobHandle;
+        }
+
+        /// <summary>The same from a file of its own, which is opened and closed for it.</summary>
+        /// <param name="path">A full one.</param>
+        public JobHandle Begin(string path, long offset, int bytes)
+        {
+            m_path = path;
+            if (!Prepare(offset, bytes))
+                return default;
+            m_handle = AsyncReadManager.Read(path, (ReadCommand*)m_command.GetUnsafePtr(), 1);
+            m_isReading = true;
+            return m_handle.JobHandle;
+        }
+
+        bool Prepare(long offset, int bytes)
+        {
+            Offset = offset;
+            Bytes = bytes;
+            m_command[0] = new ReadCommand { Buffer = m_pointer, Offset = offset, Size = bytes };
+            return bytes > 0;
         }
 
         /// <summary>Closes a read that is finished.</summary>

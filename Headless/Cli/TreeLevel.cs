@@ -1,0 +1,31 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+
+namespace FastPoints.Cli
+{
+    /// <summary>One level of a source's own octree, as its hierarchy claims it.</summary>
+    public sealed class TreeLevel
+    {
+        public required int Level { get; init; }
+        public required double Spacing { get; init; }
+        public int Nodes { get; private set; }
+        public long Points { get; private set; }
+        public int MostPoints { get; private set; }
+
+        public static IReadOnlyList<TreeLevel> Of(SourceTree tree)
+        {
+            var levels = new List<TreeLevel>();
+            for (int i = 0; i < tree.LevelCount; i++)
+                levels.Add(new TreeLevel { Level = i, Spacing = tree.Spacing / Math.Pow(2, i) });
+            for (int i = 0; i < tree.NodeCount; i++)
+            {
+                var level = levels[tree[i].Level];
+                level.Nodes++;
+                level.Points += tree[i].PointCount;
+                level.MostPoints = Math.Max(level.MostPoints, tree[i].PointCount);
+            }
+            return levels;
+        }
+    }
+}

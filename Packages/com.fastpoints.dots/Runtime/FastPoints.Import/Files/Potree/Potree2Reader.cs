@@ -1,0 +1,303 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads Potree 2: metadata.json, with hierarchy.bin and octree.bin beside it, encodings DEFAULT and BROTLI.
+    /// </summary>
+    /// <remarks>
+    /// hierarchy.bin is a sequence of 22-byte records in pages; a page holds some levels below its root, breadth first:
+    /// <code>
+    /// byte 0     1           2..5          6..13            14..21
+    ///      type  child mask  points (u32)  byte offset      byte count
+    /// </code>
+    /// Offset and count are of octree.bin, or of the page in hierarchy.bin for a proxy (type 2), whose page repeats it as its
+    /// first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
+    /// PotreeConverter writes such (potree issue 1125).
+    /// </remarks>
+    public sealed class Potree2Reader : PotreeNodeReader
+    {
+        const string HierarchyName = "hierarchy.bin", OctreeName = "octree.bin";
+        const int RecordBytes = 22;
+        const int Proxy = 2;
+
+        /// <summary>Records read in one go.</summary>
+        const int StepRecords = 4096;
+
+        /// <summary>More points than Brotli packs into a byte, whatever they are: 20,000 equal points take some 60 bytes.</summary>
+        const int MaxPointsPerByte = 1000;
+
+        /// <summary>A page that has not been read, and the node at its root.</summary>
+        struct Page
+        {
+            public long Offset;
+            public long Bytes;
+            public int Level;
+            public int3 Cell;
+        }
+
+        readonly FileSource m_hierarchy;
+        readonly string m_octreePath;
+        readonly long m_octreeBytes;
+        readonly FileHandle m_octree;
+        readonly PotreeLayout m_layout;
+        readonly Queue<Page> m_pages = new Queue<Page>();
+        readonly Queue<(int Level, int3 Cell)> m_nodesOfPage = new Queue<(int, int3)>();
+        ByteReader m_records;
+        int m_recordAt;
+        long m_pageOffset;
+        int m_pageLevel;
+        int3 m_pageCell;
+        long m_pageEnd;
+        long m_recordsLeft;
+        long m_nodesLost;
+        long m_octreeBytesClaimed;
+        bool m_isPageRoot;
+        bool m_isOpen;
+
+        Potree2Reader(Potree2Index index, FileSource hierarchy, long octreeBytes)
+            : base(index.Info, index.Cube, index.Spacing)
+        {
+            m_hierarchy = hierarchy;
+            m_layout = index.Layout;
+            IsBrotli = index.IsBrotli;
+            m_octreePath = Path.GetFullPath(BesideIndex(index.Info.Path, OctreeName));
+            m_octreeBytes = octreeBytes;
+            m_recordsLeft = hierarchy.Length / RecordBytes;
+            m_pages.Enqueue(new Page { Bytes = Math.Min(index.FirstChunkBytes, hierarchy.Length) });
+            if (HasPoints)
+            {
+                m_octree = AsyncReadManager.OpenFileAsync(m_octreePath);
+                m_isOpen = true;
+            }
+        }
+
+        /// <summary>Reads metadata.json; the hierarchy is read when it is asked for, but for its first page.</summary>
+        /// <exception cref="PointCloudException">The index is not sound, names an encoding that is not known, or has no hierarchy
+        /// beside it.</exception>
+        internal static Potree2Reader Open(SourceJson json)
+        {
+            var index = Potree2Index.Read(json);
+            var hierarchy = FileSource.Open(BesideIndex(json.Path, HierarchyName));
+            var octree = new FileInfo(BesideIndex(json.Path, OctreeName));
+            long octreeBytes = octree.Exists ? octree.Length : -1;
+            index.Info.FileBytes += hierarchy.Length + Math.Max(0, octreeBytes);
+            if (octreeBytes < 0)
+                index.Info.Warn(-1, "there is no " + OctreeName + " beside it: the hierarchy can be shown, but there are no points to read");
+            var reader = new Potree2Reader(index, hierarchy, octreeBytes);
+            try
+            {
+                using (var steps = reader.FindLevels(1))
+                    while (steps.MoveNext())
+                    {
+                    }
+                return reader;
+            }
+            catch
+            {
+                reader.Dispose();
+                throw;
+            }
+        }
+
+        public override bool HasFixedStride => !IsBrotli;
+
+        /// <summary>Whether nodes are Brotli streams of columns, and not plain records.</summary>
+        internal bool IsBrotli { get; }
+
+        internal override PotreeLayout Layout => m_layout;
+
+        bool HasPoints => m_octreeBytes >= 0;
+
+        /// <exception cref="PointCloudException">NotFound where octree.bin is not there.</exception>
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            if (!HasPoints)
+                throw new PointCloudException(FailureCode.NotFound, BesideIndex(Info.Path, OctreeName), -1,
+                    "no such file: the points that " + Path.GetFileName(Info.Path) + " tells of are not here");
+            return IsBrotli
+                ? (BlockRead)new PotreeBrotliRead(this, wanted, capacity, allocator)
+                : new PotreeRecordRead(this, wanted, capacity, allocator);
+        }
+
+        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) => read.Begin(m_octree, offset, bytes);
+
+        internal override int3 ShiftOf(int block) => default;
+
+        public override void Dispose()
+        {
+            base.Dispose();
+            m_hierarchy.Dispose();
+            if (!m_isOpen)
+                return;
+            m_isOpen = false;
+            m_octree.Close().Complete();
+        }
+
+        private protected override void EndReading() => m_hierarchy.Dispose();
+
+        private protected override bool ReadPage(int levels)
+        {
+            if (m_nodesOfPage.Count == 0 && !BeginPage(levels))
+                return false;
+            for (int i = 0; i < StepRecords && m_nodesOfPage.Count > 0; i++)
+            {
+                if (m_recordAt + RecordBytes > m_records.Length && !ReadRecords())
+                {
+                    m_nodesLost += m_nodesOfPage.Count;
+                    m_nodesOfPage.Clear();
+                    break;
+                }
+                ReadRecord();
+            }
+            if (m_nodesOfPage.Count == 0 && m_nodesLost > 0)
+            {
+                Findings.Tell("the page of the hierarchy that begins with it ends early", PotreeNames.NameOf(m_pageLevel, m_pageCell),
+                    Text(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchy.Path);
+                m_nodesLost = 0;
+            }
+            return true;
+        }
+
+        /// <returns>Whether there is a page that the levels take.</returns>
+        bool BeginPage(int levels)
+        {
+            if (m_pages.Count == 0)
+            {
+                Tree.IsWhole = true;
+                return false;
+            }
+            // Pages are queued level by level.
+            if (m_pages.Peek().Level >= levels)
+                return false;
+            var page = m_pages.Dequeue();
+            m_pageOffset = page.Offset;
+            m_pageEnd = page.Offset + page.Bytes;
+            m_records = new ByteReader(Array.Empty<byte>(), m_hierarchy.Path, page.Offset);
+            m_recordAt = 0;
+            m_isPageRoot = true;
+            m_pageLevel = page.Level;
+            m_pageCell = page.Cell;
+            m_nodesOfPage.Enqueue((page.Level, page.Cell));
+            return true;
+        }
+
+        /// <returns>Whether the page goes on, and its bytes have not been believed before.</returns>
+        bool ReadRecords()
+        {
+            long start = m_records.FileOffset + m_records.Length;
+            long records = Math.Min(Math.Min(StepRecords, m_recordsLeft), (m_pageEnd - start) / RecordBytes);
+            if (records <= 0)
+                return false;
+            m_records = m_hierarchy.ReadAtMost(start, (int)records * RecordBytes);
+            m_recordAt = 0;
+            return m_records.Length >= RecordBytes;
+        }
+
+        void ReadRecord()
+        {
+            var (level, cell) = m_nodesOfPage.Dequeue();
+            int at = m_recordAt;
+            m_recordAt += RecordBytes;
+            m_recordsLeft--;
+            int type = m_records.UInt8(at, "node type");
+            int mask = m_records.UInt8(at + 1, "child mask");
+            long points = m_records.UInt32(at + 2, "points");
+            long offset = (long)m_records.UInt64(at + 6, "byte offset");
+            long bytes = (long)m_records.UInt64(at + 14, "byte count");
+            long where = m_records.FileOffset + at;
+            bool isPageRoot = m_isPageRoot;
+            m_isPageRoot = false;
+            if (type == Proxy)
+            {
+                AddPage(level, cell, offset, bytes, where, isPageRoot);
+                return;
+            }
+            if (IsFull(where))
+            {
+                m_nodesOfPage.Clear();
+                m_pages.Clear();
+                m_nodesLost = 0;
+                return;
+            }
+            Add(level, cell, points, offset, bytes, where);
+            if (mask != 0 && level == MaxLevels)
+                Findings.Tell("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
+                    m_hierarchy.Path);
+            // No more than the page can have records for, so that masks that lie take no memory.
+            long room = (m_pageEnd - where) / RecordBytes - 1;
+            for (int child = 0; child < 8 && level < MaxLevels; child++)
+                if ((mask >> child & 1) == 0)
+                    continue;
+                else if (m_nodesOfPage.Count >= room)
+                    m_nodesLost++;
+                else
+                    m_nodesOfPage.Enqueue((level + 1, PotreeNames.Child(cell, child)));
+        }
+
+        void AddPage(int level, int3 cell, long offset, long bytes, long where, bool isPageRoot)
+        {
+            bool isInFile = offset >= 0 && bytes >= RecordBytes && offset <= m_hierarchy.Length - RecordBytes;
+            if (!isInFile || isPageRoot || m_recordsLeft <= 0)
+            {
+                Findings.Tell("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
+                    "wanted " + Text(bytes) + " bytes at byte " + Text(offset) + (isPageRoot ? ", which is itself" : ""), where,
+                    m_hierarchy.Path);
+                return;
+            }
+            m_pages.Enqueue(new Page { Offset = offset, Bytes = Math.Min(bytes, m_hierarchy.Length - offset), Level = level, Cell = cell });
+        }
+
+        /// <summary>Adds a node with the points that octree.bin has of it.</summary>
+        void Add(int level, int3 cell, long points, long offset, long bytes, long where)
+        {
+            if (bytes == 0)
+                points = 0;
+            string problem = points > 0 ? FindProblem(ref points, offset, bytes) : null;
+            if (problem != null)
+                Findings.Tell("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
+                    m_hierarchy.Path);
+            if (points > 0 && HasPoints)
+                m_octreeBytesClaimed += bytes;
+            AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : m_layout.RecordBytes);
+        }
+
+        /// <param name="points">As claimed; becomes what there can be.</param>
+        string FindProblem(ref long points, long offset, long bytes)
+        {
+            long claimed = points;
+            string story = "wanted " + Text(points) + " points in " + Text(bytes) + " bytes at byte " + Text(offset) + ", got ";
+            // Without octree.bin the claims are shown as they are.
+            long room = HasPoints ? m_octreeBytes : long.MaxValue;
+            if (offset < 0 || bytes < 0 || offset > room || bytes > room - m_octreeBytesClaimed)
+            {
+                points = 0;
+                return story + (bytes <= room && offset <= room && offset >= 0
+                    ? "bytes that other nodes have taken" : Text(room) + " bytes in the file");
+            }
+            if (IsBrotli)
+            {
+                bool isCut = bytes > room - offset;
+                if (isCut || points > bytes * MaxPointsPerByte || points > MaxNodePoints)
+                    points = 0;
+                return points > 0 ? null : story + (isCut ? Text(room - offset) + " bytes before the end of the file"
+                    : "room for " + Text(Math.Min(MaxNodePoints, bytes * MaxPointsPerByte)));
+            }
+            points = Math.Min(points, Math.Min(bytes, room - offset) / m_layout.RecordBytes);
+            return points == claimed ? null : story + "room for " + Text(points);
+        }
+
+        static string BesideIndex(string index, string name) => Path.Combine(Path.GetDirectoryName(index) ?? "", name);
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

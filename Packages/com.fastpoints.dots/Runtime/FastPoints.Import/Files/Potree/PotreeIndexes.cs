@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>What cloud.js and metadata.json have in common.</summary>
+    static class PotreeIndexes
+    {
+        /// <summary>One object of the list of attributes.</summary>
+        /// <param name="elementsName">What the index calls the count of elements.</param>
+        public static PotreeAttribute ReadAttribute(SourceJson item, string elementsName, SourceInfo info)
+        {
+            long bytes = item.Whole("size");
+            if (bytes < 1 || bytes > PotreeAttribute.MaxElements * 8)
+                throw item.Bad("size", "1 to " + PotreeAttribute.MaxElements * 8 + " bytes");
+            long elements = item.Whole(elementsName, 1);
+            double[] scales = item.IsNumbers("scale", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
+                ? item.Numbers("scale", (int)elements) : null;
+            double[] offsets = item.IsNumbers("offset", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
+                ? item.Numbers("offset", (int)elements) : null;
+            if (scales != null && Array.IndexOf(scales, 0.0) >= 0)
+                scales = null;
+            var attribute = PotreeAttribute.Make(item.Text("name"), item.Text("type", ""), (int)bytes, scales, offsets,
+                out string oddity);
+            if (oddity != null)
+                info.Warn(-1, oddity);
+            string description = item.Text("description", "");
+            if (description.Length > 0)
+                info.Fact("attribute " + attribute.Name, description);
+            return attribute;
+        }
+
+        /// <summary>A scale that keeps points apart.</summary>
+        /// <exception cref="PointCloudException">It is zero or negative: no writer's.</exception>
+        public static double3 UsableScale(double3 scale, SourceJson json) =>
+            math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
+                "numbers above 0", string.Format(CultureInfo.InvariantCulture, "{0:R}, {1:R}, {2:R}", scale.x, scale.y, scale.z));
+
+        /// <exception cref="PointCloudException">It has no volume to divide.</exception>
+        public static BoundsGeo Cube(BoundsGeo box, SourceJson json) =>
+            !box.IsEmpty ? box : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"",
+                "a box", "a maximum below the minimum");
+
+        /// <summary>As the index says; converters take 1/128 of the cube's edge where it does not.</summary>
+        public static double Spacing(SourceJson json, BoundsGeo cube)
+        {
+            double spacing = json.Number("spacing", 0);
+            return spacing > 0 ? spacing : math.cmax(cube.Size) / 128;
+        }
+
+        /// <summary>The CRS, which is a text of any kind: well-known text, a PROJ string, a code.</summary>
+        public static void ReadProjection(SourceJson json, SourceInfo info)
+        {
+            string text = json.Text("projection", "").Trim();
+            if (text.Length == 0 || WktCoordinateSystem.Read(text, info.Crs))
+                return;
+            info.Crs.Name = text;
+            if (text.StartsWith("EPSG:", StringComparison.OrdinalIgnoreCase) && int.TryParse(text.Substring(5), NumberStyles.None,
+                CultureInfo.InvariantCulture, out int code))
+                info.Crs.Epsg = code;
+        }
+
+        public static void TellFact(SourceJson json, string name, SourceInfo info)
+        {
+            string text = json.Text(name, "");
+            if (text.Length > 0)
+                info.Fact(name, text);
+        }
+    }
+}

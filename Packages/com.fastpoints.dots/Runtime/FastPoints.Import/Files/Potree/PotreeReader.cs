@@ -1,0 +1,181 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by page as far
+    /// as levels are asked for.
+    /// </summary>
+    /// <remarks>
+    /// A node of more points than a slot should hold becomes several blocks where its records allow it; the tree then has an entry
+    /// for each, of the same cell. What a hierarchy claims is held against the files that are there: missing or short ones are
+    /// holes, and warnings; each byte of a hierarchy is believed once, so that loops end.
+    /// </remarks>
+    public abstract class PotreeReader : PointReader
+    {
+        /// <summary>Cells of deeper levels have no 32-bit coordinates; converters stop far above.</summary>
+        internal const int MaxLevels = 30;
+
+        /// <summary>More nodes than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
+        internal const int MaxNodes = 1 << 21;
+
+        /// <summary>Points of a block that can be cut.</summary>
+        internal const int MaxBlockPoints = 1 << 20;
+
+        /// <summary>Points of a node that cannot.</summary>
+        internal const int MaxNodePoints = 1 << 22;
+
+        /// <summary>Of reading pages without a break.</summary>
+        const double StepMs = 3;
+
+        readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
+        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly SourceTree m_tree;
+        long m_pointCount;
+        int m_maxPointsPerBlock;
+
+        private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing)
+        {
+            Info = info;
+            Findings = new PotreeFindings(info);
+            m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
+        }
+
+        public override SourceTree Tree => m_tree;
+
+        public override bool BlocksAreKnown => m_tree.IsWhole;
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+
+        private protected PotreeFindings Findings { get; }
+
+        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
+
+        public override int PointsInBlock(int block) => Block(block).Points;
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            return HasFixedStride
+                ? (long)(block.Bytes * (range.Count / (double)Math.Max(1, block.Points)))
+                : (long)(block.Bytes * ((range.First + range.Count) / (double)Math.Max(1, block.Points)));
+        }
+
+        public override IEnumerator<JobHandle> FindBlocks() => FindLevels(MaxLevels + 1);
+
+        public override IEnumerator<JobHandle> FindLevels(int levels)
+        {
+            var watch = Stopwatch.StartNew();
+            while (!m_tree.IsWhole && ReadPage(levels))
+            {
+                if (watch.Elapsed.TotalMilliseconds < StepMs)
+                    continue;
+                yield return default;
+                watch.Restart();
+            }
+            EndReading();
+            if (m_tree.IsWhole)
+                Info.PointsReadable = m_pointCount;
+        }
+
+        /// <summary>Reads the next part of the hierarchy that the first levels take: some milliseconds' work at most.</summary>
+        /// <returns>Whether there may be more of it.</returns>
+        private protected abstract bool ReadPage(int levels);
+
+        /// <summary>The hierarchy is left alone for a while: close its file.</summary>
+        private protected virtual void EndReading()
+        {
+        }
+
+        /// <summary>Adds a node and its block.</summary>
+        /// <param name="bytes">Of all its points in the file.</param>
+        /// <param name="bytesPerPoint">Where points have a fixed length, so that a long node can be cut; 0 otherwise.</param>
+        private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
+        {
+            var node = new SourceNode { Level = level, Cell = cell, Block = -1 };
+            if (points <= 0)
+            {
+                m_tree.Add(node);
+                return;
+            }
+            long most = bytesPerPoint > 0 ? MaxBlockPoints : points;
+            for (long first = 0; first < points; first += most)
+            {
+                int count = (int)Math.Min(most, points - first);
+                node.Block = m_blocks.Count;
+                node.PointCount = count;
+                m_blocks.Add(new PotreeBlock
+                {
+                    Node = m_tree.NodeCount,
+                    FirstPoint = m_pointCount,
+                    Points = count,
+                    Offset = offset + first * bytesPerPoint,
+                    Bytes = bytesPerPoint > 0 ? (long)count * bytesPerPoint : bytes,
+                });
+                m_tree.Add(node);
+                m_pointCount += count;
+                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
+            }
+        }
+
+        /// <summary>Whether the tree has as many nodes as it may have; tells it once.</summary>
+        private protected bool IsFull(long next)
+        {
+            if (m_tree.NodeCount < MaxNodes)
+                return false;
+            Info.Warn(next, "the hierarchy has more than " + MaxNodes.ToString(CultureInfo.InvariantCulture)
+                + " nodes: the others are left out");
+            return true;
+        }
+
+        internal PotreeBlock Block(int block)
+        {
+            if ((uint)block >= (uint)m_blocks.Count)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
+            return m_blocks[block];
+        }
+
+        internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
+
+        internal string NameOf(int block)
+        {
+            var node = NodeOf(block);
+            return PotreeNames.NameOf(node.Level, node.Cell);
+        }
+
+        /// <summary>Bytes in the file of the longest block, for a slot that takes any.</summary>
+        internal long MaxBytesPerBlock()
+        {
+            long most = 0;
+            foreach (var block in m_blocks)
+                most = Math.Max(most, block.Bytes);
+            return most;
+        }
+
+        /// <summary>Throws unless a slot of so many points can take the range.</summary>
+        internal void CheckRange(BlockRange range, int capacity)
+        {
+            if (range.First < 0 || range.Count < 0 || range.Count > capacity
+                || range.Count > PointsInBlock(range.Block) - range.First)
+                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
+        }
+
+        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
+        internal void TellBroken(int block, string kind, string detail, long byteOffset)
+        {
+            if (m_toldBlocks.Add(block))
+                Findings.Tell(kind, NameOf(block), detail, byteOffset);
+        }
+
+        public override void Dispose() => m_tree.Dispose();
+    }
+}
