@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using FastPoints.Files;
+using FastPoints.Octree;
 using FastPoints.Pipeline;
 
 namespace FastPoints.Cli.Verbs
@@ -23,7 +24,8 @@ namespace FastPoints.Cli.Verbs
         readonly Option<string> m_sampler = new("--sampler")
         {
             HelpName = "NAME",
-            Description = "random: which points stand for the others (default: random).",
+            Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly spaced; average, as poisson "
+                + "with colour and intensity averaged besides (default: random).",
             DefaultValueFactory = _ => "random",
         };
         readonly Option<string?> m_attributes = new("--attributes")
@@ -52,10 +54,12 @@ namespace FastPoints.Cli.Verbs
         public override void Run(ParseResult parsed, CliRun run)
         {
             var files = parsed.GetRequiredValue(m_files);
-            if (parsed.GetValue(m_sampler) is var sampler && sampler != "random")
-                throw new UsageException("--sampler: wanted random, got " + sampler);
+            string name = parsed.GetValue(m_sampler)!;
+            if (!System.Enum.TryParse<Sampler>(name, ignoreCase: true, out var sampler) || !System.Enum.IsDefined(sampler))
+                throw new UsageException("--sampler: wanted random, poisson or average, got " + name);
             var settings = new ConvertSettings
             {
+                Sampler = sampler,
                 Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             };
             run.Inputs.AddRange(files);

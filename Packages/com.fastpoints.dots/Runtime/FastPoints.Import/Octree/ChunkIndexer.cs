@@ -12,10 +12,15 @@ namespace FastPoints.Octree
     /// </summary>
     public sealed class ChunkIndexer : IDisposable
     {
+        // How often a Poisson sampler looks at a point, in most clouds.
+        const int UsualLooks = 24;
+
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;
         readonly Grid3 m_rootCorner;
         readonly ulong m_cloudId;
+        readonly Sampler m_sampler;
+        readonly NodeSizes m_sizes;
 
         NativeArray<ulong> m_keys;
         NativeArray<ulong> m_scratch;
@@ -27,14 +32,20 @@ namespace FastPoints.Octree
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
+        PoissonScratch m_poisson;
         int m_capacity;
 
-        public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId)
+        public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId, Sampler sampler,
+            NodeSizes sizes)
         {
             m_records = records;
             m_store = store;
             m_rootCorner = rootCorner;
             m_cloudId = cloudId;
+            m_sampler = sampler;
+            m_sizes = sizes;
+            if (sampler != Sampler.Random)
+                m_poisson = new PoissonScratch(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
             m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
@@ -96,7 +107,7 @@ namespace FastPoints.Octree
                 Priority = m_priority,
                 Checksum = m_checksum,
             }.Schedule(ordered);
-            var sampled = Sample(count, chunk.Cube.SideLog2, m_common, m_priority, m_tops, m_nodeOfPoint, gathered);
+            var sampled = Sample(count, chunk.Cube, m_sorted, m_tops, gathered);
             Job = Write(count, chunk.Cube.Corner, true, m_sorted, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
@@ -118,7 +129,7 @@ namespace FastPoints.Octree
                 CommonCubeLog2 = m_common,
                 Priority = m_priority,
             }.Schedule();
-            var sampled = Sample(count, root.SideLog2, m_common, m_priority, tops, m_nodeOfPoint, prepared);
+            var sampled = Sample(count, root, records, tops, prepared);
             Job = Write(count, root.Corner, false, records, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
@@ -132,6 +143,8 @@ namespace FastPoints.Octree
             m_tops.Dispose();
             m_checksum.Dispose();
             m_bytesOfPlane.Dispose();
+            if (m_sampler != Sampler.Random)
+                m_poisson.Dispose();
             Drafts.Dispose();
             File.Dispose();
             Table.Dispose();
@@ -139,20 +152,44 @@ namespace FastPoints.Octree
             NodeOfDraft.Dispose();
         }
 
-        JobHandle Sample(int count, int sideLog2, NativeArray<byte> common, NativeArray<uint> priority,
-            NativeArray<ChunkTop> tops,
-            NativeArray<int> nodeOfPoint, JobHandle inputDeps)
+        JobHandle Sample(int count, GridCube cube, NativeArray<byte> records, NativeArray<ChunkTop> tops, JobHandle inputDeps)
         {
-            return new SampleRandomJob
+            if (m_sampler == Sampler.Random)
+            {
+                return new SampleRandomJob
+                {
+                    Count = count,
+                    RootSideLog2 = cube.SideLog2,
+                    Sizes = m_sizes,
+                    CommonCubeLog2 = m_common,
+                    Priority = m_priority,
+                    Tops = tops,
+                    NodeOfPoint = m_nodeOfPoint,
+                    Nodes = Drafts,
+                }.Schedule(inputDeps);
+            }
+            m_poisson.Now.Value = default;
+            var job = new SamplePoissonJob
             {
                 Count = count,
-                RootSideLog2 = sideLog2,
-                CommonCubeLog2 = common,
-                Priority = priority,
+                RootSideLog2 = cube.SideLog2,
+                Sizes = m_sizes,
+                Layout = m_records,
+                Corner = cube.Corner,
+                Records = records,
+                CommonCubeLog2 = m_common,
+                Priority = m_priority,
                 Tops = tops,
-                NodeOfPoint = nodeOfPoint,
+                NodeOfPoint = m_nodeOfPoint,
                 Nodes = Drafts,
-            }.Schedule(inputDeps);
+                Scratch = m_poisson,
+                PointsPerSlice = SamplePoissonJob.PointsOfSlice,
+            };
+            // Slices that come after the end have nothing to do; one takes what is left where levels are many.
+            for (long looked = 0; looked < (long)count * UsualLooks; looked += job.PointsPerSlice)
+                inputDeps = job.Schedule(inputDeps);
+            job.PointsPerSlice = int.MaxValue;
+            return job.Schedule(inputDeps);
         }
 
         JobHandle Write(int count, Grid3 corner, bool isChunk, NativeArray<byte> records, NativeArray<int> nodeOfPoint,

@@ -5,12 +5,6 @@ namespace FastPoints.Octree
     /// <summary>What every sampler stands on.</summary>
     public static unsafe class Sampling
     {
-        /// <summary>A node that is no leaf takes one point of each cell; a cube has at most 2^7 cells along an edge.</summary>
-        public const int MaxCellsLog2 = 7;
-
-        /// <summary>A cube with no more points left than this is a leaf and takes them all.</summary>
-        public const int MaxPointsPerLeaf = 20000;
-
         /// <summary>No node yet.</summary>
         public const int Unassigned = -1;
 

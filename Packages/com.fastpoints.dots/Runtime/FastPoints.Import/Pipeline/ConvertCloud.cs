@@ -346,13 +346,18 @@ namespace FastPoints.Pipeline
             m_manifest.BoundsMax = found.Count > 0 ? found.Max : default;
             m_manifest.Attributes = m_attributes;
             AttributeSummary.Describe(m_attributes, m_scatter.Attributes, m_manifest);
+            m_manifest.Sampler = m_settings.Sampler.ToString().ToLowerInvariant();
             DescribeCrs(m_readers[0].Info.Crs);
-            // Different where content, attributes or partition differ: enough to tell one build's files from another's.
+            // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
             m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_pointsPerChunk << 40 ^
-                (ulong)m_attributes.Count << 32;
+                (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56;
 
+            var sizes = NodeSizes.Default;
+            if (m_settings.CellsLog2 > 0)
+                sizes.CellsLog2 = m_settings.CellsLog2;
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
-            m_build = new OctreeBuild(m_chunks, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId, m_folder);
+            m_build = new OctreeBuild(m_chunks, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId, m_folder,
+                m_settings.Sampler, sizes);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))
                 while (work.MoveNext())

@@ -20,13 +20,15 @@ namespace FastPoints.Pipeline
         readonly GridCube m_root;
         readonly ulong m_cloudId;
         readonly CloudFolderWriter m_folder;
+        readonly Sampler m_sampler;
+        readonly NodeSizes m_sizes;
         readonly List<ChunkIndexer> m_indexers = new List<ChunkIndexer>();
         readonly NativeArray<byte>[] m_topRecords;
         readonly ChunkTop[] m_tops;
         readonly ChunkRecord[] m_chunkRecords;
 
         public OctreeBuild(ChunkSet chunks, RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId,
-            CloudFolderWriter folder)
+            CloudFolderWriter folder, Sampler sampler, NodeSizes sizes)
         {
             m_chunks = chunks;
             m_records = records;
@@ -34,6 +36,8 @@ namespace FastPoints.Pipeline
             m_root = root;
             m_cloudId = cloudId;
             m_folder = folder;
+            m_sampler = sampler;
+            m_sizes = sizes;
             m_topRecords = new NativeArray<byte>[chunks.Chunks.Count];
             m_tops = new ChunkTop[m_topRecords.Length];
             m_chunkRecords = new ChunkRecord[m_topRecords.Length];
@@ -95,7 +99,7 @@ namespace FastPoints.Pipeline
             Array.Sort(sizes, order);
             atOnce = Math.Max(1, Math.Min(atOnce, count));
             for (int i = 0; i < atOnce; i++)
-                m_indexers.Add(new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId));
+                m_indexers.Add(new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes));
             var written = new WriteTicket[atOnce];
             for (int i = 0; i < count + atOnce; i++)
             {
@@ -166,7 +170,7 @@ namespace FastPoints.Pipeline
                 bytes += records.Length;
             var all = new NativeArray<byte>(checked((int)bytes), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             var tops = new NativeArray<ChunkTop>(m_tops, Allocator.Persistent);
-            var upper = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId);
+            var upper = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
             m_indexers.Add(upper);
             var hierarchy = default(NativeArray<byte>);
             WriteTicket ticket = null;

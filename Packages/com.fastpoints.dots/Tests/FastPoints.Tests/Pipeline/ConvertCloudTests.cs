@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Octree;
 using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -92,10 +93,10 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_UniformCube_KeepsEveryPointInSmallNodes()
+        public void Convert_UniformCube_KeepsEveryPointInSmallNodes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             var made = Prove(MemoryReader.Of(Uniform(240000, 100000), s_centimetres, 20000),
-                new ConvertSettings { PointsPerChunk = 100000 });
+                new ConvertSettings { PointsPerChunk = 100000, Sampler = sampler });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
             using (var folder = CloudFolder.Open(Target()))
                 foreach (var node in folder.Upper.Nodes)
@@ -121,12 +122,12 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_SixtyThousandEqualInACloud_MakeAChain()
+        public void Convert_SixtyThousandEqualInACloud_MakeAChain([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             var places = Uniform(90000, 20000);
             for (int i = 0; i < 60000; i++)
                 places[i * 3 / 2] = new int3(777, 778, 779);
-            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 20000 });
+            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 20000, Sampler = sampler });
             Assert.That(made.LevelCount, Is.EqualTo(made.Manifest.Root.SideLog2 + 1));
         }
 
@@ -181,14 +182,14 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_OutlierFarAway_GrowsTheRootAndKeepsTheRest()
+        public void Convert_OutlierFarAway_GrowsTheRootAndKeepsTheRest([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             // The outlier is not in the sample, and half the points are in a corner that it fools.
             var places = Uniform(60000, 2000);
             for (int i = 30000; i < 60000; i++)
                 places[i] += new int3(100000, 50000, 0);
             places[45001] = new int3(-2000000000, 2000000000, 5);
-            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 5000 });
+            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 5000, Sampler = sampler });
             Assert.That(made.Manifest.Root.SideLog2, Is.InRange(31, 32));
         }
 
@@ -219,7 +220,7 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_OneTwoSevenWorkers_WriteTheSameBytes()
+        public void Convert_OneTwoSevenWorkers_WriteTheSameBytes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             var places = Uniform(120000, 3000);
             for (int i = 0; i < places.Length; i++)
@@ -232,7 +233,8 @@ namespace FastPoints.Tests.Pipeline
                 Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings
                 {
                     PointsPerChunk = 60000,
-                    ChunksAtOnce = workers
+                    ChunksAtOnce = workers,
+                    Sampler = sampler,
                 });
                 foreach (string file in Directory.GetFiles(Target(name), "*", SearchOption.AllDirectories))
                 {
@@ -248,12 +250,12 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_OtherOrderOfTheSamePoints_GivesTheSameNodes()
+        public void Convert_OtherOrderOfTheSamePoints_GivesTheSameNodes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
             var places = Uniform(40000, 500);
             var turned = (int3[])places.Clone();
             Array.Reverse(turned);
-            var settings = new ConvertSettings { Attributes = new string[0] };
+            var settings = new ConvertSettings { Attributes = new string[0], Sampler = sampler };
             var first = Convert(MemoryReader.Of(places, s_centimetres), "a", settings);
             var second = Convert(MemoryReader.Of(turned, s_centimetres), "b", settings);
             Assert.That(second.Manifest.Checksum, Is.EqualTo(first.Manifest.Checksum));
