@@ -73,6 +73,16 @@ namespace FastPoints.Files
         {
         }
 
+        /// <summary>Whether <see cref="CreateRunRead"/> is there: sources of a fixed stride have it.</summary>
+        public virtual bool HasRunReads => false;
+
+        /// <summary>A reusable slot that brings scattered runs into places of <paramref name="target"/>.</summary>
+        /// <param name="target">Its schema is a selection of <see cref="SourceInfo.Schema"/>.</param>
+        /// <param name="maxRuns">Runs of one request.</param>
+        /// <param name="maxBytes">Bytes of the file in one request, at least those of the longest run.</param>
+        public virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
+            throw new NotSupportedException();
+
         public abstract void Dispose();
     }
 }

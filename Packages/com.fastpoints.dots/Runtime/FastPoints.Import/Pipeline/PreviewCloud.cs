@@ -25,6 +25,9 @@ namespace FastPoints.Pipeline
         }
 
         public PreviewSample Sample { get; private set; }
+        /// <summary>Beginnings of the sample that were there before the rest; empty where it came in one piece.</summary>
+        public IReadOnlyList<SampleWave> Waves { get; private set; } = Array.Empty<SampleWave>();
+
         public DisplayRanges Ranges { get; private set; }
 
         /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
@@ -81,14 +84,25 @@ namespace FastPoints.Pipeline
                     Sample = uniform.TakeSample();
                 }
             }
-            else
+            else if (WaveSampler.CanSample(m_reader))
             {
-                using (var strided = new StridedSampler(m_reader, m_options.Points, m_options.Seed))
+                using (var waves = new WaveSampler(m_reader, m_options.Points, m_options.Seed))
                 {
-                    using (var sampling = strided.Run(0, progress))
+                    using (var sampling = waves.Run(0, progress))
                         while (sampling.MoveNext())
                             yield return sampling.Current;
-                    Sample = strided.TakeSample();
+                    Waves = waves.Waves;
+                    Sample = waves.TakeSample();
+                }
+            }
+            else
+            {
+                using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+                {
+                    using (var sampling = uniform.Run(0, progress))
+                        while (sampling.MoveNext())
+                            yield return sampling.Current;
+                    Sample = uniform.TakeSample();
                 }
             }
 

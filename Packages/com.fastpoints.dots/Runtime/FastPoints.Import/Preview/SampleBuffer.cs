@@ -15,6 +15,7 @@ namespace FastPoints.Preview
         NativeArray<byte> m_filled;
         NativeArray<PointColumn> m_columns;
         NativeReference<CompactedSample> m_state;
+        bool m_isShared;
 
         public SampleBuffer(PointSchema schema, int places)
         {
@@ -26,7 +27,7 @@ namespace FastPoints.Preview
                 Allocator.Persistent);
         }
 
-        public PointBatch Points { get; private set; }
+        public PointBatch Points { get; }
         public int Places { get; }
         public NativeArray<byte> Filled => m_filled;
         public NativeArray<PointColumn> Columns => m_columns;
@@ -41,9 +42,12 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: closes the gaps; after all that fills.</summary>
-        public IEnumerator<JobHandle> Close(PositionTransform transform)
+        public IEnumerator<JobHandle> Close(PositionTransform transform) => Close(transform, 0, Places);
+
+        /// <summary>As <see cref="Close(PositionTransform)"/>, for the places that follow those that are closed.</summary>
+        public IEnumerator<JobHandle> Close(PositionTransform transform, int begin, int end)
         {
-            for (int first = 0; first < Places; first += PlacesPerSlice)
+            for (int first = begin; first < end; first += PlacesPerSlice)
             {
                 var slice = new CompactSampleJob
                 {
@@ -53,7 +57,7 @@ namespace FastPoints.Preview
                     Positions = PositionColumns.Of(Points),
                     Transform = transform,
                     First = first,
-                    Count = Math.Min(PlacesPerSlice, Places - first),
+                    Count = Math.Min(PlacesPerSlice, end - first),
                     State = m_state,
                 }.Schedule();
                 try
@@ -71,15 +75,30 @@ namespace FastPoints.Preview
         /// <summary>Hands the closed sample over; the caller sets what is known beside.</summary>
         public PreviewSample TakeSample(PositionTransform transform)
         {
-            var state = m_state.Value;
-            var sample = new PreviewSample(Points, transform) { Bounds = state.Found.Bounds, NonFinite = state.Found.NonFinite };
-            Points = null;
+            var sample = ShareSample(transform);
+            Measure(sample);
             return sample;
+        }
+
+        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>; it owns the points from now on.</summary>
+        public PreviewSample ShareSample(PositionTransform transform)
+        {
+            m_isShared = true;
+            return new PreviewSample(Points, transform);
+        }
+
+        /// <summary>Tells a sample of these points what has been closed.</summary>
+        public void Measure(PreviewSample sample)
+        {
+            var state = m_state.Value;
+            sample.Bounds = state.Found.Bounds;
+            sample.NonFinite = state.Found.NonFinite;
         }
 
         public void Dispose()
         {
-            Points?.Dispose();
+            if (!m_isShared)
+                Points.Dispose();
             if (!m_filled.IsCreated)
                 return;
             m_filled.Dispose();

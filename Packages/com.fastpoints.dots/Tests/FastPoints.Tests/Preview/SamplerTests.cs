@@ -36,13 +36,6 @@ namespace FastPoints.Tests.Preview
             return sampler.TakeSample();
         }
 
-        static PreviewSample Strided(MemoryPointReader reader, int wanted, int slots, uint seed = 1, bool always = true)
-        {
-            using var sampler = new StridedSampler(reader, wanted, seed, always);
-            WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
-            return sampler.TakeSample();
-        }
-
         static int[] Indices(PreviewSample sample)
         {
             var column = sample.Points.Column<int>(AttributeNames.X);
@@ -90,7 +83,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Samplers_AnySlotsWorkersAndBlocks_ChooseTheSamePoints()
         {
-            int[] uniform = null, strided = null;
+            int[] uniform = null;
             foreach (int workers in new[] { 1, 2, 7 })
             {
                 foreach (int slots in new[] { 1, 2, 9 })
@@ -101,11 +94,6 @@ namespace FastPoints.Tests.Preview
                     {
                         uniform ??= Indices(sample);
                         Assert.That(Indices(sample), Is.EqualTo(uniform));
-                    }
-                    using (var sample = Strided(reader, 3000, slots))
-                    {
-                        strided ??= Indices(sample);
-                        Assert.That(Indices(sample), Is.EqualTo(strided));
                     }
                 }
             }
@@ -118,61 +106,6 @@ namespace FastPoints.Tests.Preview
             using var one = Uniform(reader, 1000, 2, 1);
             using var other = Uniform(reader, 1000, 2, 2);
             Assert.That(Indices(one), Is.Not.EqualTo(Indices(other)));
-        }
-
-        [TestCase(1000)]
-        [TestCase(4097)]
-        [TestCase(40_000)]
-        public void Strided_FewWanted_TakesExactlySoManyInShortRuns(int wanted)
-        {
-            using var reader = new MemoryPointReader(Numbered(400_000), 4096);
-            using var sample = Strided(reader, wanted, 5);
-            var indices = Indices(sample);
-            Assert.That(indices.Length, Is.EqualTo(wanted));
-            int runs = 1, length = 1;
-            for (int i = 1; i < wanted; i++)
-            {
-                Assert.That(indices[i], Is.GreaterThan(indices[i - 1]));
-                length = indices[i] == indices[i - 1] + 1 ? length + 1 : 1;
-                runs += length == 1 ? 1 : 0;
-            }
-            Assert.That(runs, Is.InRange(wanted / 256 * 0.8, wanted / 50 + 1));
-            // Every tenth of the file has its share, give or take two runs.
-            var tenths = new int[10];
-            foreach (int index in indices)
-                tenths[index / 40_000]++;
-            foreach (int tenth in tenths)
-                Assert.That(tenth, Is.EqualTo(wanted / 10).Within(2 * 256));
-            Assert.That(sample.BytesRead, Is.EqualTo((long)wanted * reader.Info.RecordBytes));
-            Assert.That(sample.IsFullScan, Is.False);
-        }
-
-        [Test]
-        public void Strided_NoFixedStride_FallsBackToAScanAndSaysSo()
-        {
-            using var reader = new MemoryPointReader(Numbered(10_000), 1000, fixedStride: false);
-            using var sample = Strided(reader, 100, 2);
-            Assert.That(sample.Count, Is.EqualTo(100));
-            Assert.That(sample.IsFullScan, Is.True);
-            Assert.That(sample.Method, Does.Contain("no fixed stride"));
-        }
-
-        [Test]
-        public void Strided_SmallSource_ScansAndSaysSo()
-        {
-            using var reader = new MemoryPointReader(Numbered(10_000), 1000);
-            using var sample = Strided(reader, 100, 2, 1, false);
-            Assert.That(sample.Count, Is.EqualTo(100));
-            Assert.That(sample.Method, Does.Contain("it is small"));
-        }
-
-        [Test]
-        public void Strided_MostWanted_ScansAndSaysSo()
-        {
-            using var reader = new MemoryPointReader(Numbered(10_000), 1000);
-            using var sample = Strided(reader, 9000, 2);
-            Assert.That(sample.Count, Is.EqualTo(9000));
-            Assert.That(sample.Method, Does.Contain("most of it is wanted"));
         }
 
         [Test]
@@ -209,9 +142,6 @@ namespace FastPoints.Tests.Preview
             Assert.That(sample.Count, Is.EqualTo(4321));
             Assert.That(sample.PointsInSource, Is.EqualTo(4321));
             Assert.That(Indices(sample)[4320], Is.EqualTo(4320));
-            using var strided = Strided(reader, 1000, 3);
-            Assert.That(strided.Count, Is.InRange(300, 600));
-            Assert.That(Indices(strided)[strided.Count - 1], Is.LessThan(4321));
         }
 
         [Test]
@@ -219,9 +149,7 @@ namespace FastPoints.Tests.Preview
         {
             using var reader = new MemoryPointReader(Numbered(0), 1000);
             using var uniform = Uniform(reader, 100, 2);
-            using var strided = Strided(reader, 100, 2);
             Assert.That(uniform.Count, Is.EqualTo(0));
-            Assert.That(strided.Count, Is.EqualTo(0));
             Assert.That(uniform.Bounds.IsEmpty, Is.True);
         }
 
@@ -238,17 +166,12 @@ namespace FastPoints.Tests.Preview
         public void Samplers_CancelledHalfway_FreeWhatTheyHold()
         {
             using var reader = new MemoryPointReader(Numbered(50_000), 500);
-            foreach (bool strided in new[] { false, true })
-            {
-                using var uniformSampler = new UniformSampler(reader, 5000, 1);
-                using var stridedSampler = new StridedSampler(reader, 5000, 1, true);
-                IEnumerator<JobHandle> work = strided ? stridedSampler.Run(4, null) : uniformSampler.Run(4, null);
-                for (int step = 0; step < 10; step++)
-                    Assert.That(work.MoveNext(), Is.True);
-                new WorkPump(work).Cancel();
-                Assert.That(uniformSampler.TakeSample(), Is.Null);
-                Assert.That(stridedSampler.TakeSample(), Is.Null);
-            }
+            using var sampler = new UniformSampler(reader, 5000, 1);
+            IEnumerator<JobHandle> work = sampler.Run(4, null);
+            for (int step = 0; step < 10; step++)
+                Assert.That(work.MoveNext(), Is.True);
+            new WorkPump(work).Cancel();
+            Assert.That(sampler.TakeSample(), Is.Null);
         }
 
         [Test]

@@ -64,6 +64,8 @@ namespace FastPoints.Files
 
         public override bool HasFixedStride => true;
 
+        public override bool HasRunReads => true;
+
         internal LasRecordLayout Layout => m_las.Layout;
 
         internal ref readonly FileHandle File => ref m_file;
@@ -84,6 +86,9 @@ namespace FastPoints.Files
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new LasBlockRead(this, wanted, capacity, allocator);
+
+        public override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
+            new LasRunRead(this, target, maxRuns, maxBytes, allocator);
 
         /// <summary>Byte of a record in the file.</summary>
         /// <param name="point">Over the whole source.</param>

@@ -47,6 +47,7 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_points >= 0;
         public override bool HasFixedStride => true;
+        public override bool HasRunReads => true;
         public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
         public override int BlockCount => (int)((Found() + m_blockPoints - 1) / m_blockPoints);
         internal bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
@@ -78,6 +79,12 @@ namespace FastPoints.Files
         {
             Found();
             return new PlyFixedRead(this, wanted, capacity, allocator);
+        }
+
+        public override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
+        {
+            Found();
+            return new PlyRunRead(this, target, maxRuns, maxBytes, allocator);
         }
 
         internal List<PlyStep> Steps(PointBatch batch) => PlyPlan.Decoding(Vertex, Names, batch);

@@ -1,0 +1,159 @@
+using System;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// A slot for sources of a fixed stride that brings many short runs, scattered over the file, by one request into places of
+    /// a batch: what a sample is made of. A block read for each of them would cost several times as much.
+    /// </summary>
+    /// <remarks>
+    /// Slots that write different places of one batch may be in flight at once. Memory: the buffer, whatever is asked for.
+    /// </remarks>
+    public abstract unsafe class RunRead : IDisposable
+    {
+        /// <summary>Bytes behind a record that decoders may load and not use.</summary>
+        const int PaddingBytes = 16;
+
+        readonly string m_path;
+        readonly FileHandle m_file;
+        readonly long m_dataOffset;
+        readonly int m_recordBytes;
+        NativeArray<byte> m_records;
+        NativeArray<RunInBuffer> m_runs;
+        // The read manager keeps the pointer to its commands until the read has ended.
+        NativeArray<ReadCommand> m_commands;
+        ReadHandle m_read;
+        bool m_isReading;
+
+        /// <param name="dataOffset">Byte of the file's first record.</param>
+        /// <param name="target">Where the points go; its schema says what is wanted.</param>
+        /// <param name="maxRuns">Of one request.</param>
+        /// <param name="maxBytes">Of one request, at least those of the longest run.</param>
+        private protected RunRead(PointReader reader, in FileHandle file, long dataOffset, PointBatch target, int maxRuns,
+            int maxBytes, Allocator allocator)
+        {
+            m_path = reader.Info.Path;
+            m_file = file;
+            m_dataOffset = dataOffset;
+            m_recordBytes = reader.Info.RecordBytes;
+            Target = target;
+            m_records = new NativeArray<byte>(maxBytes + PaddingBytes, allocator, NativeArrayOptions.UninitializedMemory);
+            m_runs = new NativeArray<RunInBuffer>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
+            m_commands = new NativeArray<ReadCommand>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
+        }
+
+        public PointBatch Target { get; }
+
+        /// <summary>Finished when the points are in their places.</summary>
+        public JobHandle Decoded { get; private set; }
+
+        /// <summary>Separate stretches of the file in the last request.</summary>
+        public int Stretches { get; private set; }
+
+        /// <summary>Of the last request, with the gaps that were read along.</summary>
+        public long BytesRead { get; private set; }
+
+        /// <summary>Bytes of the file from a run's first record to its last.</summary>
+        public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
+
+        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at once.</summary>
+        /// <param name="runs">In the file's order, not overlapping, all within the file.</param>
+        /// <param name="first">The first one to take.</param>
+        /// <param name="most">The most to take.</param>
+        /// <param name="gapBytes">Runs no further apart are read in one stretch: more for a file that is slow to seek.</param>
+        /// <returns>Runs that were taken.</returns>
+        public int Begin(NativeArray<PointRun> runs, int first, int most, int gapBytes)
+        {
+            if (m_isReading)
+                throw new InvalidOperationException("the slot is still reading; Complete it first");
+            most = Math.Min(Math.Min(most, runs.Length - first), m_runs.Length);
+            int capacity = m_records.Length - PaddingBytes;
+            byte* buffer = (byte*)m_records.GetUnsafePtr();
+            int taken = 0, used = 0, stretches = 0;
+            long stretchEnd = -1;
+            for (; taken < most; taken++)
+            {
+                var run = runs[first + taken];
+                long begin = m_dataOffset + run.First * m_recordBytes;
+                long end = begin + BytesOf(run, m_recordBytes);
+                bool joins = stretches > 0 && begin - stretchEnd <= gapBytes;
+                long added = joins ? end - stretchEnd : end - begin;
+                if (used + added > capacity)
+                    break;
+                if (!joins)
+                    m_commands[stretches++] = new ReadCommand { Buffer = buffer + used, Offset = begin };
+                used += (int)added;
+                stretchEnd = end;
+                var command = m_commands[stretches - 1];
+                command.Size = end - command.Offset;
+                m_commands[stretches - 1] = command;
+                m_runs[taken] = new RunInBuffer
+                {
+                    FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
+                    StrideBytes = run.Step * m_recordBytes,
+                    Count = run.Count,
+                    Place = run.Place,
+                };
+            }
+            if (taken == 0)
+                throw new ArgumentException("a run does not fit into the slot's " + capacity + " bytes", nameof(runs));
+            Stretches = stretches;
+            BytesRead = used;
+            m_read = AsyncReadManager.Read(m_file, new ReadCommandArray
+            {
+                CommandCount = stretches,
+                ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
+            });
+            m_isReading = true;
+            Decoded = Schedule(m_records, m_runs, taken, m_read.JobHandle);
+            return taken;
+        }
+
+        /// <summary>Waits for the decoding if need be (poll <c>Decoded.IsCompleted</c> not to), and closes the request.</summary>
+        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was opened.</exception>
+        public void Complete()
+        {
+            Decoded.Complete();
+            if (!m_isReading)
+                return;
+            m_isReading = false;
+            var status = m_read.Status;
+            m_read.Dispose();
+            if (status == ReadStatus.Complete)
+                return;
+            bool isShort = status == ReadStatus.Truncated;
+            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_path, m_commands[0].Offset,
+                isShort ? "the file became shorter while it was read"
+                : "reading " + BytesRead.ToString(CultureInfo.InvariantCulture) + " bytes from here on failed");
+        }
+
+        /// <summary>Cancels what is in flight, waits for it, frees the memory. May run twice.</summary>
+        public virtual void Dispose()
+        {
+            if (!m_records.IsCreated)
+                return;
+            if (m_isReading)
+            {
+                m_read.Cancel();
+                Decoded.Complete();
+                m_read.JobHandle.Complete();
+                m_read.Dispose();
+                m_isReading = false;
+            }
+            m_records.Dispose();
+            m_runs.Dispose();
+            m_commands.Dispose();
+        }
+
+        /// <summary>Decodes the runs behind the read.</summary>
+        private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<RunInBuffer> runs, int runCount,
+            JobHandle read);
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using FastPoints.Files;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// Which points of a source of fixed stride a sample takes, and in which order: a run of evenly spaced points at a hashed
+    /// place in each of equal strata of the file, the strata in an order of which every beginning is spread over all of the file.
+    /// Blittable, for jobs.
+    /// </summary>
+    /// <remarks>
+    /// Within a stratum each point is taken with the same probability, points taken over points there: runs that leave it go on at
+    /// its beginning. Strata differ by one point in length, runs by one point in count; a sample of nearly all points may so lack
+    /// one point a run, and the places of one of all points have gaps.
+    /// </remarks>
+    public readonly struct RunPlan
+    {
+        /// <summary>Points of a run: a page of the file costs the same whether one is wanted of it or sixteen.</summary>
+        const int PointsPerRun = 16;
+
+        /// <summary>Bytes of the file that a run spans, where its stratum has so many: about two pages.</summary>
+        const int SpanBytes = 4096;
+
+        const int MaxSpanPoints = 256;
+
+        readonly SampleStrata m_strata;
+        readonly SampleStrata m_places;
+        readonly int m_spanPoints;
+
+        public readonly SampleOrder Order;
+
+        /// <param name="points">Of the source.</param>
+        /// <param name="wanted">Of the sample.</param>
+        public RunPlan(long points, int wanted, int recordBytes, uint seed)
+        {
+            wanted = (int)Math.Min(points, Math.Max(0, wanted));
+            m_spanPoints = Math.Max(PointsPerRun, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)));
+            long runs = Math.Min((wanted + PointsPerRun - 1L) / PointsPerRun, Math.Max(1, points / m_spanPoints));
+            m_strata = new SampleStrata(points, (int)runs, seed);
+            // Of all points the longest stratum's must find room wherever it comes in the order.
+            m_places = new SampleStrata(wanted == points ? wanted + runs : wanted, (int)runs, seed);
+            Order = new SampleOrder((int)runs, seed);
+        }
+
+        public int RunCount => m_strata.Count;
+
+        /// <summary>Places of the sample, which are as many as its points, or a few more.</summary>
+        public int PlaceCount => (int)m_places.Points;
+
+        /// <summary>Points of the longest run's stretch of the file.</summary>
+        public int MaxStretchPoints => RunCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
+
+        /// <summary>First place in the sample of the run that is so far up in the order; <see cref="PlaceCount"/> for the one after
+        /// the last.</summary>
+        public int PlaceOf(int rank) => (int)m_places.FirstOf(rank);
+
+        /// <summary>How many runs it takes, from the first in the order, for so many points.</summary>
+        public int RunsFor(int points) => points >= PlaceCount ? RunCount : m_places.StratumOf(points - 1) + 1;
+
+        /// <summary>The run of a stratum, in the file's order: one stretch, or two where it goes round its stratum's end.</summary>
+        /// <param name="rank">The stratum's place among the runs.</param>
+        /// <returns>Whether there is a second one.</returns>
+        public bool RunOf(int stratum, int rank, out PointRun run, out PointRun second)
+        {
+            long first = m_strata.FirstOf(stratum);
+            long length = m_strata.FirstOf(stratum + 1) - first;
+            int place = PlaceOf(rank);
+            int count = (int)Math.Min(PlaceOf(rank + 1) - place, length);
+            // A stratum not much longer than the span is gone through from end to end.
+            long span = length <= 2 * m_spanPoints ? length : m_spanPoints;
+            int step = (int)(span / count);
+            long begin = m_strata.ChosenRun(stratum, 1) - first;
+            run = new PointRun { First = first + begin, Step = step, Count = count, Place = place };
+            second = default;
+            int before = (int)((length - begin + step - 1) / step);
+            if (before >= count)
+                return false;
+            second = run;
+            second.Count = before;
+            run.First = first + (begin + (long)before * step) % length;
+            run.Count = count - before;
+            run.Place = place + before;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,49 @@
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput sequence, Owen
+    /// scrambled. Blittable, for jobs.
+    /// </summary>
+    /// <remarks>
+    /// The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011, with the
+    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order one lies in each
+    /// 2^-k of the strata (give or take the places beyond the last stratum, which are passed over).
+    /// </remarks>
+    public readonly struct SampleOrder
+    {
+        readonly int m_bits;
+        readonly uint m_seed;
+
+        public readonly int Strata;
+
+        public SampleOrder(int strata, uint seed)
+        {
+            Strata = strata;
+            m_seed = seed;
+            m_bits = 0;
+            while (1L << m_bits < strata)
+                m_bits++;
+        }
+
+        /// <summary>Places to go through for all strata: those that hold one, and those that are passed over.</summary>
+        public int Places => 1 << m_bits;
+
+        /// <summary>The stratum at a place of the order, or -1 where the place is to be passed over.</summary>
+        public int StratumAt(int place)
+        {
+            if (m_bits == 0)
+                return 0;
+            uint x = (uint)place;
+            x ^= x * 0x3D20ADEAu;
+            x += m_seed;
+            x *= m_seed >> 16 | 1;
+            x ^= x * 0x05526C56u;
+            x ^= x * 0x53A22864u;
+            // The low bits that count, turned round: each bit of the stratum hangs on the bits above it alone.
+            uint reversed = 0;
+            for (int bit = 0; bit < m_bits; bit++)
+                reversed = reversed << 1 | x >> bit & 1;
+            return reversed < (uint)Strata ? (int)reversed : -1;
+        }
+    }
+}
