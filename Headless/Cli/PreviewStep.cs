@@ -3,6 +3,7 @@ using System.Text.Json;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
+using FastPoints.Preview;
 
 namespace FastPoints.Cli
 {
@@ -13,6 +14,9 @@ namespace FastPoints.Cli
         public required double Share { get; init; }
         public required long BytesRead { get; init; }
         public required string Method { get; init; }
+
+        /// <summary>When which beginning of the sample could be drawn.</summary>
+        public required IReadOnlyList<SampleWave> Waves { get; init; }
 
         /// <summary>From the beginning to the picture.</summary>
         public required double Seconds { get; init; }
@@ -38,6 +42,7 @@ namespace FastPoints.Cli
                 Share = preview.Sample.Share,
                 BytesRead = preview.Sample.BytesRead,
                 Method = preview.Sample.Method,
+                Waves = preview.Waves,
                 Seconds = run.Seconds - begin,
                 Image = preview.Image,
                 Png = FastPoints.Picture.Png.Encode(preview.Image),
@@ -56,10 +61,13 @@ namespace FastPoints.Cli
             json.WriteInteger("points", Points);
             json.WriteInteger("bytesRead", BytesRead);
             json.WriteStartArray("waves");
-            json.WriteStartObject();
-            json.WriteInteger("points", Points);
-            json.WriteReal("seconds", Seconds);
-            json.WriteEndObject();
+            foreach (var wave in Waves)
+            {
+                json.WriteStartObject();
+                json.WriteInteger("points", wave.Points);
+                json.WriteReal("seconds", wave.Seconds);
+                json.WriteEndObject();
+            }
             json.WriteEndArray();
             if (Error is not { } error)
                 return;

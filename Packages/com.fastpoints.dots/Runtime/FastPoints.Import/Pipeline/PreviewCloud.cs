@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
@@ -25,7 +26,7 @@ namespace FastPoints.Pipeline
         }
 
         public PreviewSample Sample { get; private set; }
-        /// <summary>Beginnings of the sample that were there before the rest; empty where it came in one piece.</summary>
+        /// <summary>When which beginning of the sample was there, the whole of it last.</summary>
         public IReadOnlyList<SampleWave> Waves { get; private set; } = Array.Empty<SampleWave>();
 
         public DisplayRanges Ranges { get; private set; }
@@ -74,6 +75,7 @@ namespace FastPoints.Pipeline
             }
 
             progress?.Begin("sample");
+            var watch = Stopwatch.StartNew();
             if (m_options.Exact)
             {
                 using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
@@ -105,6 +107,12 @@ namespace FastPoints.Pipeline
                     Sample = uniform.TakeSample();
                 }
             }
+
+            if (Waves.Count == 0)
+                Waves = new[]
+                {
+                    new SampleWave { Points = Sample.Count, Seconds = watch.Elapsed.TotalSeconds, BytesRead = Sample.BytesRead },
+                };
 
             Ranges = new DisplayRanges();
             using (var measuring = Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis))
