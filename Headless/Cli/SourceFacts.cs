@@ -48,7 +48,8 @@ namespace FastPoints.Cli
             yield return ("crs", Info.Crs.Summary ?? "unknown");
             if (reader.Tree is { } tree)
                 yield return ("octree", Human.Count(tree.NodeCount) + " nodes on " + tree.LevelCount + " levels"
-                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints()) + " of them without points");
+                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints()) + " of them without points"
+                    + (tree.PageCount > 0 ? ", " + Human.Count(tree.PageCount) + " pages of hierarchy" : ""));
         }
 
         /// <summary>The source's own octree level by level, or null where it has none.</summary>
@@ -126,6 +127,7 @@ namespace FastPoints.Cli
             json.WriteNumber("nodes", tree.NodeCount);
             json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints());
             json.WriteBoolean("isWhole", tree.IsWhole);
+            json.WriteNumber("pages", tree.PageCount);
             json.WriteStartArray("levels");
             foreach (var level in TreeLevel.Of(tree))
             {

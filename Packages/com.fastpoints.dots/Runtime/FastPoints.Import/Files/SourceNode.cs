@@ -2,7 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>A node of a source's own octree.</summary>
+    /// <summary>A node of a source's own octree. One whose points are more than a block's is there several times, a block
+    /// each.</summary>
     public struct SourceNode
     {
         /// <summary>0 for the root; a node of level L has an edge of the cube's over 2^L.</summary>
@@ -14,7 +15,7 @@ namespace FastPoints.Files
         /// <summary>The block that holds its points, or -1 for a node without points.</summary>
         public int Block;
 
-        /// <summary>Points, as the hierarchy claims.</summary>
+        /// <summary>Points of the block, as the hierarchy claims.</summary>
         public int PointCount;
     }
 }

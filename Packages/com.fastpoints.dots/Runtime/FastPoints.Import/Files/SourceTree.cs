@@ -34,6 +34,9 @@ namespace FastPoints.Files
         /// <summary>Levels among the nodes that are known.</summary>
         public int LevelCount { get; private set; }
 
+        /// <summary>Pages (or files) of the hierarchy that were read so far.</summary>
+        public int PageCount { get; set; }
+
         /// <summary>Whether all pages of the hierarchy were read (or given up with a warning).</summary>
         public bool IsWhole { get; set; }
 

@@ -37,13 +37,15 @@ namespace FastPoints.Files
         }
 
         /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
-        /// <returns>A <see cref="LazReader"/> where the points are compressed.</returns>
+        /// <returns>A <see cref="LazReader"/> where the points are compressed, a <see cref="CopcReader"/> where they lie in an
+        /// octree.</returns>
         /// <exception cref="PointCloudException">Not LAS, cut before its first point, or of an unknown version or point
         /// format.</exception>
         public static PointReader Open(FileSource source)
         {
             var las = LasFile.Read(source);
-            return las.Header.IsCompressed ? LazReader.Open(las, source) : OpenUncompressed(las, source);
+            return !las.Header.IsCompressed ? OpenUncompressed(las, source)
+                : CopcReader.TryOpen(las, source) ?? LazReader.Open(las, source);
         }
 
         /// <summary>Plain records, whatever the header says of compression.</summary>

@@ -48,6 +48,10 @@ namespace FastPoints.Files
         /// <summary>Points that the range takes from the state's start, <see cref="Skip"/> among them.</summary>
         public int Total;
 
+        /// <summary>What the whole chunk has, as told by whoever knows where it is.</summary>
+        public long ChunkPoints;
+        public long ChunkBytes;
+
         /// <summary>Where the input lies in the file.</summary>
         public long FileOffset;
 
@@ -62,7 +66,14 @@ namespace FastPoints.Files
             long inputBytes = InputBytes[0];
             var result = IsFirst ? default : Result.Value;
             if (IsFirst && IsLayered)
+            {
                 LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, Total);
+                if (!LayeredChunk.IsThere((LayeredChunk*)state, input, inputBytes, ChunkPoints, ChunkBytes))
+                {
+                    result.Error = LazError.NoChunk;
+                    result.ErrorOffset = FileOffset;
+                }
+            }
             else if (IsFirst && !IsContinued)
                 PointwiseChunk.Start((PointwiseChunk*)state);
 

@@ -103,6 +103,22 @@ namespace FastPoints.Files
             }
         }
 
+        /// <summary>
+        /// Whether what lies there can be the chunk that a table or a hierarchy says it is: its own count is the same, or its
+        /// layers together are as long. Where neither holds it would decode to points that nobody wrote.
+        /// </summary>
+        /// <param name="points">Of the chunk, as told.</param>
+        /// <param name="bytes">Of the chunk, as told.</param>
+        public static bool IsThere(LayeredChunk* chunk, byte* input, long inputBytes, long points, long bytes)
+        {
+            long end = LazLayer.ChunkHeaderBytes(chunk->m_recordBytes, chunk->m_layerCount);
+            if (inputBytes < end || *(uint*)(input + chunk->m_recordBytes) == points)
+                return true;
+            for (int i = 0; i < chunk->m_layerCount; i++)
+                end += *(uint*)(input + chunk->m_recordBytes + 4 + 4 * i);
+            return end == bytes;
+        }
+
         /// <summary>Starts at a chunk's first byte.</summary>
         /// <param name="input">The chunk's header, then its layers. Behind <paramref name="inputBytes"/> there are
         /// <see cref="RangeCode.PaddingBytes"/> more that may be read.</param>

@@ -23,9 +23,10 @@ namespace FastPoints.Files
         /// saved.</summary>
         const int SmallChunkBytes = 16 << 10;
 
-        readonly LazReader m_reader;
+        readonly LazChunkReader m_reader;
         readonly LazFormat m_format;
         readonly int m_capacity;
+        readonly Allocator m_allocator;
         readonly int m_tilePoints;
         readonly bool m_wantsAllLayers;
         NativeArray<byte> m_state;
@@ -44,11 +45,12 @@ namespace FastPoints.Files
         bool m_isReading;
         bool m_isPlanned;
 
-        public LazBlockRead(LazReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        public LazBlockRead(LazChunkReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
             m_reader = reader;
             m_format = reader.Format;
             m_capacity = capacity;
+            m_allocator = allocator;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
             var batch = new PointBatch(wanted, capacity, allocator);
             try
@@ -125,6 +127,7 @@ namespace FastPoints.Files
             checkpoint?.Restore(m_state);
             long start = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
+            GrowInput(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(skip + range.Count)));
             var decode = new DecodeLazJob
             {
                 Input = m_input,
@@ -141,10 +144,22 @@ namespace FastPoints.Files
                 IsContinued = checkpoint != null,
                 Skip = checked((int)skip),
                 Total = checked((int)(skip + range.Count)),
+                ChunkPoints = m_reader.ChunkOf(block).Points,
+                ChunkBytes = m_reader.ChunkOf(block).Bytes,
                 FileOffset = start,
             };
             var read = Read(block, start, ref decode);
             Decoded = Schedule(decode, read);
+        }
+
+        /// <summary>Makes room for a block that was found after the slot was made: pages of a hierarchy are read as they are
+        /// wanted.</summary>
+        void GrowInput(long bytes)
+        {
+            if (bytes <= m_input.Length - RangeCode.PaddingBytes)
+                return;
+            m_input.Dispose();
+            m_input = Bytes(bytes + RangeCode.PaddingBytes, m_allocator);
         }
 
         /// <summary>Starts the read of a range's input.</summary>

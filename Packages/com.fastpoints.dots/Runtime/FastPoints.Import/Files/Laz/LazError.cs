@@ -10,5 +10,8 @@ namespace FastPoints.Files
 
         /// <summary>All points are there, but the stream does not end where its chunk does: some of them are noise.</summary>
         public const int EndMismatch = 2;
+
+        /// <summary>What lies there is no chunk: neither its count nor its length is what was told of it.</summary>
+        public const int NoChunk = 3;
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Base;
@@ -99,6 +100,16 @@ namespace FastPoints.Files
             format.Layers = format.IsLayered ? LazLayer.Of(format.Items) : new LazLayer[0];
             CheckItems(format, las, at + 32);
             return format;
+        }
+
+        /// <summary>All of it as lines for people.</summary>
+        public void Tell(SourceInfo info)
+        {
+            info.Fact("LASzip version", WriterVersion);
+            info.Fact("LASzip compressor", Compressor.ToString());
+            info.Fact("LASzip chunk points", Compressor == LazCompressor.Pointwise ? "none"
+                : HasVariableChunks ? "variable" : Text(ChunkPoints));
+            info.Fact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v" + Text(item.Version))));
         }
 
         static LazItem ReadItem(ByteReader bytes, int at, int recordOffset, LazCompressor compressor)

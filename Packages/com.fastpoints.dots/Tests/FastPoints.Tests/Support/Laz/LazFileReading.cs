@@ -4,6 +4,7 @@ using System.IO;
 using System.IO.Compression;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Files.Tests;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -57,7 +58,7 @@ namespace FastPoints.Tests.Support
                     {
                         read.Complete();
                         points += read.Points.Count;
-                        Pack(read, layout, records);
+                        Pack(read, layout, records, read.FirstPoint);
                     }
                     if (i < ranges.Count)
                         read.Begin(ranges[i]);
@@ -71,7 +72,21 @@ namespace FastPoints.Tests.Support
             return points;
         }
 
-        static void Pack(BlockRead read, LasRecordLayout layout, byte[] records)
+        /// <summary>The records that can be had, block after block, without gaps for those that cannot.</summary>
+        public static byte[] Present(PointReader reader, LasRecordLayout layout)
+        {
+            var records = new byte[reader.PointCount * layout.RecordBytes];
+            int done = 0;
+            ReadPoints.EachBlock(reader, reader.Info.Schema, read =>
+            {
+                Pack(read, layout, records, done);
+                done += read.Points.Count;
+            });
+            Array.Resize(ref records, done * layout.RecordBytes);
+            return records;
+        }
+
+        static void Pack(BlockRead read, LasRecordLayout layout, byte[] records, long firstPoint)
         {
             if (read.Points.Count == 0)
                 return;
@@ -79,7 +94,7 @@ namespace FastPoints.Tests.Support
             fixed (byte* first = records)
             fixed (LasFieldCopy* plan = copies)
                 LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count, plan, copies.Length,
-                    first + read.FirstPoint * layout.RecordBytes, layout.RecordBytes);
+                    first + firstPoint * layout.RecordBytes, layout.RecordBytes);
         }
 
         public static LasRecordLayout LayoutOf(string path)

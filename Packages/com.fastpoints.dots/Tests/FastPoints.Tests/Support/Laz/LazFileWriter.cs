@@ -45,6 +45,14 @@ namespace FastPoints.Tests.Support
         /// <summary>Points that the header claims; -1 for the truth.</summary>
         public long Claims = -1;
 
+        /// <summary>A whole VLR in front of the LASzip one, or null.</summary>
+        public byte[] FirstVlr;
+
+        public double3 Scale = new double3(0.01, 0.01, 0.01);
+
+        /// <summary>Where each chunk starts in the file that was written last, and its bytes.</summary>
+        public List<(long Offset, int Bytes)> Chunks { get; } = new List<(long, int)>();
+
         public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
 
         public LazItem[] Items()
@@ -80,6 +88,8 @@ namespace FastPoints.Tests.Support
             var items = Items();
             var file = new BinaryWriter(new MemoryStream());
             var vlr = Vlr(items);
+            int firstBytes = FirstVlr?.Length ?? 0;
+            Chunks.Clear();
             int minor = PointFormat >= 6 ? 4 : 2;
             long claims = Claims >= 0 ? Claims : records.Count;
             var header = new LasHeader
@@ -89,17 +99,19 @@ namespace FastPoints.Tests.Support
                 IsCompressed = true,
                 RecordBytes = RecordBytes,
                 HeaderBytes = LasHeader.BytesOf(minor),
-                PointsOffset = (uint)(LasHeader.BytesOf(minor) + vlr.Length),
-                VlrCount = 1,
+                PointsOffset = (uint)(LasHeader.BytesOf(minor) + firstBytes + vlr.Length),
+                VlrCount = FirstVlr == null ? 1u : 2u,
                 LegacyCount = PointFormat >= 6 ? 0 : (uint)claims,
                 Count = minor >= 4 ? (ulong)claims : 0,
-                Scale = new double3(0.01, 0.01, 0.01),
+                Scale = Scale,
                 Min = new double3(-1e9, -1e9, -1e9),
                 Max = new double3(1e9, 1e9, 1e9),
                 SystemIdentifier = "",
                 GeneratingSoftware = "FastPoints tests",
             };
             file.Write(header.ToBytes());
+            if (FirstVlr != null)
+                file.Write(FirstVlr);
             file.Write(vlr);
             WritePoints(file, items, records);
             return ((MemoryStream)file.BaseStream).ToArray();
@@ -126,6 +138,7 @@ namespace FastPoints.Tests.Support
             {
                 int count = Math.Min(ChunkPoints[Math.Min(points.Count, ChunkPoints.Length - 1)], records.Count - first);
                 var chunk = LazEncoder.Chunk(items, Part(records, first, count));
+                Chunks.Add((file.BaseStream.Position, chunk.Length));
                 file.Write(chunk);
                 bytes.Add(chunk.Length);
                 points.Add(count);

@@ -1,0 +1,228 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Base;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is a claim:
+    /// what the file cannot hold is left out with a warning.
+    /// </summary>
+    /// <remarks>
+    /// Time and memory follow the file's size: a page is read once, all pages together take no more bytes than the file has, nor
+    /// do all nodes' chunks.
+    /// </remarks>
+    sealed class CopcHierarchy : IDisposable
+    {
+        /// <summary>Of a page that are read and looked at in one step: 2,048 entries.</summary>
+        const int PieceBytes = 64 << 10;
+
+        const int MaxWarnings = 8;
+
+        readonly CopcReader m_reader;
+        readonly SourceTree m_tree;
+        readonly long m_fileBytes;
+        readonly Queue<CopcPage>[] m_pagesOfLevel = new Queue<CopcPage>[CopcEntry.MaxLevel + 1];
+        readonly HashSet<long> m_pageOffsets = new HashSet<long>();
+        readonly HashSet<ulong> m_chunkOffsets = new HashSet<ulong>();
+        readonly HashSet<int4> m_keys = new HashSet<int4>();
+        readonly byte[] m_piece = new byte[PieceBytes];
+        NativeArray<byte> m_buffer;
+        // The read manager keeps the pointer to its command until the read has ended.
+        NativeArray<ReadCommand> m_command;
+        long m_pageBytesLeft;
+        long m_chunkBytesLeft;
+        int m_warnings;
+        int m_untold;
+
+        public CopcHierarchy(CopcReader reader, SourceTree tree, long fileBytes)
+        {
+            m_reader = reader;
+            m_tree = tree;
+            m_fileBytes = fileBytes;
+            m_pageBytesLeft = fileBytes;
+            m_chunkBytesLeft = fileBytes;
+            m_buffer = new NativeArray<byte>(PieceBytes, Allocator.Persistent);
+            m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
+            for (int level = 0; level < m_pagesOfLevel.Length; level++)
+                m_pagesOfLevel[level] = new Queue<CopcPage>();
+            var copc = reader.Copc;
+            AddPage(0, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
+        }
+
+        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels.</summary>
+        public IEnumerator<JobHandle> Read(int levels)
+        {
+            for (int level = 0; level < Math.Min(levels, m_pagesOfLevel.Length); level++)
+            {
+                var pages = m_pagesOfLevel[level];
+                while (pages.Count > 0)
+                {
+                    // A page takes effect when it is read to its end, so that this work can be given up and begun again.
+                    using (var page = Read(pages.Peek()))
+                        while (page.MoveNext())
+                            yield return page.Current;
+                    pages.Dequeue();
+                    m_tree.PageCount++;
+                }
+            }
+        }
+
+        /// <summary>Says how many oddities were not told one by one. When all is read.</summary>
+        public void TellRest()
+        {
+            if (m_untold > 0)
+                m_reader.Info.Warn(m_reader.Copc.FileOffset, Text(m_untold)
+                    + " more entries of the octree's hierarchy are wrong");
+            m_untold = 0;
+        }
+
+        public void Dispose()
+        {
+            if (!m_buffer.IsCreated)
+                return;
+            m_buffer.Dispose();
+            m_command.Dispose();
+        }
+
+        IEnumerator<JobHandle> Read(CopcPage page)
+        {
+            var entries = new List<(CopcEntry Entry, long At)>();
+            for (long done = 0; done < page.Bytes; done += PieceBytes)
+            {
+                int bytes = (int)Math.Min(PieceBytes, page.Bytes - done);
+                var read = Begin(page.Offset + done, bytes);
+                bool isRead;
+                try
+                {
+                    yield return read.JobHandle;
+                }
+                finally
+                {
+                    read.JobHandle.Complete();
+                    isRead = read.Status == ReadStatus.Complete;
+                    read.Dispose();
+                }
+                if (!isRead)
+                    throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, page.Offset + done,
+                        "the file could not be read, or has become shorter since it was opened");
+                NativeArray<byte>.Copy(m_buffer, m_piece, bytes);
+                Collect(new ByteReader(m_piece, m_reader.Info.Path, page.Offset + done), bytes, entries);
+            }
+            Add(entries);
+        }
+
+        unsafe ReadHandle Begin(long offset, int bytes)
+        {
+            m_command[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            return AsyncReadManager.Read(m_reader.File, new ReadCommandArray
+            {
+                CommandCount = 1,
+                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
+            });
+        }
+
+        /// <summary>The entries of a piece whose keys are ones.</summary>
+        void Collect(ByteReader piece, int bytes, List<(CopcEntry, long)> entries)
+        {
+            for (int at = 0; at + CopcEntry.Bytes <= bytes; at += CopcEntry.Bytes)
+            {
+                var entry = CopcEntry.Read(piece, at);
+                if (entry.HasKey)
+                    entries.Add((entry, piece.FileOffset + at));
+                else
+                    Tell(piece.FileOffset + at, Name(entry) + " is no node of an octree: left out");
+            }
+        }
+
+        /// <summary>Nodes of a page, level by level: a parent comes before its children.</summary>
+        void Add(List<(CopcEntry Entry, long At)> entries)
+        {
+            entries.Sort((a, b) => a.Entry.Level != b.Entry.Level ? a.Entry.Level.CompareTo(b.Entry.Level)
+                : a.At.CompareTo(b.At));
+            foreach (var (entry, at) in entries)
+                if (entry.IsPage)
+                    AddPage(entry.Level, (long)Math.Min(entry.Offset, long.MaxValue), entry.ByteSize, at);
+                else
+                    AddNode(entry, at);
+        }
+
+        /// <param name="at">Of the entry in the file, as everywhere here.</param>
+        void AddPage(int level, long offset, long bytes, long at)
+        {
+            if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
+                Tell(at, "a page of the octree's hierarchy would lie at byte " + Text(offset) + " with " + Text(bytes)
+                    + " bytes, the file has " + Text(m_fileBytes) + ": its nodes are left out");
+            else if (!m_pageOffsets.Add(offset))
+                Tell(at, "the page at byte " + Text(offset) + " of the octree's hierarchy is named twice: read once");
+            else if (bytes > m_pageBytesLeft)
+                Tell(at, "the pages of the octree's hierarchy overlap: that at byte " + Text(offset) + " is left out");
+            else
+            {
+                if (bytes % CopcEntry.Bytes != 0)
+                    Tell(at, "the page at byte " + Text(offset) + " of the octree's hierarchy has " + Text(bytes)
+                        + " bytes, wanted a multiple of " + Text(CopcEntry.Bytes));
+                m_pageBytesLeft -= bytes;
+                m_pagesOfLevel[level].Enqueue(new CopcPage { Offset = offset, Bytes = bytes });
+            }
+        }
+
+        void AddNode(CopcEntry entry, long at)
+        {
+            string trouble = Trouble(entry, out long bytes);
+            if (trouble == null && !m_keys.Add(entry.Key))
+                trouble = "is there twice: the second is left out";
+            if (trouble == null && entry.PointCount > 0 && !m_chunkOffsets.Add(entry.Offset))
+                trouble = "has the chunk of another node: left out";
+            if (trouble != null)
+            {
+                Tell(at, Name(entry) + " " + trouble);
+                return;
+            }
+            if (bytes < entry.ByteSize)
+                Tell(at, Name(entry) + " would end at byte " + Text((long)entry.Offset + entry.ByteSize) + ", the file has "
+                    + Text(m_fileBytes) + ": cut there");
+            m_chunkBytesLeft -= bytes;
+            m_reader.AddNode(entry, bytes);
+        }
+
+        /// <param name="bytes">Of the chunk, as far as the file goes.</param>
+        string Trouble(CopcEntry entry, out long bytes)
+        {
+            bytes = 0;
+            if (entry.PointCount == 0)
+                return null;
+            if (entry.PointCount < 0)
+                return "has " + Text(entry.PointCount) + " points: left out";
+            if (entry.Offset < m_reader.Header.PointsOffset || entry.Offset >= (ulong)m_fileBytes)
+                return "would start at byte " + entry.Offset.ToString(CultureInfo.InvariantCulture)
+                    + ", which is none of the points': left out";
+            bytes = Math.Min(entry.ByteSize, m_fileBytes - (long)entry.Offset);
+            if (bytes < m_reader.Format.RecordBytes || bytes > LazChunkReader.MaxLayeredChunkBytes)
+                return "has " + Text(entry.ByteSize) + " bytes: left out";
+            if (entry.PointCount > LazChunk.MaxPoints(bytes))
+                return "claims " + Text(entry.PointCount) + " points in " + Text(bytes) + " bytes: left out";
+            return bytes > m_chunkBytesLeft ? "lies where others do, all together are longer than the file: left out" : null;
+        }
+
+        static string Name(CopcEntry entry) => "node " + Text(entry.Level) + "-" + Text(entry.Cell.x) + "-" + Text(entry.Cell.y)
+            + "-" + Text(entry.Cell.z);
+
+        /// <summary>The first few are told; a hierarchy that is noise is not listed.</summary>
+        void Tell(long at, string text)
+        {
+            if (m_warnings++ < MaxWarnings)
+                m_reader.Info.Warn(at, text);
+            else
+                m_untold++;
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

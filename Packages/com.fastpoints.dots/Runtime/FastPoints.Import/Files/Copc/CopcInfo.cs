@@ -1,0 +1,86 @@
+using System.Globalization;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>The <c>copc</c> info VLR (COPC 1.0): the octree's cube and where its hierarchy starts.</summary>
+    /// <remarks>It is the first VLR of a file, so its data starts at byte 429; other places are tolerated.</remarks>
+    public sealed class CopcInfo
+    {
+        public const string UserId = "copc";
+        public const ushort InfoRecord = 1;
+        public const ushort HierarchyRecord = 1000;
+        public const int Bytes = 160;
+
+        /// <summary>Bytes of the fields that mean anything; the others are reserved.</summary>
+        const int FieldBytes = 72;
+
+        /// <summary>CRS units, as all lengths here.</summary>
+        public double3 Center;
+
+        /// <summary>Half of the root cube's edge.</summary>
+        public double HalfSize;
+
+        /// <summary>Between points of the root; halved from level to level.</summary>
+        public double Spacing;
+
+        public ulong RootPageOffset;
+        public ulong RootPageBytes;
+        public double MinGpsTime;
+        public double MaxGpsTime;
+
+        /// <summary>Where it lies in the file, for messages.</summary>
+        public long FileOffset;
+
+        public BoundsGeo Cube => new BoundsGeo(Center - HalfSize, Center + HalfSize);
+
+        /// <returns>Null where the file has no such VLR: it is no COPC file.</returns>
+        public static CopcInfo Find(LasFile las)
+        {
+            var record = las.Vlrs.Find(UserId, InfoRecord);
+            if (record == null)
+                return null;
+            var bytes = las.Vlrs.Payload(record);
+            var info = new CopcInfo { FileOffset = record.DataOffset };
+            if (!bytes.Has(0, FieldBytes))
+                return info;
+            for (int axis = 0; axis < 3; axis++)
+                info.Center[axis] = bytes.Float64(8 * axis, "center");
+            info.HalfSize = bytes.Float64(24, "halfsize");
+            info.Spacing = bytes.Float64(32, "spacing");
+            info.RootPageOffset = bytes.UInt64(40, "root page offset");
+            info.RootPageBytes = bytes.UInt64(48, "root page size");
+            info.MinGpsTime = bytes.Float64(56, "smallest GPS time");
+            info.MaxGpsTime = bytes.Float64(64, "largest GPS time");
+            return info;
+        }
+
+        /// <returns>What makes it useless, or null.</returns>
+        public string Trouble(long fileBytes)
+        {
+            if (!Cube.IsFinite || !(HalfSize > 0))
+                return "the octree's cube is none (half of its edge is " + Text(HalfSize) + ")";
+            if (RootPageOffset > (ulong)fileBytes || RootPageBytes > (ulong)fileBytes - RootPageOffset)
+                return "the root page of the hierarchy would lie at byte " + Text(RootPageOffset) + " with "
+                    + Text(RootPageBytes) + " bytes, the file has " + Text((ulong)fileBytes);
+            return RootPageBytes < CopcEntry.Bytes
+                ? "the root page of the hierarchy has " + Text(RootPageBytes) + " bytes, wanted at least " + CopcEntry.Bytes
+                : null;
+        }
+
+        public void Tell(SourceInfo info)
+        {
+            info.Fact("COPC version", "1.0");
+            info.Fact("COPC center", Text(Center.x) + " " + Text(Center.y) + " " + Text(Center.z));
+            info.Fact("COPC half size", Text(HalfSize));
+            info.Fact("COPC spacing", Text(Spacing));
+            info.Fact("COPC root page", Text(RootPageBytes) + " bytes at byte " + Text(RootPageOffset));
+            info.Fact("COPC GPS time", Text(MinGpsTime) + " to " + Text(MaxGpsTime));
+        }
+
+        static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+
+        static string Text(ulong value) => value.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,146 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they are
+    /// known as far as pages of the hierarchy have been read.
+    /// </summary>
+    /// <remarks>
+    /// The hierarchy is a claim like any other. What it leaves out but the LAZ chunk table has is read too, behind the tree's
+    /// blocks; a file whose hierarchy cannot be had at all is read as the LAZ that it is.
+    /// </remarks>
+    public sealed class CopcReader : LazChunkReader
+    {
+        const int UsualPointsAcross = 128;
+
+        readonly CopcHierarchy m_hierarchy;
+        readonly SourceTree m_tree;
+
+        CopcReader(LasFile las, LazFormat format, CopcInfo copc, FileSource source, int longChunkPoints)
+            : base(las, format, source, longChunkPoints)
+        {
+            Info.Format = "COPC";
+            Copc = copc;
+            double spacing = copc.Spacing;
+            if (!(spacing > 0) || double.IsInfinity(spacing))
+            {
+                spacing = 2 * copc.HalfSize / UsualPointsAcross;
+                Info.Warn(copc.FileOffset, "the octree's spacing is " + copc.Spacing + ": taken as the edge of its cube over "
+                    + UsualPointsAcross);
+            }
+            m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
+            m_hierarchy = new CopcHierarchy(this, m_tree, source.Length);
+        }
+
+        /// <returns>Null where the file is no COPC, or one that can only be read as LAZ (with a warning in <paramref
+        /// name="las"/>).</returns>
+        /// <param name="longChunkPoints">Points up to which a node is one block.</param>
+        public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
+        {
+            var copc = CopcInfo.Find(las);
+            if (copc == null)
+                return null;
+            string trouble = copc.Trouble(source.Length);
+            if (trouble != null)
+            {
+                las.Info.Warn(copc.FileOffset, "COPC: " + trouble + ": read as LAZ, without the octree");
+                return null;
+            }
+            var format = LazFormat.Read(las);
+            if (!format.IsLayered)
+            {
+                las.Info.Warn(copc.FileOffset, "COPC: wanted layered chunks, got " + format.Compressor
+                    + ": read without the octree");
+                return null;
+            }
+            copc.Tell(las.Info);
+            format.Tell(las.Info);
+            return new CopcReader(las, format, copc, source, longChunkPoints);
+        }
+
+        public CopcInfo Copc { get; }
+
+        public override SourceTree Tree => m_tree;
+
+        public override bool BlocksAreKnown => m_tree.IsWhole;
+
+        public override IEnumerator<JobHandle> FindLevels(int levels) => m_hierarchy.Read(Math.Max(1, levels));
+
+        public override IEnumerator<JobHandle> FindBlocks()
+        {
+            if (m_tree.IsWhole)
+                yield break;
+            using (var pages = m_hierarchy.Read(int.MaxValue))
+                while (pages.MoveNext())
+                    yield return pages.Current;
+            m_hierarchy.TellRest();
+            if ((ulong)PointCount != Info.PointsClaimed)
+                Reconcile();
+            Info.PointsReadable = PointCount;
+            CheckBounds();
+            Source.Dispose();
+            m_tree.IsWhole = true;
+        }
+
+        /// <summary>Adds a node that the hierarchy has, and its blocks.</summary>
+        /// <param name="bytes">Of its chunk; as many as the file has.</param>
+        internal void AddNode(CopcEntry entry, long bytes)
+        {
+            int firstBlock = BlockCount;
+            if (entry.PointCount > 0)
+            {
+                Chunks.Add(new LazChunk { Offset = (long)entry.Offset, Bytes = bytes, Points = entry.PointCount });
+                AddBlocksOf(Chunks.Count - 1);
+            }
+            var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
+            if (firstBlock == BlockCount)
+                m_tree.Add(node);
+            for (int block = firstBlock; block < BlockCount; block++)
+            {
+                node.Block = block;
+                node.PointCount = PointsInBlock(block);
+                m_tree.Add(node);
+            }
+        }
+
+        /// <summary>Nodes and header disagree: looks in the chunk table for chunks that no node has.</summary>
+        void Reconcile()
+        {
+            long ofNodes = PointCount;
+            Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
+                + Text(ofNodes));
+            var known = new HashSet<long>();
+            foreach (var chunk in Chunks)
+                known.Add(chunk.Offset);
+            var table = LazChunkTable.Read(Source, Format, Info, Header.PointsOffset);
+            int found = 0;
+            foreach (var chunk in table.Chunks)
+            {
+                if (known.Contains(chunk.Offset) || chunk.Bytes > MaxLayeredChunkBytes)
+                    continue;
+                Chunks.Add(chunk);
+                AddBlocksOf(Chunks.Count - 1);
+                found++;
+            }
+            if (found > 0)
+                Info.Warn(Header.PointsOffset, Text(found) + " chunks with " + Text(PointCount - ofNodes)
+                    + " points are in the LAZ chunk table and in no node: they are read behind the nodes");
+            if (PointCount == 0 && Info.PointsClaimed > 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, Header.PointsOffset, "the header claims "
+                    + Info.PointsClaimed + " points, the file holds none");
+        }
+
+        public override void Dispose()
+        {
+            m_hierarchy.Dispose();
+            m_tree.Dispose();
+            base.Dispose();
+        }
+    }
+}

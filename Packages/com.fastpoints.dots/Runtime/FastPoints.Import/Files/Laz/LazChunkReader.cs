@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// A file whose points lie in LAZ chunks, wherever these are listed: in a chunk table (<see cref="LazReader"/>) or in the
+    /// hierarchy of an octree (<see cref="CopcReader"/>). A block is a chunk, or a part of one that is too long; any of them
+    /// decodes on its own, and the first points of one without the rest of it.
+    /// </summary>
+    public abstract class LazChunkReader : PointReader
+    {
+        /// <summary>Chunks up to this are one block, unless their records are long.</summary>
+        public const int MaxBlockPoints = 1 << 20;
+
+        /// <summary>Compressed bytes of a layered chunk, which a slot holds whole.</summary>
+        public const long MaxLayeredChunkBytes = 1L << 29;
+
+        /// <summary>No record is so long that fewer points make a block.</summary>
+        const int LeastLongChunkPoints = 1 << 16;
+
+        /// <summary>Records of a block: a slot holds its columns, whatever a file claims.</summary>
+        const int MaxBlockBytes = 32 << 20;
+
+        readonly LasFile m_las;
+        readonly List<LazBlock> m_blocks = new List<LazBlock>();
+        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly FileHandle m_file;
+        bool m_isOpen;
+        int m_maxPointsPerBlock;
+
+        private protected LazChunkReader(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
+        {
+            int ofBytes = Math.Max(LeastLongChunkPoints, MaxBlockBytes / las.Header.RecordBytes);
+            LongChunkPoints = Math.Min(longChunkPoints, ofBytes);
+            m_las = las;
+            Source = source;
+            Format = format;
+            Info = las.Info;
+            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
+            m_isOpen = true;
+        }
+
+        public LasHeader Header => m_las.Header;
+
+        public LasVlrTable Vlrs => m_las.Vlrs;
+
+        public LazFormat Format { get; }
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+
+        internal LasRecordLayout Layout => m_las.Layout;
+
+        internal ref readonly FileHandle File => ref m_file;
+
+        /// <summary>Chunks of more points become several blocks.</summary>
+        internal int LongChunkPoints { get; }
+
+        private protected FileSource Source { get; }
+
+        private protected List<LazChunk> Chunks { get; } = new List<LazChunk>();
+
+        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
+
+        public override int PointsInBlock(int block) => Block(block).Points;
+
+        /// <summary>An estimate by the block's share; unwanted layers are not taken off.</summary>
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            var chunk = Chunks[block.Chunk];
+            long ofBlock = (long)(chunk.Bytes * (block.Points / (double)Math.Max(1, chunk.Points)));
+            return Math.Min(chunk.Bytes, (long)(ofBlock * ((range.First + range.Count) / (double)Math.Max(1, block.Points))));
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new LazBlockRead(this, wanted, capacity, allocator);
+
+        internal LazBlock Block(int block)
+        {
+            if ((uint)block >= (uint)m_blocks.Count)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
+            return m_blocks[block];
+        }
+
+        internal LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
+
+        /// <summary>Where a block's decoding starts, if not at its chunk's start.</summary>
+        internal virtual LazCheckpoint CheckpointOf(LazBlock block) => null;
+
+        /// <summary>Input of the largest block that is known, for a slot that takes any.</summary>
+        internal long MaxInputBytes()
+        {
+            long most = 0;
+            foreach (var block in m_blocks)
+            {
+                var checkpoint = CheckpointOf(block);
+                long start = checkpoint?.FileOffset ?? Chunks[block.Chunk].Offset;
+                long before = block.FirstInChunk - (checkpoint?.Point ?? 0);
+                most = Math.Max(most, Math.Min(block.EndOffset - start, MaxInputBytes(before + block.Points)));
+            }
+            return most;
+        }
+
+        /// <summary>Bytes that so many points of a chunk take at most: all that is read of one, however long it says it
+        /// is.</summary>
+        internal long MaxInputBytes(long points) => Format.IsLayered
+            ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
+            : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
+
+        /// <summary>A warning for a block that gave fewer points than it has, or did not end where it should; once a
+        /// block.</summary>
+        internal void TellBroken(BlockRange range, DecodeResult result)
+        {
+            if (!m_toldBlocks.Add(range.Block))
+                return;
+            string chunk = "chunk " + Text(Block(range.Block).Chunk);
+            Info.Warn(result.ErrorOffset, result.Error == LazError.EndMismatch
+                ? chunk + " does not end where its stream does: some of its points are not what was written"
+                : result.Error == LazError.NoChunk
+                ? chunk + ": wanted " + Text(range.Count) + " points, got bytes that are no chunk's"
+                : chunk + ": wanted " + Text(range.Count) + " points, got " + Text(result.Points)
+                    + ": the others are not in the file");
+        }
+
+        public override void Dispose()
+        {
+            if (!m_isOpen)
+                return;
+            m_isOpen = false;
+            Source.Dispose();
+            m_file.Close().Complete();
+        }
+
+        /// <summary>A chunk that starts without a checkpoint, as one block or several.</summary>
+        private protected void AddBlocksOf(int chunk)
+        {
+            var of = Chunks[chunk];
+            for (long part = 0; part < of.Points; part += LongChunkPoints)
+                AddBlock(chunk, part, Math.Min(LongChunkPoints, of.Points - part), of.Offset + of.Bytes,
+                    part + LongChunkPoints >= of.Points, -1);
+        }
+
+        private protected void AddBlock(int chunk, long firstInChunk, long points, long end, bool isToEnd, int checkpoint)
+        {
+            if (points <= 0)
+                return;
+            m_blocks.Add(new LazBlock
+            {
+                Chunk = chunk,
+                FirstInChunk = firstInChunk,
+                FirstPoint = PointCount,
+                Points = (int)points,
+                EndOffset = end,
+                IsToEnd = isToEnd,
+                Checkpoint = checkpoint,
+            });
+            m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, (int)points);
+        }
+
+        /// <summary>Holds the claimed bounds against the first points of some chunks, which are stored as they are.</summary>
+        private protected void CheckBounds()
+        {
+            var offsets = new List<long>();
+            if (Chunks.Count > 0)
+            {
+                offsets.Add(Chunks[0].Offset);
+                offsets.Add(Chunks[Chunks.Count / 2].Offset);
+                offsets.Add(Chunks[Chunks.Count - 1].Offset);
+            }
+            LasClaims.CheckBounds(Header, Source, offsets, Info);
+        }
+
+        private protected static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Files.Tests;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>
+    /// All points of a source as sorted hashes, to hold two files with the same points in another order against each other.
+    /// </summary>
+    static class PointMultiset
+    {
+        /// <summary>Names that two sources have in the same type; positions are compared by their place in the world.</summary>
+        public static string[] CommonNames(PointReader a, PointReader b)
+        {
+            var names = new List<string>();
+            foreach (var attribute in a.Info.Schema)
+            {
+                int other = b.Info.Schema.IndexOf(attribute.Name);
+                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y
+                    || attribute.Name == AttributeNames.Z;
+                if (other >= 0 && !isPosition && b.Info.Schema[other].Type == attribute.Type)
+                    names.Add(attribute.Name);
+            }
+            return names.ToArray();
+        }
+
+        /// <summary>A hash of each point, sorted.</summary>
+        /// <param name="step">CRS units to which positions are rounded.</param>
+        public static ulong[] Hashes(PointReader reader, string[] names, double3 step)
+        {
+            if (!reader.BlocksAreKnown)
+                WorkPump.RunToEnd(reader.FindBlocks());
+            var hashes = new List<ulong>();
+            var all = new List<string>(names) { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            var wanted = reader.Info.Schema.Select(all.ToArray());
+            // The same order of columns for both sources.
+            var columns = all.ConvertAll(wanted.IndexOf);
+            ReadPoints.EachBlock(reader, wanted, read =>
+            {
+                for (int i = 0; i < read.Points.Count; i++)
+                {
+                    ulong hash = 14695981039346656037;
+                    for (int k = 0; k < names.Length; k++)
+                        Mix(ref hash, Bits(read.Points, columns[k], i));
+                    var stored = new double3(Number(read.Points, columns[names.Length], i),
+                        Number(read.Points, columns[names.Length + 1], i), Number(read.Points, columns[names.Length + 2], i));
+                    var geo = reader.Info.Transform.ToGeo(stored);
+                    for (int axis = 0; axis < 3; axis++)
+                        Mix(ref hash, (ulong)(long)Math.Round(geo[axis] / step[axis]));
+                    hashes.Add(hash);
+                }
+            });
+            hashes.Sort();
+            return hashes.ToArray();
+        }
+
+        static void Mix(ref ulong hash, ulong value)
+        {
+            hash = (hash ^ value) * 0x9E3779B97F4A7C15;
+            hash ^= hash >> 29;
+        }
+
+        static ulong Bits(PointBatch points, int column, int i)
+        {
+            switch (points.Schema[column].Type.SizeOf())
+            {
+                case 1:
+                    return points.Column<byte>(column)[i];
+                case 2:
+                    return points.Column<ushort>(column)[i];
+                case 4:
+                    return points.Column<uint>(column)[i];
+                default:
+                    return points.Column<ulong>(column)[i];
+            }
+        }
+
+        static double Number(PointBatch points, int column, int i)
+        {
+            switch (points.Schema[column].Type)
+            {
+                case AttributeType.Int32:
+                    return points.Column<int>(column)[i];
+                case AttributeType.Float32:
+                    return points.Column<float>(column)[i];
+                case AttributeType.Float64:
+                    return points.Column<double>(column)[i];
+                case AttributeType.Int64:
+                    return points.Column<long>(column)[i];
+                default:
+                    throw new NotSupportedException("positions of type " + points.Schema[column].Type);
+            }
+        }
+    }
+}
