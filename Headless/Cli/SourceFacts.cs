@@ -30,10 +30,10 @@ namespace FastPoints.Cli
         {
             yield return ("format", Kind);
             yield return ("size", Human.Count(Info.FileBytes) + " bytes");
-            string claimed = Human.Count(Info.PointsClaimed) + " by the header";
+            string claimed = Info.HasPointsClaimed ? Human.Count(Info.PointsClaimed) + " by the header" : "the file does not say how many";
             if (Found != null)
                 yield return ("points", Human.Count(Found.Points) + " found, " + claimed);
-            else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed)
+            else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed && Info.HasPointsClaimed)
                 yield return ("points", Human.Count(Info.PointsReadable) + " in the file, " + claimed);
             else
                 yield return ("points", claimed);
@@ -101,7 +101,7 @@ namespace FastPoints.Cli
             foreach (var (name, value) in Lines())
                 writer.WriteLine("  " + name.PadRight(NameWidth) + value);
             foreach (var fact in Info.Facts)
-                writer.WriteLine("  " + fact.Key.PadRight(NameWidth) + fact.Value);
+                writer.WriteLine("  " + (fact.Key + " ").PadRight(NameWidth) + fact.Value);
             writer.WriteLine();
             Attributes().Write(writer, "  ");
             if (Levels() is { } levels)
@@ -112,8 +112,8 @@ namespace FastPoints.Cli
             if (Info.Warnings.Count > 0)
                 writer.WriteLine();
             foreach (var warning in Info.Warnings)
-                writer.WriteLine("  warning: " + (warning.ByteOffset >= 0
-                    ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text);
+                writer.WriteLine("  warning: " + (warning.Path != Info.Path ? warning.ToString() : (warning.ByteOffset >= 0
+                    ? "at byte " + warning.ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " : "") + warning.Text));
         }
 
         void WriteTree(Utf8JsonWriter json)
@@ -151,7 +151,10 @@ namespace FastPoints.Cli
                 json.WriteNumber("pointFormat", Info.PointFormat);
             else
                 json.WriteNull("pointFormat");
-            json.WriteInteger("pointsClaimed", Info.PointsClaimed);
+            if (Info.HasPointsClaimed)
+                json.WriteInteger("pointsClaimed", Info.PointsClaimed);
+            else
+                json.WriteNull("pointsClaimed");
             if (Found != null)
                 json.WriteInteger("points", Found.Points);
             else

@@ -34,6 +34,8 @@ namespace FastPoints.Cli.Verbs
             Description = "Attributes to keep beside the position (default: all).",
         };
 
+        readonly SourceSettings m_source;
+
         public ConvertVerb() : base(new Command("convert", "Build the octree that is streamed from: every point, every attribute, "
             + "nothing rounded."))
         {
@@ -41,6 +43,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_output);
             Command.Add(m_sampler);
             Command.Add(m_attributes);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -63,7 +66,7 @@ namespace FastPoints.Cli.Verbs
                 Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             };
             run.Inputs.AddRange(files);
-            using var reader = PointReaders.Open(files);
+            using var reader = PointReaders.Open(files, m_source.Read(parsed));
             run.Warn(reader.Info);
             string output = parsed.GetRequiredValue(m_output);
             if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)

@@ -22,12 +22,15 @@ namespace FastPoints.Cli.Verbs
 
         readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
 
+        readonly SourceSettings m_source;
+
         public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
             + "system, oddities."))
         {
             Command.Add(m_files);
             Command.Add(m_scan);
             Command.Add(m_asOne);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -49,7 +52,7 @@ namespace FastPoints.Cli.Verbs
             run.WriteKeys = json => WriteKeys(json, clouds.Length, all);
             foreach (var cloud in clouds)
             {
-                using var reader = PointReaders.Open(cloud);
+                using var reader = PointReaders.Open(cloud, m_source.Read(parsed));
                 var facts = new SourceFacts(reader);
                 all.Add(facts);
                 if (reader.Tree != null && !reader.BlocksAreKnown)

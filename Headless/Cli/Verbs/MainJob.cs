@@ -38,6 +38,8 @@ namespace FastPoints.Cli.Verbs
             DefaultValueFactory = _ => 1,
         };
 
+        readonly SourceSettings m_source;
+
         public MainJob() : base(new RootCommand("Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and "
             + "writes a page with pictures, facts and times."))
         {
@@ -46,6 +48,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_out);
             Command.Add(m_points);
             Command.Add(m_seed);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -74,13 +77,14 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine("no file was named: scanning a street of " + Human.Count(points) + " points into " + demo);
                 run.Out.Flush();
                 DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
-                reports.Add(Report.Make([demo], folder, run));
+                reports.Add(Report.Make([demo], new ReadOptions(), folder, run));
             }
             run.Inputs.AddRange(files);
             foreach (var cloud in clouds)
             {
                 string own = CloudName.Of(cloud[0]) + "-report";
-                reports.Add(Report.Make(cloud, outFolder == null ? own : clouds.Length == 1 ? outFolder : Path.Combine(outFolder, own), run));
+                string folder = outFolder == null ? own : clouds.Length == 1 ? outFolder : Path.Combine(outFolder, own);
+                reports.Add(Report.Make(cloud, m_source.Read(parsed), folder, run));
             }
             StageTable.Of(run.Progress).Write(run.Out, "  ");
             run.Out.WriteLine("  at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory");
@@ -118,10 +122,10 @@ namespace FastPoints.Cli.Verbs
             public required ConvertStep Convert { get; init; }
             public required DrawStep Picture { get; init; }
 
-            public static Report Make(string[] files, string folder, CliRun run)
+            public static Report Make(string[] files, ReadOptions source, string folder, CliRun run)
             {
                 int firstStage = run.Progress.Finished.Count;
-                using var reader = PointReaders.Open(files);
+                using var reader = PointReaders.Open(files, source);
                 string file = files[0];
                 var facts = new SourceFacts(reader);
                 facts.Write(run.Out);

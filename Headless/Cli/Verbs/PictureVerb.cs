@@ -28,6 +28,8 @@ namespace FastPoints.Cli.Verbs
         };
         readonly PictureSettings m_picture;
 
+        readonly SourceSettings m_source;
+
         public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
         {
             Command.Add(m_clouds);
@@ -35,6 +37,7 @@ namespace FastPoints.Cli.Verbs
             m_picture = new PictureSettings(Command);
             Command.Add(m_budget);
             Command.Add(m_against);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -65,7 +68,7 @@ namespace FastPoints.Cli.Verbs
 
             var result = clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
                 ? DrawStep.RunStored(clouds[0], options, budget, run)
-                : Draw(clouds, options, budget, run);
+                : Draw(clouds, m_source.Read(parsed), options, budget, run);
             if (reference != null)
                 result.Error = ImageError.Compare(result.Image, reference, options.Background);
             run.WriteKeys = result.WriteKeys;
@@ -80,9 +83,9 @@ namespace FastPoints.Cli.Verbs
             StageTable.Of(run.Progress).Write(run.Out, "  ");
         }
 
-        static DrawStep Draw(string[] files, PictureOptions options, long budget, CliRun run)
+        static DrawStep Draw(string[] files, ReadOptions source, PictureOptions options, long budget, CliRun run)
         {
-            using var reader = PointReaders.Open(files);
+            using var reader = PointReaders.Open(files, source);
             run.Warn(reader.Info);
             return DrawStep.Run(reader, options, budget, run);
         }

@@ -31,6 +31,8 @@ namespace FastPoints.Cli.Verbs
         };
         readonly PictureSettings m_picture;
 
+        readonly SourceSettings m_source;
+
         public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
         {
             Command.Add(m_files);
@@ -39,6 +41,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_exact);
             Command.Add(m_report);
             m_picture = new PictureSettings(Command);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -56,7 +59,7 @@ namespace FastPoints.Cli.Verbs
                 throw new UsageException("--points is at least 1");
             var options = new PreviewOptions { Points = points, Exact = parsed.GetValue(m_exact), Picture = m_picture.Read(parsed) };
             run.Inputs.AddRange(files);
-            using var reader = PointReaders.Open(files);
+            using var reader = PointReaders.Open(files, m_source.Read(parsed));
             run.Warn(reader.Info);
             var result = PreviewStep.Run(reader, options, run);
             string output = parsed.GetRequiredValue(m_output);

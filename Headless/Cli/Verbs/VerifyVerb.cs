@@ -20,11 +20,14 @@ namespace FastPoints.Cli.Verbs
             Description = "The files (or their folder) that it was made from: the points are the same, position and every attribute, or it fails.",
         };
 
+        readonly SourceSettings m_source;
+
         public VerifyVerb() : base(new Command("verify", "Read every byte of a converted cloud: structure, hashes, each point in its "
             + "cube, counts."))
         {
             Command.Add(m_cloud);
             Command.Add(m_against);
+            m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
 
@@ -46,7 +49,7 @@ namespace FastPoints.Cli.Verbs
                 if (parsed.GetValue(m_against) is { Length: > 0 } files)
                 {
                     run.Inputs.AddRange(files);
-                    readers.Add(PointReaders.Open(files));
+                    readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
                     run.Warn(readers[0].Info);
                 }
                 run.Pump(VerifyCloud.Run(cloud, readers, result, run.Progress));

@@ -62,22 +62,23 @@ namespace FastPoints.Files
 
         /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one as it is. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">As for one file.</exception>
-        public static PointReader Open(IReadOnlyList<string> paths) => paths.Count == 1 ? Open(paths[0]) : TiledReader.Open(paths);
+        public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
+            paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
         /// <summary>Opens a LAS, LAZ or PLY file, a Potree octree by its folder or its index in it, or all clouds that lie in a
         /// folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
         /// header; one line.</exception>
-        public static PointReader Open(string path)
+        public static PointReader Open(string path, ReadOptions options = null)
         {
             if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
             {
                 // Tiles may lie beside a metadata.json that is something else.
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
-                    return TiledReader.OpenFolder(path);
+                    return TiledReader.OpenFolder(path, options);
                 using (var source = FileSource.Open(index))
-                    return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path);
+                    return OpenIndex(SourceJson.Read(source)) ?? TiledReader.OpenFolder(path, options);
             }
             using (var source = FileSource.Open(path))
             {
@@ -96,8 +97,8 @@ namespace FastPoints.Files
                     throw new PointCloudException(FailureCode.Unsupported, path, 0,
                         "this is " + kind.Name + ": wanted LAS, LAZ, PLY or Potree");
                 }
-                throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                    "no known point cloud format: wanted LAS (LASF) or PLY (ply), got " + Shown(head));
+                return XyzReader.Open(source, options) ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
+                    "no known point cloud format: wanted LAS (LASF), PLY (ply), or lines of numbers, got " + Shown(head));
             }
         }
 

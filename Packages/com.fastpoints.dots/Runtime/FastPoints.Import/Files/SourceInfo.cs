@@ -25,6 +25,9 @@ namespace FastPoints.Files
         /// <summary>Points by the header. Unsigned: a header may claim anything.</summary>
         public ulong PointsClaimed;
 
+        /// <summary>Whether there is such a claim: text files mostly have none.</summary>
+        public bool HasPointsClaimed = true;
+
         /// <summary>Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 where it takes a scan
         /// to know.</summary>
         public long PointsReadable = -1;

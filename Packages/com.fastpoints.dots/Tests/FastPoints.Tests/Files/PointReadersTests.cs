@@ -20,7 +20,7 @@ namespace FastPoints.Files.Tests
         [TestCase("ASTM-E57 and so on", "E57")]
         [TestCase("# .PCD v.7 - Point Cloud Data", "PCD")]
         [TestCase("PK\u0003\u0004rest", "zip")]
-        [TestCase("x y z\n1 2 3\n", "text \"x y z\"")]
+        [TestCase("x y z\nnothing\n", "text \"x y z\"")]
         [TestCase("\u0001\u0002", "bytes 01-02")]
         [TestCase("LAS", "text \"LAS\"")]
         public void Open_ForeignFile_NamesWhatItIs(string content, string name)

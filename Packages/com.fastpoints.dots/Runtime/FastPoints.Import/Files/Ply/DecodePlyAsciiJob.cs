@@ -102,7 +102,8 @@ namespace FastPoints.Files
                         byte* text = p;
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return PlyError.BadNumber;
-                        bool fits = StoreInteger(column, row, *step, magnitude, isNegative);
+                        bool fits = AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, magnitude,
+                            isNegative);
                         if (!fits || !isExact)
                         {
                             if (oddities.Misfits++ == 0)
@@ -139,39 +140,6 @@ namespace FastPoints.Files
             if (!IsLineEnd(*p) && oddities.LinesWithExtraValues++ == 0)
                 oddities.FirstExtraOffset = InputOffset + (p - input);
             return PlyError.None;
-        }
-
-        /// <returns>Whether the type holds the value; if not, the nearest that it holds is stored.</returns>
-        static bool StoreInteger(byte* column, int row, in PlyStep step, ulong magnitude, bool isNegative)
-        {
-            int bits = 8 * step.Bytes;
-            bool isSigned = step.Type == AttributeType.Int8 || step.Type == AttributeType.Int16 ||
-                            step.Type == AttributeType.Int32 || step.Type == AttributeType.Int64;
-            ulong limit;
-            if (isSigned)
-                limit = isNegative ? 1ul << (bits - 1) : (1ul << (bits - 1)) - 1;
-            else
-                limit = isNegative ? 0 : ulong.MaxValue >> (64 - bits);
-            bool fits = magnitude <= limit;
-            ulong value = fits ? magnitude : limit;
-            if (isNegative)
-                value = 0 - value;
-            switch (step.Bytes)
-            {
-                case 1:
-                    column[row] = (byte)value;
-                    break;
-                case 2:
-                    ((ushort*)column)[row] = (ushort)value;
-                    break;
-                case 4:
-                    ((uint*)column)[row] = (uint)value;
-                    break;
-                default:
-                    ((ulong*)column)[row] = value;
-                    break;
-            }
-            return fits;
         }
 
         static void SkipBlanks(ref byte* p)

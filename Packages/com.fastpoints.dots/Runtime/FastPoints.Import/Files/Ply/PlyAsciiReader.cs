@@ -54,7 +54,8 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new PlyRowScan(this))
+            using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, Header.DataOffset, MaxBlockBytes, RowsBefore,
+                RowsEnd))
             {
                 while (scan.Next(out var handle))
                     yield return handle;

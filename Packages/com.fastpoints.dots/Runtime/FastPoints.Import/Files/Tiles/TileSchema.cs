@@ -13,6 +13,7 @@ namespace FastPoints.Files
         readonly List<Tile> m_tiles;
         readonly SourceInfo m_info;
         readonly List<PointSchema> m_schemas = new List<PointSchema>();
+        readonly List<string> m_missing = new List<string>();
         readonly Dictionary<PointSchema, List<Tile>> m_tilesOfSchema = new Dictionary<PointSchema, List<Tile>>();
 
         /// <param name="tiles">At least one; equal schemas are one object.</param>
@@ -46,6 +47,9 @@ namespace FastPoints.Files
                             ? UniteAttribute(attribute.Name)
                             : new PointAttribute(attribute.Name, UnitePosition(axis, attribute.Name, ref transform)));
                     }
+            if (m_missing.Count > 0)
+                m_info.Warn(-1, "attributes that some of the " + m_tiles.Count + " files have none of, zeros there: " +
+                    string.Join("; ", m_missing));
             m_info.Schema = new PointSchema(attributes);
             m_info.Transform = transform;
         }
@@ -175,13 +179,14 @@ namespace FastPoints.Files
                     firstOther ??= tiles[0];
                     united = name == AttributeNames.ScanAngle ? new PointAttribute(name, AttributeType.Float32)
                         : SameScale(united, attribute)
-                        ? new PointAttribute(name, AttributeTypes.Common(united.Type, attribute.Type), united.Scale, united.Offset)
+                        ? new PointAttribute(name, AttributeTypes.Common(united.Type, attribute.Type), united.Scale,
+                            united.Offset)
                         : new PointAttribute(name, AttributeType.Float64);
                 }
             }
             if (missing > 0)
-                m_info.Warn(-1, name + ": " + missing + " of " + m_tiles.Count + " files have none (the first is " +
-                    firstMissing.Path + "): zeros there");
+                m_missing.Add(name + " in " + missing + " (" + System.IO.Path.GetFileName(firstMissing.Path) +
+                    (missing > 1 ? ", ...)" : ")"));
             if (firstOther != null)
                 m_info.Warn(-1, name + ": its type differs from file to file (first in " + firstOther.Path + "): read as " +
                     united.Type + (IsColor(name) && united.Type == AttributeType.UInt16 ? ", 8 bits times 257"

@@ -33,6 +33,7 @@ namespace FastPoints.Files
             m_info.PointsClaimed = m_info.PointsClaimed <= ulong.MaxValue - tile.PointsClaimed
                 ? m_info.PointsClaimed + tile.PointsClaimed
                 : ulong.MaxValue;
+            m_info.HasPointsClaimed &= tile.HasPointsClaimed;
             if (isFirst)
             {
                 m_info.Version = tile.Version;

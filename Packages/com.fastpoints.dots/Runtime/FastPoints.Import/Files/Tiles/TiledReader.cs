@@ -32,32 +32,34 @@ namespace FastPoints.Files
         readonly Dictionary<PointSchema, PointSchema> m_schemas = new Dictionary<PointSchema, PointSchema>();
         readonly Dictionary<string, int> m_equalWarnings = new Dictionary<string, int>();
         readonly bool m_leavesOut;
+        readonly ReadOptions m_options;
         long[] m_firstPointOfBlock;
         List<long> m_pointsOfBlock;
         int m_maxPointsPerBlock;
         bool m_hasFixedStride = true;
         long m_clock;
 
-        TiledReader(string name, bool leavesOut)
+        TiledReader(string name, bool leavesOut, ReadOptions options)
         {
             m_leavesOut = leavesOut;
+            m_options = options;
             Info = new SourceInfo { Path = name };
         }
 
         /// <summary>Opens files as one cloud, in this order. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">One of them is no point cloud, or broken.</exception>
-        public static TiledReader Open(IReadOnlyList<string> paths)
+        public static TiledReader Open(IReadOnlyList<string> paths, ReadOptions options = null)
         {
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
             string name = paths.Count == 1 ? paths[0] : paths[0] + " and " + (paths.Count - 1) + " more";
-            return Open(new TiledReader(name, false), paths);
+            return Open(new TiledReader(name, false, options), paths);
         }
 
         /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
         /// folders within. What can't be read is left out with a warning.</summary>
         /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
-        public static TiledReader OpenFolder(string folder)
+        public static TiledReader OpenFolder(string folder, ReadOptions options = null)
         {
             string[] paths, folders;
             try
@@ -70,7 +72,7 @@ namespace FastPoints.Files
                 throw FileFailures.Reading(folder, e);
             }
             Array.Sort(paths, string.CompareOrdinal);
-            var reader = new TiledReader(folder, true);
+            var reader = new TiledReader(folder, true, options);
             if (folders.Length > 0)
                 reader.Info.Warn(-1, folders.Length + " folders in it are not looked into");
             return Open(reader, paths);
@@ -214,7 +216,7 @@ namespace FastPoints.Files
             CloseOldest();
             if (tile.Reader == null)
             {
-                var reader = PointReaders.Open(tile.Path);
+                var reader = PointReaders.Open(tile.Path, m_options);
                 if (reader.Info.FileBytes != tile.FileBytes || reader.BlocksAreKnown != tile.IsKnown ||
                     tile.IsKnown && (reader.BlockCount != tile.BlockCount || reader.PointCount != tile.Points))
                 {
@@ -326,7 +328,7 @@ namespace FastPoints.Files
                 PointReader reader;
                 try
                 {
-                    reader = PointReaders.Open(path);
+                    reader = PointReaders.Open(path, m_options);
                 }
                 catch (PointCloudException e) when (m_leavesOut)
                 {
@@ -365,8 +367,8 @@ namespace FastPoints.Files
                 Info.Warn(-1, strangers.Count + " files in it are no point clouds: " + strangers[0] +
                     (strangers.Count > 1 ? " and others" : ""));
             if (m_tiles.Count == 0)
-                throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can be " +
-                    "read" + (Info.Warnings.Count > 0 ? ": " + Info.Warnings[Info.Warnings.Count - 1].Text : ""));
+                throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "the folder has no point cloud that can " +
+                    "be read" + (Info.Warnings.Count > 0 ? ": " + Info.Warnings[Info.Warnings.Count - 1].Text : ""));
             if (m_tiles.Count > MaxShown)
                 Info.Fact("and", (m_tiles.Count - MaxShown) + " more files");
             summary.End(m_tiles.Count);

@@ -124,7 +124,8 @@ namespace FastPoints.Files.Tests
                 for (int i = 0; i < x.Length; i++)
                 {
                     var (scale, offset) = transforms[i / 1000];
-                    Assert.That(x[i] * step + origin, Is.EqualTo(places[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
+                    Assert.That(x[i] * step + origin,
+                        Is.EqualTo(places[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
                 }
                 Assert.That(ReadPoints.Column<int>(reader, "Y")[1000], Is.EqualTo(int.MaxValue));
             }
@@ -174,7 +175,7 @@ namespace FastPoints.Files.Tests
                     Is.EqualTo(new[] { 1f, 2, 3, 4, 5, 1, 2, 3, 4, 5, 0.5f, 70000 }));
                 Assert.That(ReadPoints.Column<double>(reader, "GpsTime"), Is.All.EqualTo(0));
                 var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
-                Assert.That(warnings, Has.Some.Contains("GpsTime: 2 of 3 files have none"));
+                Assert.That(warnings, Has.Some.Contains("GpsTime in 2 (b.las, ...)"));
                 Assert.That(warnings, Has.Some.Contains("8 bits times 257"));
                 Assert.That(warnings, Has.Some.Contains("others floats"));
             }

@@ -7,20 +7,20 @@ namespace FastPoints.Files
 {
     /// <summary>Counts the lines of one stretch of an ascii file.</summary>
     [BurstCompile]
-    unsafe struct CountPlyRowsJob : IJob
+    unsafe struct CountAsciiRowsJob : IJob
     {
         const ulong Ones = 0x0101010101010101;
         const ulong Highs = 0x8080808080808080;
 
         [ReadOnly] public NativeArray<byte> Input;
         public int Bytes;
-        [WriteOnly] public NativeReference<PlyRowCount> Result;
+        [WriteOnly] public NativeReference<AsciiRowCount> Result;
 
         public void Execute()
         {
             byte* p = (byte*)Input.GetUnsafeReadOnlyPtr();
             byte* end = p + Bytes;
-            var count = default(PlyRowCount);
+            var count = default(AsciiRowCount);
             bool isInText = false;
 
             while (p < end && !IsLineEnd(*p))

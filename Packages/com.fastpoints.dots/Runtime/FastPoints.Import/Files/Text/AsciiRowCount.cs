@@ -4,7 +4,7 @@ namespace FastPoints.Files
     /// The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line. Lines of
     /// nothing but blanks are none.
     /// </summary>
-    struct PlyRowCount
+    struct AsciiRowCount
     {
         /// <summary>Lines whose first character lies in the stretch, behind its first line end.</summary>
         public int RowsBehindFirstEnd;

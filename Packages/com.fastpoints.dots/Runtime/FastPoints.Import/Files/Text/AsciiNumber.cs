@@ -38,6 +38,20 @@ namespace FastPoints.Files
             NotANumber,
         }
 
+        /// <summary>The digits as they stand in the text.</summary>
+        /// <returns>False for no number, and for one that is not finite.</returns>
+        public static bool TryDecimal(ref byte* p, out DecimalDigits number)
+        {
+            byte* start = p;
+            if (Scan(ref p, out number) == Kind.Finite)
+                return true;
+            p = start;
+            return false;
+        }
+
+        /// <summary>Steps over a number, of whatever size, or a word for one that is not finite.</summary>
+        public static bool TrySkip(ref byte* p) => Scan(ref p, out _) != Kind.None;
+
         public static bool TryDouble(ref byte* p, out double value)
         {
             var kind = Scan(ref p, out var number);

@@ -1,27 +1,31 @@
 using System;
 using System.Collections.Generic;
 using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Counts the lines of an ascii file, several stretches at a time, up to the last vertex, and notes which stretches have
-    /// vertices. What a stretch counts does not depend on the ones before it; whether it starts within a line does, and is
+    /// Counts the lines of a text file, several stretches at a time, up to the last point's, and notes which stretches have
+    /// points. What a stretch counts does not depend on the ones before it; whether it starts within a line does, and is
     /// settled here, in order.
     /// </summary>
-    sealed class PlyRowScan : IDisposable
+    sealed class AsciiRowScan : IDisposable
     {
         sealed class Slot
         {
             public NativeFileRead Read;
-            public NativeReference<PlyRowCount> Count;
+            public NativeReference<AsciiRowCount> Count;
             public JobHandle Counted;
             public bool IsBusy;
         }
 
-        readonly PlyAsciiReader m_reader;
+        readonly long m_fileBytes;
+        readonly int m_blockBytes;
+        readonly ulong m_rowsBefore;
+        readonly ulong m_rowsEnd;
         readonly Slot[] m_slots;
         readonly List<PlyBlock> m_blocks = new List<PlyBlock>();
         long m_offset;
@@ -29,22 +33,30 @@ namespace FastPoints.Files
         ulong m_rows;
         bool m_isInText;
 
-        public PlyRowScan(PlyAsciiReader reader)
+        /// <param name="offset">Where the lines start.</param>
+        /// <param name="blockBytes">Of a stretch.</param>
+        /// <param name="rowsBefore">Lines that are no points.</param>
+        /// <param name="rowsEnd">Lines up to the last point's; more than there are for all.</param>
+        public AsciiRowScan(string path, FileHandle file, long fileBytes, long offset, int blockBytes, ulong rowsBefore,
+            ulong rowsEnd)
         {
-            m_reader = reader;
-            m_offset = reader.Header.DataOffset;
-            long stretches = (reader.Info.FileBytes - m_offset) / PlyAsciiReader.MaxBlockBytes + 1;
+            m_fileBytes = fileBytes;
+            m_blockBytes = blockBytes;
+            m_rowsBefore = rowsBefore;
+            m_rowsEnd = rowsEnd;
+            m_offset = offset;
+            long stretches = (fileBytes - offset) / blockBytes + 1;
             m_slots = new Slot[(int)Math.Min(stretches, 2 * (JobsUtility.JobWorkerCount + 1))];
-            long bytes = Math.Min(PlyAsciiReader.MaxBlockBytes, reader.Info.FileBytes);
+            long bytes = Math.Min(blockBytes, fileBytes);
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot
                 {
-                    Read = new NativeFileRead(reader.Info.Path, reader.File, bytes, Allocator.Persistent),
-                    Count = new NativeReference<PlyRowCount>(Allocator.Persistent),
+                    Read = new NativeFileRead(path, file, bytes, Allocator.Persistent),
+                    Count = new NativeReference<AsciiRowCount>(Allocator.Persistent),
                 };
         }
 
-        /// <summary>Vertices found.</summary>
+        /// <summary>Points found.</summary>
         public long Points { get; private set; }
 
         public PlyBlock[] TakeBlocks() => m_blocks.ToArray();
@@ -59,9 +71,9 @@ namespace FastPoints.Files
                 m_oldest = (m_oldest + 1) % m_slots.Length;
             }
             handle = default;
-            if (m_rows >= m_reader.RowsEnd)
+            if (m_rows >= m_rowsEnd)
                 return false;
-            for (int i = 0; i < m_slots.Length && m_offset < m_reader.Info.FileBytes; i++)
+            for (int i = 0; i < m_slots.Length && m_offset < m_fileBytes; i++)
             {
                 var slot = m_slots[(m_oldest + i) % m_slots.Length];
                 if (!slot.IsBusy)
@@ -73,9 +85,9 @@ namespace FastPoints.Files
 
         void Start(Slot slot)
         {
-            int bytes = (int)Math.Min(PlyAsciiReader.MaxBlockBytes, m_reader.Info.FileBytes - m_offset);
+            int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
             var read = slot.Read.Begin(m_offset, bytes);
-            slot.Counted = new CountPlyRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
+            slot.Counted = new CountAsciiRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
             slot.IsBusy = true;
             m_offset += bytes;
         }
@@ -87,8 +99,8 @@ namespace FastPoints.Files
             slot.Read.End();
             var count = slot.Count.Value;
             ulong rows = (ulong)count.RowsBehindFirstEnd + (count.HasTextBeforeFirstEnd && !m_isInText ? 1ul : 0ul);
-            ulong before = m_reader.RowsBefore > m_rows ? Math.Min(m_reader.RowsBefore - m_rows, rows) : 0;
-            ulong left = m_reader.RowsEnd > m_rows + before ? m_reader.RowsEnd - m_rows - before : 0;
+            ulong before = m_rowsBefore > m_rows ? Math.Min(m_rowsBefore - m_rows, rows) : 0;
+            ulong left = m_rowsEnd > m_rows + before ? m_rowsEnd - m_rows - before : 0;
             int points = (int)Math.Min(rows - before, left);
             if (points > 0)
             {

@@ -1,0 +1,219 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>Lines of a text file into columns. A line that is no point is counted and left out.</summary>
+    [BurstCompile]
+    unsafe struct DecodeXyzJob : IJob
+    {
+        static readonly ulong[] s_powersOfTen =
+        {
+            1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000, 1000000000000,
+            10000000000000, 100000000000000, 1000000000000000, 10000000000000000, 100000000000000000, 1000000000000000000,
+            10000000000000000000,
+        };
+
+        /// <summary>Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop
+        /// has to look for the buffer's end.</summary>
+        public NativeArray<byte> Input;
+        public long InputOffset;
+        public int InputBytes;
+
+        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
+        public int BlockBytes;
+        public bool ReachesFileEnd;
+        public bool StartsInRow;
+
+        /// <summary>Lines to pass over first.</summary>
+        public int RowsBefore;
+
+        /// <summary>Lines to read, points or not.</summary>
+        public int Rows;
+        public XyzDialect Dialect;
+        [ReadOnly] public NativeArray<XyzStep> Steps;
+        [WriteOnly] public NativeArray<byte> Output;
+        [WriteOnly] public NativeReference<DecodeResult> Result;
+        [WriteOnly] public NativeReference<XyzOddities> Oddities;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafePtr();
+            byte* output = (byte*)Output.GetUnsafePtr();
+            byte* end = input + InputBytes;
+            byte* blockEnd = input + BlockBytes;
+            Dialect.Apply(input, InputBytes);
+            *end = (byte)'\n';
+            byte* p = StartsInRow ? LineEnd(input) : input;
+            byte mark = Dialect.Separator != 0 ? XyzDialect.Mark : (byte)'\n';
+            int points = 0;
+            var oddities = default(XyzOddities);
+            for (int row = -RowsBefore; row < Rows; row++)
+            {
+                while (p < end && *p <= ' ' && (*p != mark || IsLineEnd(*p)))
+                    p++;
+                if (p >= blockEnd)
+                    break;
+                byte* start = p;
+                if (row < 0)
+                {
+                    p = LineEnd(p);
+                    continue;
+                }
+                if (Dialect.IsRemark(*p))
+                {
+                    oddities.Remarks++;
+                    p = LineEnd(p);
+                    continue;
+                }
+                var error = Row(ref p, input, output, points, mark, ref oddities);
+                p = LineEnd(p);
+                if (p == end && !ReachesFileEnd)
+                    error = XyzError.LineTooLong;
+                if (error == XyzError.None)
+                {
+                    points++;
+                }
+                else if (oddities.BadRows++ == 0)
+                {
+                    oddities.FirstBadRow = InputOffset + (start - input);
+                    oddities.FirstError = error;
+                }
+            }
+            Result.Value = new DecodeResult { Points = points };
+            Oddities.Value = oddities;
+        }
+
+        XyzError Row(ref byte* p, byte* input, byte* output, int row, byte mark, ref XyzOddities oddities)
+        {
+            int steps = Steps.Length;
+            var step = (XyzStep*)Steps.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < steps; i++, step++)
+            {
+                SkipBlanks(ref p, mark);
+                if (i > 0 && *p == mark && !IsLineEnd(mark))
+                {
+                    p++;
+                    SkipBlanks(ref p, mark);
+                }
+                byte* text = p;
+                byte* column = output + step->ColumnOffsetBytes;
+                if (*p == mark || IsLineEnd(*p))
+                {
+                    // Between two separators, or behind the last one, nothing is a value that is not known.
+                    bool isEmpty = !IsLineEnd(mark) && (*p == mark || i > 0 && p[-1] <= ' ' && EndsInMark(text, mark));
+                    if (!isEmpty || step->IsPosition)
+                        return XyzError.TooFewValues;
+                    if (step->Kind != XyzStepKind.Skip && step->Kind != XyzStepKind.Check)
+                    {
+                        AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, 0, false);
+                        if (oddities.EmptyValues++ == 0)
+                            oddities.FirstEmpty = InputOffset + (text - input);
+                    }
+                    continue;
+                }
+                switch (step->Kind)
+                {
+                    case XyzStepKind.Skip:
+                        while (*p > ' ')
+                            p++;
+                        break;
+                    case XyzStepKind.Check:
+                        if (!AsciiNumber.TrySkip(ref p))
+                            return XyzError.NoNumber;
+                        break;
+                    case XyzStepKind.Place:
+                        if (!AsciiNumber.TryDecimal(ref p, out var number))
+                            return XyzError.NoNumber;
+                        if (!ToPlace(number, step->Decimals, out long place, out bool isWhole))
+                            return XyzError.TooLarge;
+                        if (!isWhole && oddities.Rounded++ == 0)
+                            oddities.FirstRounded = InputOffset + (text - input);
+                        if (step->IsStored)
+                            ((long*)column)[row] = place;
+                        break;
+                    case XyzStepKind.Integer:
+                        if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
+                            return XyzError.NoNumber;
+                        bool fits = AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
+                        if (!(fits && isExact) && oddities.Misfits++ == 0)
+                            oddities.FirstMisfit = InputOffset + (text - input);
+                        break;
+                    case XyzStepKind.Float32:
+                        if (!AsciiNumber.TryFloat(ref p, out ((float*)column)[row]))
+                            return XyzError.NoNumber;
+                        break;
+                    default:
+                        if (!AsciiNumber.TryDouble(ref p, out ((double*)column)[row]))
+                            return XyzError.NoNumber;
+                        break;
+                }
+            }
+            SkipBlanks(ref p, mark);
+            if (!IsLineEnd(*p) && oddities.RowsWithMore++ == 0)
+                oddities.FirstWithMore = InputOffset + (p - input);
+            return XyzError.None;
+        }
+
+        /// <summary>Whether the last thing before a line's end, but for blanks, is a separator.</summary>
+        static bool EndsInMark(byte* p, byte mark)
+        {
+            p--;
+            while (*p == ' ' || *p == '\t')
+                p--;
+            return *p == mark;
+        }
+
+        /// <summary>The nearest multiple of 10^-decimals (halves away from zero).</summary>
+        /// <returns>False where it is beyond the grid.</returns>
+        static bool ToPlace(in DecimalDigits number, int decimals, out long place, out bool isExact)
+        {
+            ulong value = number.Mantissa;
+            int exponent = number.Exponent + decimals;
+            isExact = !number.IsTruncated;
+            place = 0;
+            if (exponent < -19)
+            {
+                isExact &= value == 0;
+                value = 0;
+            }
+            else if (exponent < 0)
+            {
+                ulong power = s_powersOfTen[-exponent];
+                ulong rest = value % power;
+                value /= power;
+                isExact &= rest == 0;
+                if (rest >= power - rest)
+                    value++;
+            }
+            for (; exponent > 0 && value != 0; exponent--)
+            {
+                if (value > (ulong)CommonGrid.Limit / 10)
+                    return false;
+                value *= 10;
+            }
+            if (value >= (ulong)CommonGrid.Limit)
+                return false;
+            place = number.IsNegative ? -(long)value : (long)value;
+            return true;
+        }
+
+        static void SkipBlanks(ref byte* p, byte mark)
+        {
+            while (*p <= ' ' && *p != mark && !IsLineEnd(*p))
+                p++;
+        }
+
+        static byte* LineEnd(byte* p)
+        {
+            while (!IsLineEnd(*p))
+                p++;
+            return p;
+        }
+
+        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
+    }
+}

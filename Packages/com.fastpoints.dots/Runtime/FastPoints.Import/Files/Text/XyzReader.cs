@@ -1,0 +1,269 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are sniffed, and the guess is stated in
+    /// <see cref="SourceInfo.Facts"/>; <see cref="ReadOptions.TextColumns"/> overrides it.
+    /// </summary>
+    /// <remarks>
+    /// Coordinates are decimal numbers, and stay so: X, Y, Z are int64 in steps of a power of ten, by the digits that a sample of
+    /// the file has. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
+    /// once; a block's count takes remarks and bad lines in, decoding leaves them out and counts them.
+    /// </remarks>
+    public sealed class XyzReader : PointReader
+    {
+        public const int MaxBlockBytes = 256 << 10;
+
+        /// <summary>Bytes behind its block to which the last line may run: longer ones are no points.</summary>
+        public const int MaxLineBytes = 16 << 10;
+
+        /// <summary>Printed digits that are kept even where the sample has zeros there.</summary>
+        const int UsualDecimals = 4;
+
+        readonly XyzSniff m_sniff;
+        readonly string[] m_names;
+        readonly int[] m_decimals = new int[3];
+        readonly int[] m_warningOf = { -1, -1, -1, -1, -1 };
+        readonly long[] m_countOf = new long[5];
+        readonly long[] m_firstOf = new long[5];
+        BitArray m_isTold;
+        string m_firstError;
+        FileHandle m_file;
+        bool m_isOpen;
+        PlyBlock[] m_blocks;
+        int m_maxPoints;
+
+        XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
+        {
+            m_sniff = sniff;
+            m_names = names;
+            Info = info;
+        }
+
+        public override bool BlocksAreKnown => m_blocks != null;
+        public override int BlockCount => Found().Length;
+        public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
+
+        internal XyzDialect Dialect => m_sniff.Dialect;
+
+        internal FileHandle File
+        {
+            get
+            {
+                if (!m_isOpen)
+                    m_file = AsyncReadManager.OpenFileAsync(Info.Path);
+                m_isOpen = true;
+                return m_file;
+            }
+        }
+
+        /// <summary>Opens a text file. Little of it is read.</summary>
+        /// <returns>Null where the file is not lines of numbers.</returns>
+        /// <exception cref="PointCloudException">The columns are no points: no x, y and z among them.</exception>
+        public static XyzReader Open(FileSource source, ReadOptions options = null)
+        {
+            var sniff = XyzSniff.Find(source, options?.TextColumns);
+            if (sniff == null)
+                return null;
+            int columns = sniff.Columns.Length;
+            string[] given = options?.TextColumns ?? sniff.Names;
+            string origin = options?.TextColumns != null ? "as told" : sniff.Names != null ? "by the file's header" :
+                "guessed from " + sniff.Rows.ToString("N0", CultureInfo.InvariantCulture) + " lines";
+            if (given != null && given.Length > columns)
+                throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, sniff.DataOffset, "columns in a line",
+                    given.Length + " (" + string.Join(", ", given) + ")", columns);
+            string[] names = given != null ? XyzNames.Of(given, columns) : XyzNames.Guess(sniff.Columns, sniff.UnitLength);
+            if (!XyzNames.HavePosition(names))
+                throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, 0, "columns of the text",
+                    "x, y and z among them (name them to override)", string.Join(", ", given ?? names));
+            var reader = new XyzReader(sniff, names, new SourceInfo { Path = source.Path, FileBytes = source.Length });
+            reader.Describe(origin);
+            return reader;
+        }
+
+        void Describe(string origin)
+        {
+            var info = Info;
+            info.Format = m_sniff.CountClaimed >= 0 ? "PTS" : "XYZ";
+            info.PointsClaimed = (ulong)Math.Max(0, m_sniff.CountClaimed);
+            info.HasPointsClaimed = m_sniff.CountClaimed >= 0;
+            var attributes = new List<PointAttribute>();
+            var shown = new List<string>();
+            for (int i = 0; i < m_names.Length; i++)
+            {
+                shown.Add(m_names[i] ?? "-");
+                if (m_names[i] == null)
+                    continue;
+                int axis = AxisOf(m_names[i]);
+                if (axis >= 0)
+                    m_decimals[axis] = DecimalsOf(m_sniff.Columns[i]);
+                attributes.Add(new PointAttribute(m_names[i],
+                    axis >= 0 ? AttributeType.Int64 : m_sniff.Columns[i].TypeOf(m_names[i])));
+            }
+            info.Schema = new PointSchema(attributes);
+            info.Transform.Scale = new double3(StepOf(0), StepOf(1), StepOf(2));
+            info.Fact("columns", string.Join(" ", shown) + " (" + origin + ")");
+            info.Fact("separator", m_sniff.Dialect.Name);
+            info.Fact("decimals", string.Join(", ", m_decimals));
+            if (m_sniff.HeaderLines > 0)
+                info.Fact("header lines", m_sniff.HeaderLines.ToString(CultureInfo.InvariantCulture));
+        }
+
+        /// <summary>The digits that the sample has, as many as a coordinate on the grid has room for.</summary>
+        static int DecimalsOf(XyzColumn column)
+        {
+            int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, UsualDecimals));
+            // One digit is left for coordinates that are larger than the sample's.
+            double room = CommonGrid.Limit / (10 * Math.Max(1, column.MaxMagnitude));
+            return Math.Max(0, Math.Min(decimals, Math.Min(18, (int)Math.Floor(Math.Log10(room)))));
+        }
+
+        double StepOf(int axis)
+        {
+            // Powers of ten are exact doubles to 10^22, so that this is the double nearest to 0.001.
+            double power = 1;
+            for (int i = 0; i < m_decimals[axis]; i++)
+                power *= 10;
+            return 1 / power;
+        }
+
+        static int AxisOf(string name) =>
+            name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
+
+        public override long FirstPointOfBlock(int block) => Found()[block].FirstPoint;
+
+        public override int PointsInBlock(int block) => Found()[block].Points;
+
+        public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
+
+        public override IEnumerator<JobHandle> FindBlocks()
+        {
+            if (BlocksAreKnown)
+                yield break;
+            using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, m_sniff.DataOffset, MaxBlockBytes, 0,
+                ulong.MaxValue))
+            {
+                while (scan.Next(out var handle))
+                    yield return handle;
+                m_blocks = scan.TakeBlocks();
+                m_isTold = new BitArray(m_blocks.Length);
+                foreach (var block in m_blocks)
+                    m_maxPoints = Math.Max(m_maxPoints, block.Points);
+                Info.PointsReadable = scan.Points;
+                if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
+                    Info.Warn(0, "points: wanted " + m_sniff.CountClaimed.ToString(CultureInfo.InvariantCulture) + ", got " +
+                        scan.Points.ToString(CultureInfo.InvariantCulture) + " lines");
+            }
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            Found();
+            return new XyzRead(this, wanted, capacity, allocator);
+        }
+
+        public override void CloseFile()
+        {
+            if (!m_isOpen)
+                return;
+            m_isOpen = false;
+            m_file.Close().Complete();
+        }
+
+        public override void Dispose() => CloseFile();
+
+        internal PlyBlock Block(int block) => m_blocks[block];
+
+        internal XyzStep[] StepsFor(PointBatch batch)
+        {
+            var steps = new XyzStep[m_names.Length];
+            for (int i = 0; i < steps.Length; i++)
+            {
+                int axis = m_names[i] == null ? -1 : AxisOf(m_names[i]);
+                int column = m_names[i] == null ? -1 : batch.Schema.IndexOf(m_names[i]);
+                var step = new XyzStep
+                {
+                    Kind = m_names[i] == null ? XyzStepKind.Skip : XyzStepKind.Check,
+                    IsPosition = axis >= 0,
+                };
+                if (column >= 0 || axis >= 0)
+                {
+                    step.Type = column >= 0 ? batch.Schema[column].Type : AttributeType.Int64;
+                    step.Bytes = step.Type.SizeOf();
+                    step.IsStored = column >= 0;
+                    step.ColumnOffsetBytes = column >= 0 ? batch.Column(column).OffsetBytes : 0;
+                    step.Decimals = axis >= 0 ? m_decimals[axis] : 0;
+                    step.Kind = axis >= 0 ? XyzStepKind.Place
+                        : step.Type == AttributeType.Float32 ? XyzStepKind.Float32
+                        : step.Type == AttributeType.Float64 ? XyzStepKind.Float64
+                        : XyzStepKind.Integer;
+                }
+                steps[i] = step;
+            }
+            return steps;
+        }
+
+        /// <summary>Takes in what was odd about a block, once a block: warnings have running counts.</summary>
+        internal void Tell(BlockRange range, in XyzOddities found)
+        {
+            if (m_isTold[range.Block])
+                return;
+            m_isTold[range.Block] = true;
+            if (found.BadRows > 0)
+            {
+                m_firstError ??= TextOf(found.FirstError);
+                Tell(0, found.BadRows, found.FirstBadRow, " lines are no points and left out; the first one: " + m_firstError);
+            }
+            Tell(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
+                "first: rounded to " + Info.Transform.Scale.x.ToString("R", CultureInfo.InvariantCulture) + ", " +
+                Info.Transform.Scale.y.ToString("R", CultureInfo.InvariantCulture) + ", " +
+                Info.Transform.Scale.z.ToString("R", CultureInfo.InvariantCulture));
+            Tell(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
+                "the nearest that do were taken");
+            Tell(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");
+            Tell(4, found.RowsWithMore, found.FirstWithMore, " lines have more values than there are columns: left out");
+        }
+
+        void Tell(int kind, int count, long firstOffset, string text)
+        {
+            if (count == 0)
+                return;
+            if (m_warningOf[kind] < 0)
+            {
+                m_warningOf[kind] = Info.Warnings.Count;
+                m_firstOf[kind] = firstOffset;
+                Info.Warn(firstOffset, "");
+            }
+            m_countOf[kind] += count;
+            Info.Warnings[m_warningOf[kind]] = new CloudWarning(Info.Path, m_firstOf[kind],
+                m_countOf[kind].ToString(CultureInfo.InvariantCulture) + text);
+        }
+
+        static string TextOf(XyzError error)
+        {
+            switch (error)
+            {
+                case XyzError.TooFewValues:
+                    return "too few values";
+                case XyzError.NoNumber:
+                    return "not a finite number";
+                case XyzError.TooLarge:
+                    return "a coordinate beyond what a grid of these steps holds";
+                default:
+                    return "longer than 16,384 bytes";
+            }
+        }
+
+        PlyBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+    }
+}
