@@ -30,8 +30,9 @@ namespace FastPoints.Cli
             string perPoint = manifest.Points > 0
                 ? " (" + Human.Value(System.Math.Round(Result.BytesOnDisk / (double)manifest.Points, 2)) + " bytes a point)"
                 : "";
+            string note = Result.Note == null ? "" : " (" + Result.Note + ")";
             return Human.Count(manifest.Points) + " points" + leftOut + " in " + Human.Count(manifest.NodeCount) + " nodes, "
-                + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds);
+                + Human.Bytes(Result.BytesOnDisk) + perPoint + ", in " + Human.Seconds(Seconds) + note;
         }
 
         /// <summary>The keys of <c>convert</c>, into an object that is open.</summary>
@@ -43,8 +44,7 @@ namespace FastPoints.Cli
             json.WriteInteger("nodes", manifest.NodeCount);
             json.WriteInteger("levelCount", Result.LevelCount);
             json.WriteInteger("bytesOnDisk", Result.BytesOnDisk);
-            // A build in memory writes none.
-            json.WriteInteger("temporaryBytesPeak", 0);
+            json.WriteInteger("temporaryBytesPeak", Result.TemporaryBytesPeak);
             json.WriteString("checksum", manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
             json.WriteStartObject("bytesPerPoint");
             foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))

@@ -28,6 +28,12 @@ namespace FastPoints.Cli.Verbs
                 + "with colour and intensity averaged besides (default: random).",
             DefaultValueFactory = _ => "random",
         };
+        readonly Option<string?> m_memory = new("--memory")
+        {
+            HelpName = "SIZE",
+            Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). What does not fit goes to "
+                + "temporary files beside the target; with little memory the stored chunks are smaller.",
+        };
         readonly Option<string?> m_attributes = new("--attributes")
         {
             HelpName = "A,B,...",
@@ -42,6 +48,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_files);
             Command.Add(m_output);
             Command.Add(m_sampler);
+            Command.Add(m_memory);
             Command.Add(m_attributes);
             m_source = new SourceSettings(Command);
             AddCommonOptions();
@@ -50,6 +57,7 @@ namespace FastPoints.Cli.Verbs
         public override IReadOnlyList<(string, string)> Examples =>
         [
             ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
+            ("./fastpoints convert big.laz -o big.fastpoints --memory 300MiB", "in little memory; killed, the same line goes on"),
             ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
             ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
         ];
@@ -65,6 +73,8 @@ namespace FastPoints.Cli.Verbs
                 Sampler = sampler,
                 Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             };
+            if (parsed.GetValue(m_memory) is { } memory)
+                settings.MemoryBytes = Memory.ForBuild(memory);
             run.Inputs.AddRange(files);
             using var reader = PointReaders.Open(files, m_source.Read(parsed));
             run.Warn(reader.Info);

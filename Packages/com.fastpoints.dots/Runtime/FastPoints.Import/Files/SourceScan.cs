@@ -19,24 +19,33 @@ namespace FastPoints.Files
 
         /// <summary>As many slots as <see cref="DefaultSlots"/>, or as fit into <see cref="MaxSlotBytes"/>: a block's columns and its
         /// bytes in the file.</summary>
-        public static int SlotsFor(PointReader reader, PointSchema wanted)
+        public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
+
+        /// <param name="extraBytesPerPoint">What the consumer keeps by slot.</param>
+        /// <param name="maxBytes">For all slots together; one there is always.</param>
+        public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {
             if (reader.BlockCount == 0)
                 return 1;
             long fileBytes = reader.BytesOfRange(new BlockRange(0, 0, reader.PointsInBlock(0)));
-            long bytesPerSlot = (long)reader.MaxPointsPerBlock * wanted.BytesPerPoint + fileBytes;
-            return (int)Math.Max(1, Math.Min(DefaultSlots, MaxSlotBytes / Math.Max(1, bytesPerSlot)));
+            long bytesPerSlot = (long)reader.MaxPointsPerBlock * (wanted.BytesPerPoint + extraBytesPerPoint) + fileBytes;
+            return (int)Math.Max(1, Math.Min(DefaultSlots, maxBytes / Math.Max(1, bytesPerSlot)));
         }
 
         /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
         /// <param name="slots">Blocks in flight: memory is that of so many blocks.</param>
         public static IEnumerator<JobHandle> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
-            StageProgress progress)
+            StageProgress progress) => Run(reader, wanted, consumer, slots, 0, reader.BlockCount, progress);
+
+        /// <summary>The same for some blocks: from <paramref name="firstBlock"/> to before <paramref name="endBlock"/>.</summary>
+        public static IEnumerator<JobHandle> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
+            int firstBlock, int endBlock, StageProgress progress)
         {
-            int blockCount = reader.BlockCount;
-            if (blockCount == 0)
+            int blockCount = endBlock - firstBlock;
+            if (blockCount <= 0)
                 yield break;
             slots = Math.Min(slots, blockCount);
+            var throttle = consumer as IThrottledConsumer;
             long pointsDone = 0, bytesDone = 0;
             var reads = new BlockRead[slots];
             var consumed = new JobHandle[slots];
@@ -61,7 +70,9 @@ namespace FastPoints.Files
                     }
                     if (block < blockCount)
                     {
-                        reads[slot].Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                        while (throttle != null && !throttle.IsReady)
+                            yield return default;
+                        reads[slot].Begin(new BlockRange(firstBlock + block, 0, reader.PointsInBlock(firstBlock + block)));
                         consumed[slot] = consumer.Schedule(reads[slot], slot, reads[slot].Decoded);
                         JobHandle.ScheduleBatchedJobs();
                     }

@@ -56,8 +56,9 @@ namespace FastPoints.Octree
             NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
         }
 
-        /// <summary>The chunk in work.</summary>
-        public ChunkSet.Chunk Chunk { get; private set; }
+        /// <summary>The chunk in work, and its records as they came.</summary>
+        public GridCube Cube { get; private set; }
+        public RecordPages Pages { get; private set; }
         public int Number { get; private set; }
         public JobHandle Job { get; private set; }
 
@@ -75,23 +76,22 @@ namespace FastPoints.Octree
         /// <summary>Sum of the hashes of the points that went through.</summary>
         public ulong Checksum => m_checksum.Value;
 
-        /// <summary>Bytes written by plane, over all chunks so far.</summary>
+        /// <summary>Bytes by plane of the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Starts on a chunk. Its pages are freed on the way.</summary>
-        public void Begin(ChunkSet.Chunk chunk, int number)
+        /// <summary>Starts on a chunk. Its pages are the caller's again when the job is done.</summary>
+        public void Begin(GridCube cube, RecordPages pages, int number)
         {
-            Chunk = chunk;
+            Cube = cube;
+            Pages = pages;
             Number = number;
-            var pages = chunk.Pages;
-            chunk.Pages = default;
             int count = checked((int)pages.Count);
             Reserve(count);
             var ordered = new OrderChunkJob
             {
                 Pages = pages,
                 Layout = m_records,
-                Cube = chunk.Cube,
+                Cube = cube,
                 Keys = m_keys,
                 Scratch = m_scratch,
                 Order = m_order,
@@ -100,37 +100,40 @@ namespace FastPoints.Octree
             {
                 Pages = pages,
                 Layout = m_records,
-                Cube = chunk.Cube,
+                Cube = cube,
                 Order = m_order,
                 Records = m_sorted,
                 CommonCubeLog2 = m_common,
                 Priority = m_priority,
                 Checksum = m_checksum,
             }.Schedule(ordered);
-            var sampled = Sample(count, chunk.Cube, m_sorted, m_tops, gathered);
-            Job = Write(count, chunk.Cube.Corner, true, m_sorted, m_nodeOfPoint, sampled);
+            var sampled = Sample(count, cube, m_sorted, m_tops, gathered);
+            Job = Write(count, cube.Corner, true, true, m_sorted, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Starts on the upper levels: the chunks' tops, in Morton order.</summary>
+        /// <summary>Starts on upper nodes: those above some tops, which come in Morton order.</summary>
         /// <param name="records">All tops' records.</param>
-        /// <param name="tops">By chunk; gets the attach nodes, as drafts.</param>
-        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube root)
+        /// <param name="tops">By chunk, or region; gets the attach nodes, as drafts.</param>
+        /// <param name="isRoot">Otherwise the top node goes to <see cref="Top"/>, as a chunk's does.</param>
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot)
         {
             Number = 0;
+            Cube = cube;
+            Pages = default;
             int count = records.Length / m_records.StrideBytes;
             Reserve(count);
             var prepared = new PrepareUpperJob
             {
                 Count = count,
                 Layout = m_records,
-                Corner = root.Corner,
+                Corner = m_rootCorner,
                 Records = records,
                 CommonCubeLog2 = m_common,
                 Priority = m_priority,
             }.Schedule();
-            var sampled = Sample(count, root, records, tops, prepared);
-            Job = Write(count, root.Corner, false, records, m_nodeOfPoint, sampled);
+            var sampled = Sample(count, cube, records, tops, prepared);
+            Job = Write(count, m_rootCorner, false, !isRoot, records, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -192,7 +195,7 @@ namespace FastPoints.Octree
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, Grid3 corner, bool isChunk, NativeArray<byte> records, NativeArray<int> nodeOfPoint,
+        JobHandle Write(int count, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records, NativeArray<int> nodeOfPoint,
             JobHandle inputDeps)
         {
             return new WriteNodesJob
@@ -203,6 +206,7 @@ namespace FastPoints.Octree
                 CloudId = m_cloudId,
                 Number = Number,
                 IsChunk = isChunk,
+                KeepsTopOut = keepsTopOut,
                 Records = records,
                 NodeOfPoint = nodeOfPoint,
                 Drafts = Drafts,

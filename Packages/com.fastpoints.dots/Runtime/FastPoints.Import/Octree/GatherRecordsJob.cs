@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Puts a chunk's records in order, one after the other, frees the pages they came in, and prepares the sampling:
+    /// <summary>Puts a chunk's records in order, one after the other, and prepares the sampling:
     /// where cubes end in the order, and each record's priority.</summary>
     [BurstCompile]
     public unsafe struct GatherRecordsJob : IJob
@@ -45,8 +45,6 @@ namespace FastPoints.Octree
                 for (int w = 0; w < stride >> 2; w++)
                     to[w] = from[w];
             }
-            for (int p = 0; p < pageCount; p++)
-                UnsafeUtility.Free(pageTable[p], Allocator.Persistent);
             UnsafeUtility.Free(pageTable, Allocator.Temp);
             Checksum.Value = Sampling.Prepare(records, count, Layout, Cube.Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
                 (uint*)Priority.GetUnsafePtr());

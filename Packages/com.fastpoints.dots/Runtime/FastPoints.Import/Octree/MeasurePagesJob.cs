@@ -13,12 +13,12 @@ namespace FastPoints.Octree
         public RecordPages Pages;
         public RecordLayout Layout;
 
-        /// <summary>Smallest, largest: two places.</summary>
+        /// <summary>Smallest, largest: two places, which grow.</summary>
         public NativeArray<Grid3> Bounds;
 
         public void Execute()
         {
-            Grid3 min = PointFindings.None.Min, max = PointFindings.None.Max;
+            Grid3 min = Bounds[0], max = Bounds[1];
             int stride = Layout.StrideBytes;
             for (var page = Pages.First; page != null; page = page->Next)
             {

@@ -52,7 +52,12 @@ namespace FastPoints.Octree
             }
             if (largest == 0)
             {
-                TakeEqual(range, left);
+                bool hasNodes = false;
+                for (int t = firstTop; t < endTop; t++)
+                    hasNodes |= Tops[t].HasNodes;
+                int last = TakeEqual(range, left, !hasNodes);
+                for (int t = firstTop; t < endTop; t++)
+                    Attach(t, last);
                 return true;
             }
             range.SideLog2 = (byte)largest;
@@ -130,7 +135,8 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Points at one place: a chain of nodes of one step's cube.</summary>
-        void TakeEqual(in SampledRange range, int left)
+        /// <returns>The chain's end, or the node above where all points are in nodes already.</returns>
+        int TakeEqual(in SampledRange range, int left, bool endsInLeaf)
         {
             int parent = range.Parent;
             int i = range.First;
@@ -145,9 +151,10 @@ namespace FastPoints.Octree
                     taken++;
                 }
                 left -= count;
-                AddNode(range, parent, count, 0, 0, left == 0);
+                AddNode(range, parent, count, 0, 0, left == 0 && endsInLeaf);
                 parent = node;
             }
+            return parent;
         }
 
         /// <summary>What the upper nodes have left of a chunk's top is that chunk's top node.</summary>

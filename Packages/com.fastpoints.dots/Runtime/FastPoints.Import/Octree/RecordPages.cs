@@ -1,12 +1,12 @@
 using System.Runtime.CompilerServices;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Octree
 {
     /// <summary>
     /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined
-    /// and are freed without moving a record. Blittable; one job at a time may change a list.
+    /// and are given back without moving a record. Pages come from a <see cref="PagePool"/>. Blittable; one job at a time may
+    /// change a list.
     /// </summary>
     public unsafe struct RecordPages
     {
@@ -30,25 +30,45 @@ namespace FastPoints.Octree
         /// <summary>Pages in the list, the last few perhaps not full.</summary>
         public int PageCount;
 
+        /// <summary>Bytes of a page in memory.</summary>
+        public static long PageBytes(int strideBytes) => HeaderBytes + ((long)RecordsPerPage * strideBytes + 63 & ~63L);
+
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
 
         /// <summary>Appends copies of consecutive records.</summary>
-        public void Append(byte* records, int count, int strideBytes)
+        public void Append(byte* records, int count, ref PagePool pool)
         {
+            int stride = pool.StrideBytes;
             while (count > 0)
             {
                 var page = Last;
                 if (page == null || page->Count == RecordsPerPage)
-                    page = AddPage(strideBytes);
+                {
+                    page = pool.Take();
+                    AddPage(page);
+                }
                 int room = RecordsPerPage - page->Count;
                 int taken = count < room ? count : room;
-                UnsafeUtility.MemCpy(RecordsOf(page) + (long)page->Count * strideBytes, records, (long)taken * strideBytes);
+                UnsafeUtility.MemCpy(RecordsOf(page) + (long)page->Count * stride, records, (long)taken * stride);
                 page->Count += taken;
                 Count += taken;
-                records += (long)taken * strideBytes;
+                records += (long)taken * stride;
                 count -= taken;
             }
+        }
+
+        /// <summary>Appends a page, with the records that it holds.</summary>
+        public void AddPage(Page* page)
+        {
+            page->Next = null;
+            if (Last == null)
+                First = page;
+            else
+                Last->Next = page;
+            Last = page;
+            PageCount++;
+            Count += page->Count;
         }
 
         /// <summary>Takes over all pages of another list, which is empty afterwards.</summary>
@@ -66,31 +86,34 @@ namespace FastPoints.Octree
             other = default;
         }
 
-        /// <summary>Frees all pages.</summary>
-        public void Free()
+        /// <summary>Cuts off the list's first pages.</summary>
+        public RecordPages Cut(int pages)
         {
-            for (var page = First; page != null;)
+            if (pages <= 0)
+                return default;
+            var head = this;
+            if (pages >= PageCount)
             {
-                var next = page->Next;
-                UnsafeUtility.Free(page, Allocator.Persistent);
-                page = next;
+                this = default;
+                return head;
             }
-            this = default;
+            head.Count = 0;
+            head.PageCount = pages;
+            head.Last = First;
+            for (int i = 1; i < pages; i++)
+            {
+                head.Count += head.Last->Count;
+                head.Last = head.Last->Next;
+            }
+            head.Count += head.Last->Count;
+            First = head.Last->Next;
+            head.Last->Next = null;
+            PageCount -= pages;
+            Count -= head.Count;
+            return head;
         }
 
-        Page* AddPage(int strideBytes)
-        {
-            var page = (Page*)UnsafeUtility.Malloc(HeaderBytes + (long)RecordsPerPage * strideBytes, HeaderBytes,
-                Allocator.Persistent);
-            page->Next = null;
-            page->Count = 0;
-            if (Last == null)
-                First = page;
-            else
-                Last->Next = page;
-            Last = page;
-            PageCount++;
-            return page;
-        }
+        /// <summary>Cuts off all pages but a last one that has room.</summary>
+        public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
     }
 }

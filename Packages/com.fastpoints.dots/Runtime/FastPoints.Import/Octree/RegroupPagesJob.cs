@@ -5,8 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Distributes one chunk's records over the chunks that it is split into, and frees its pages as they are
-    /// done.</summary>
+    /// <summary>Distributes one chunk's records over the chunks that it is split into, and gives its pages
+    /// back as they are done.</summary>
     [BurstCompile]
     public unsafe struct RegroupPagesJob : IJob
     {
@@ -15,10 +15,12 @@ namespace FastPoints.Octree
         public CellFinder Cells;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
         public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
 
         public void Execute()
         {
             int stride = Layout.StrideBytes;
+            var pool = Pool.Value;
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             for (var page = Pages.First; page != null;)
             {
@@ -26,12 +28,13 @@ namespace FastPoints.Octree
                 for (int i = 0; i < page->Count; i++, record += stride)
                 {
                     var place = Layout.PlaceOf(record);
-                    chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]].Append(record, 1, stride);
+                    chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]].Append(record, 1, ref pool);
                 }
                 var next = page->Next;
-                UnsafeUtility.Free(page, Allocator.Persistent);
+                pool.Return(page);
                 page = next;
             }
+            Pool.Value = pool;
         }
     }
 }

@@ -21,10 +21,12 @@ namespace FastPoints.Octree
 
         /// <summary>By shell times 8, plus octant.</summary>
         public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
 
         public void Execute()
         {
             int stride = Layout.StrideBytes;
+            var pool = Pool.Value;
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             for (var page = Pages.First; page != null;)
             {
@@ -35,12 +37,13 @@ namespace FastPoints.Octree
                     int shell = 0;
                     while (!Shells[shell].Contains(place))
                         shell++;
-                    chunks[shell * 8 + Shells[shell].OctantOf(place)].Append(record, 1, stride);
+                    chunks[shell * 8 + Shells[shell].OctantOf(place)].Append(record, 1, ref pool);
                 }
                 var next = page->Next;
-                UnsafeUtility.Free(page, Allocator.Persistent);
+                pool.Return(page);
                 page = next;
             }
+            Pool.Value = pool;
         }
     }
 }

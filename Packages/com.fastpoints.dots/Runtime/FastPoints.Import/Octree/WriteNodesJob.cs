@@ -26,8 +26,11 @@ namespace FastPoints.Octree
         public ulong CloudId;
         public int Number;
 
-        /// <summary>A chunk: its top is kept out, and the table goes into the file.</summary>
+        /// <summary>A chunk: the table goes into the file.</summary>
         public bool IsChunk;
+
+        /// <summary>The first node goes to <see cref="Top"/> in place of the file.</summary>
+        public bool KeepsTopOut;
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> NodeOfPoint;
         [ReadOnly] public NativeList<NodeDraft> Drafts;
@@ -51,7 +54,7 @@ namespace FastPoints.Octree
         /// <summary>Out, by draft: its place in the table, or -1.</summary>
         public NativeList<int> NodeOfDraft;
 
-        /// <summary>By plane, position first: bytes are added up.</summary>
+        /// <summary>Out, by plane, position first: bytes.</summary>
         public NativeArray<long> BytesOfPlane;
 
         [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
@@ -67,6 +70,8 @@ namespace FastPoints.Octree
             File.Clear();
             Table.Clear();
             Top.Clear();
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] = 0;
             int drafts = Drafts.Length;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
             NodeOfDraft.ResizeUninitialized(drafts);
@@ -85,7 +90,7 @@ namespace FastPoints.Octree
             int* firstChild = Allocate<int>(drafts);
             int* childCount = Allocate<int>(drafts);
             NumberNodes(drafts, firstChild, childCount);
-            if (IsChunk && drafts > 0)
+            if (KeepsTopOut && drafts > 0)
                 CopyTop();
             if (m_nodeCount > 0)
                 WriteFile(firstChild, childCount);
@@ -135,7 +140,7 @@ namespace FastPoints.Octree
             if (drafts > 0)
             {
                 m_nodeOfDraft[0] = -1;
-                if (IsChunk)
+                if (KeepsTopOut)
                     Append(firstOf[0], nextOf);
                 else
                     m_draftOfNode[m_nodeCount++] = 0;

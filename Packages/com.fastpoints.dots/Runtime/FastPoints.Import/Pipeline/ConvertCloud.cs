@@ -8,6 +8,7 @@ using FastPoints.Octree;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
@@ -21,14 +22,10 @@ namespace FastPoints.Pipeline
     /// </summary>
     public sealed class ConvertCloud : IDisposable
     {
-        const long MaxPointsPerChunk = 1000000;
-
-        // A chunk that a sample or a cube's octants made eight times smaller is still more than one leaf.
-        const long MinPointsPerChunk = 200000;
-
         readonly IReadOnlyList<PointReader> m_readers;
         readonly ConvertSettings m_settings;
         readonly StageProgress m_progress;
+        readonly string m_target;
         readonly CloudFolderWriter m_folder;
         readonly List<SourceSample> m_samples = new List<SourceSample>();
         readonly List<SampleFindings> m_sampleFindings = new List<SampleFindings>();
@@ -36,18 +33,25 @@ namespace FastPoints.Pipeline
 
         readonly PointSchema m_attributes;
         GridChoice m_grid;
+        MemoryPlan m_plan;
+        NativeReference<PagePool> m_pool;
+        RecordFiles m_files;
+        BuildJournal m_journal;
+        ulong m_identity;
+        string m_note;
+        long m_points;
         PartitionMap m_map;
         ScatterPoints m_scatter;
         ChunkSet m_chunks;
         NativeStoreLayout m_store;
         OctreeBuild m_build;
-        long m_pointsPerChunk;
 
         ConvertCloud(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
         {
             m_readers = readers;
             m_settings = settings;
             m_progress = progress;
+            m_target = target;
             m_attributes = ChooseAttributes();
             m_folder = new CloudFolderWriter(target);
         }
@@ -70,10 +74,18 @@ namespace FastPoints.Pipeline
                 using (var work = convert.Partition())
                     while (work.MoveNext())
                         yield return work.Current;
+                convert.TakeUp();
+                if (convert.m_journal.At == BuildJournal.Stage.Done)
+                {
+                    done(convert.Finish());
+                    progress?.End();
+                    yield break;
+                }
                 progress?.Begin("read");
                 using (var work = convert.Distribute())
                     while (work.MoveNext())
                         yield return work.Current;
+                progress?.Begin("split");
                 using (var work = convert.SettleChunks())
                     while (work.MoveNext())
                         yield return work.Current;
@@ -92,6 +104,13 @@ namespace FastPoints.Pipeline
             m_chunks?.Dispose();
             m_scatter?.Dispose();
             m_map?.Dispose();
+            m_files?.Dispose();
+            if (m_pool.IsCreated)
+            {
+                var pool = m_pool.Value;
+                pool.FreeAll();
+                m_pool.Dispose();
+            }
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();
@@ -159,16 +178,15 @@ namespace FastPoints.Pipeline
         IEnumerator<JobHandle> Partition()
         {
             var infos = new List<SourceInfo>();
-            long points = 0;
             foreach (var reader in m_readers)
             {
                 infos.Add(reader.Info);
-                points += reader.PointCount;
+                m_points += reader.PointCount;
             }
             m_grid = GridChoice.Choose(infos, m_sampleFindings, m_attributes.BytesPerPoint);
-            m_pointsPerChunk = m_settings.PointsPerChunk > 0
-                ? m_settings.PointsPerChunk
-                : Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
+            int stride = m_grid.Records.StrideBytes;
+            m_plan = MemoryPlan.For(m_points, stride, m_settings);
+            m_pool = new NativeReference<PagePool>(new PagePool(stride, m_points / RecordPages.RecordsPerPage), Allocator.Persistent);
 
             var cube = FirstCube();
             int levels = PartitionMap.LevelsFor(cube.SideLog2, PartitionMap.MaxLevels);
@@ -189,13 +207,90 @@ namespace FastPoints.Pipeline
                     yield return job;
                     job.Complete();
                 }
-                m_map = PartitionMap.Plan(cube, levels, counts, m_pointsPerChunk * 1024);
+                m_map = PartitionMap.Plan(cube, levels, counts, m_plan.PointsPerPartition * 1024);
             }
             finally
             {
                 job.Complete();
                 counts.Dispose();
             }
+            foreach (var sample in m_samples)
+                sample.Dispose();
+            m_samples.Clear();
+        }
+
+        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are on
+        /// disk.</summary>
+        void TakeUp()
+        {
+            m_identity = Identify();
+            m_journal = new BuildJournal { Identity = m_identity };
+            m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool,
+                m_plan.IsStored ? m_files = new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null, m_plan, m_points, m_progress);
+            m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2);
+            string text = m_folder.ReadText(BuildFiles.JournalName);
+            var journal = text == null ? null : BuildJournal.FromJson(text);
+            bool isSame = m_files != null && journal != null && journal.Identity == m_identity &&
+                journal.Attributes.Length == m_attributes.Count && (journal.At == BuildJournal.Stage.Read
+                    ? journal.Source < m_readers.Count && journal.Findings.Count == journal.Source + 1 &&
+                        journal.Records.Count == m_map.Chunks.Length + 1
+                    : journal.Findings.Count == m_readers.Count);
+            if (isSame && (journal.At == BuildJournal.Stage.Done || m_files.TakeOver(journal)))
+            {
+                m_journal = journal;
+                long points = 0;
+                foreach (var found in journal.Findings)
+                    points += found.Count + found.LeftOut;
+                m_scatter.Skip(points);
+                for (int a = 0; a < journal.Attributes.Length; a++)
+                    m_scatter.Attributes[a] = journal.Attributes[a];
+                m_note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of {1} points were "
+                    + "read", points, m_points);
+            }
+            else
+            {
+                if (m_folder.HasLeftovers)
+                {
+                    m_note = text == null ? "a build of this target was broken off that had its points in memory: began again"
+                        : "a build of this target was broken off that had other sources, settings or versions: began again";
+                }
+                m_folder.Clear();
+                while (m_files != null && m_files.FileCount < m_map.Chunks.Length + 1)
+                    m_files.Add();
+            }
+            foreach (var found in m_journal.Findings)
+            {
+                var all = m_scatter.Findings;
+                all.Include(found);
+                m_scatter.Findings = all;
+            }
+            if (m_files == null)
+                return;
+            long needed = (m_points - m_scatter.Findings.Count) * m_grid.Records.StrideBytes, free = m_folder.FreeBytes();
+            if (m_journal.At == BuildJournal.Stage.Read && free >= 0 && free < needed)
+                throw new PointCloudException(FailureCode.DiskFull, m_target, -1, string.Format(CultureInfo.InvariantCulture,
+                    "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}", needed, free));
+        }
+
+        /// <summary>What the stored bytes and the temporary files depend on.</summary>
+        unsafe ulong Identify()
+        {
+            var text = new System.Text.StringBuilder();
+            foreach (var reader in m_readers)
+            {
+                string path = reader.Info.Path;
+                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|').Append(reader.PointCount)
+                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
+            }
+            foreach (var attribute in m_attributes)
+                text.Append(attribute).Append('\n');
+            text.Append(m_plan.PointsPerChunk).Append('|').Append(m_plan.PointsPerPartition).Append('|').Append(m_plan.IsStored)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(m_grid.Records.StrideBytes).Append('|')
+                .Append(m_map.Chunks.Length).Append('|').Append(m_map.Cube).Append('|').Append(m_settings.Sampler).Append('|').Append(m_settings.CellsLog2);
+            string all = text.ToString();
+            fixed (char* first = all)
+                return ContentHash.Of(first, all.Length * sizeof(char)) ^
+                    ContentHash.Of(m_map.ChunkOfCell.GetUnsafeReadOnlyPtr(), m_map.ChunkOfCell.Length * sizeof(int));
         }
 
         /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be
@@ -257,20 +352,54 @@ namespace FastPoints.Pipeline
 
         IEnumerator<JobHandle> Distribute()
         {
-            m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map);
-            for (int i = 0; i < m_readers.Count; i++)
+            bool isReading = m_journal.At == BuildJournal.Stage.Read;
+            long sinceCheckpoint = 0;
+            for (int i = isReading ? m_journal.Source : m_readers.Count; i < m_readers.Count; i++)
             {
                 var reader = m_readers[i];
                 var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
                 foreach (var attribute in m_attributes)
                     names.Add(attribute.Name);
                 var wanted = reader.Info.Schema.Select(names.ToArray());
-                m_scatter.BeginSource(m_grid.Sources[i], reader.MaxPointsPerBlock);
-                using (var scan = SourceScan.Run(reader, wanted, m_scatter, SourceScan.SlotsFor(reader, wanted), m_progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
-                var found = m_scatter.EndSource();
-                if (reader is TiledReader tiles)
+                int slots = SourceScan.SlotsFor(reader, wanted, m_grid.Records.StrideBytes + sizeof(int), m_plan.ReadBytes);
+                m_scatter.BeginSource(reader, m_grid.Sources[i]);
+                if (m_journal.Findings.Count <= i)
+                    m_journal.Findings.Add(PointFindings.None);
+                for (int block = m_journal.Block; block < reader.BlockCount; block = m_journal.Block)
+                {
+                    int end = block;
+                    for (; end < reader.BlockCount && sinceCheckpoint < m_settings.PointsPerCheckpoint; end++)
+                        sinceCheckpoint += reader.PointsInBlock(end);
+                    using (var scan = SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null))
+                        while (scan.MoveNext())
+                            yield return scan.Current;
+                    var found = m_journal.Findings[i];
+                    found.Include(m_scatter.TakeFindings());
+                    m_journal.Findings[i] = found;
+                    m_journal.Block = end;
+                    if (sinceCheckpoint < m_settings.PointsPerCheckpoint)
+                        continue;
+                    sinceCheckpoint = 0;
+                    if (m_files == null)
+                        continue;
+                    using (var work = m_scatter.WriteAll())
+                        while (work.MoveNext())
+                            yield return work.Current;
+                    WriteJournal();
+                }
+                m_scatter.EndSource();
+                m_journal.Source = i + 1;
+                m_journal.Block = 0;
+            }
+            if (isReading && m_files != null)
+                using (var work = m_scatter.WriteAll())
+                    while (work.MoveNext())
+                        yield return work.Current;
+            for (int i = 0; i < m_readers.Count; i++)
+            {
+                var info = m_readers[i].Info;
+                var found = m_journal.Findings[i];
+                if (m_readers[i] is TiledReader tiles)
                 {
                     for (int t = 0; t < tiles.TileCount; t++)
                     {
@@ -280,13 +409,24 @@ namespace FastPoints.Pipeline
                 }
                 else
                 {
-                    AddSource(reader.Info.Path, reader.Info.FileBytes, found.Count + found.LeftOut);
+                    AddSource(info.Path, info.FileBytes, found.Count + found.LeftOut);
                 }
-                Warn(reader.Info, found);
+                Warn(info, found);
             }
-            foreach (var sample in m_samples)
-                sample.Dispose();
-            m_samples.Clear();
+        }
+
+        void WriteJournal()
+        {
+            m_journal.Attributes = m_scatter.Attributes;
+            m_journal.PeakBytes = m_files.PeakBytes;
+            m_journal.Records.Clear();
+            for (int file = 0; file < m_files.FileCount; file++)
+                m_journal.Records.Add(m_files.RecordsOf(file));
+            m_journal.Chunks.Clear();
+            if (m_journal.At != BuildJournal.Stage.Read)
+                foreach (var chunk in m_chunks.Chunks)
+                    m_journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
+            m_folder.WriteText(BuildFiles.JournalName, m_journal.ToJson());
         }
 
         void AddSource(string path, long fileBytes, long points) =>
@@ -308,31 +448,69 @@ namespace FastPoints.Pipeline
         /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
         IEnumerator<JobHandle> SettleChunks()
         {
-            m_chunks = new ChunkSet(m_grid.Records);
             var found = m_scatter.Findings;
-            var lists = m_scatter.Chunks;
             if (found.Count == 0)
                 yield break;
-            for (int c = 0; c < m_map.Chunks.Length; c++)
+            if (m_journal.At == BuildJournal.Stage.Read)
             {
-                var pages = lists[c];
-                lists[c] = default;
-                m_chunks.Add(m_map.Chunks[c], ref pages);
+                var lists = m_scatter.Chunks;
+                for (int c = 0; c < m_map.Chunks.Length; c++)
+                    TakeChunk(m_map.Chunks[c], lists, c);
+                int inside = m_chunks.Chunks.Count;
+                TakeChunk(m_map.Cube, lists, m_map.Outside);
+                var root = m_map.Cube;
+                if (m_chunks.Chunks.Count > inside)
+                {
+                    var shells = RootCube.Grow(root, found.Min, found.Max);
+                    root = shells[shells.Length - 1];
+                    using (var work = m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]))
+                        while (work.MoveNext())
+                            yield return work.Current;
+                }
+                m_journal.Root = root;
+                m_journal.At = BuildJournal.Stage.Split;
+                if (m_files != null)
+                {
+                    WriteJournal();
+                    m_chunks.Settled = WriteJournal;
+                }
             }
-            var root = m_map.Cube;
-            if (lists[m_map.Outside].Count > 0)
+            else
             {
-                var shells = RootCube.Grow(root, found.Min, found.Max);
-                root = shells[shells.Length - 1];
-                using (var work = m_chunks.AddOutside(shells, lists.GetSubArray(m_map.Outside, 1)))
+                foreach (var chunk in m_journal.Chunks)
+                    m_chunks.Add(chunk.Cube, chunk.Runs);
+                m_chunks.Settled = WriteJournal;
+            }
+            if (m_journal.At == BuildJournal.Stage.Split)
+            {
+                using (var work = m_chunks.SplitLarge(2 * m_plan.PointsPerChunk, m_plan.PointsPerChunk))
                     while (work.MoveNext())
                         yield return work.Current;
+                m_journal.Root = RootCube.Shrink(m_journal.Root, found.Min, found.Max);
+                m_chunks.MergeSmall(m_journal.Root, m_plan.PointsPerChunk);
+                m_journal.At = BuildJournal.Stage.Index;
+                if (m_files != null)
+                    WriteJournal();
             }
-            using (var work = m_chunks.SplitLarge(2 * m_pointsPerChunk, m_pointsPerChunk))
-                while (work.MoveNext())
-                    yield return work.Current;
-            m_manifest.Root = RootCube.Shrink(root, found.Min, found.Max);
-            m_chunks.MergeSmall(m_manifest.Root, m_pointsPerChunk);
+            m_chunks.Settled = null;
+            m_manifest.Root = m_journal.Root;
+            if (m_files == null)
+                yield break;
+            var pool = m_pool.Value;
+            pool.FreeAll();
+            m_pool.Value = pool;
+        }
+
+        void TakeChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)
+        {
+            if (m_files != null)
+            {
+                m_chunks.Add(cube, chunk);
+                return;
+            }
+            var pages = lists[chunk];
+            lists[chunk] = default;
+            m_chunks.Add(cube, ref pages);
         }
 
         IEnumerator<JobHandle> Build()
@@ -349,15 +527,15 @@ namespace FastPoints.Pipeline
             m_manifest.Sampler = m_settings.Sampler.ToString().ToLowerInvariant();
             DescribeCrs(m_readers[0].Info.Crs);
             // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
-            m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_pointsPerChunk << 40 ^
+            m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_plan.PointsPerChunk << 40 ^
                 (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56;
 
             var sizes = NodeSizes.Default;
             if (m_settings.CellsLog2 > 0)
                 sizes.CellsLog2 = m_settings.CellsLog2;
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
-            m_build = new OctreeBuild(m_chunks, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId, m_folder,
-                m_settings.Sampler, sizes);
+            m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId,
+                m_folder, m_settings.Sampler, sizes);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))
                 while (work.MoveNext())
@@ -381,17 +559,37 @@ namespace FastPoints.Pipeline
         ConvertResult Finish()
         {
             m_progress?.Begin("finish");
-            m_folder.Complete(m_manifest);
+            var manifest = m_manifest;
+            if (m_journal.At == BuildJournal.Stage.Done)
+            {
+                // Killed between the last file and the name: all that is known of it is on disk.
+                string path = m_folder.PathOf(StoreFormat.ManifestName);
+                manifest = CloudManifest.FromJson(m_folder.ReadText(StoreFormat.ManifestName) ?? "", path);
+            }
+            else
+            {
+                m_folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
+                m_journal.At = BuildJournal.Stage.Done;
+                m_journal.LevelCount = m_build.LevelCount;
+                m_journal.BytesOfPlane = m_build.BytesOfPlane;
+                if (m_files != null)
+                    WriteJournal();
+            }
+            m_folder.Complete();
             var result = new ConvertResult
             {
-                Manifest = m_manifest,
-                LevelCount = m_build.LevelCount,
-                BytesOnDisk = m_folder.BytesWritten,
-                BytesOfPlane = m_build.BytesOfPlane,
-                PlaneNames = new string[m_build.BytesOfPlane.Length],
+                Manifest = manifest,
+                LevelCount = m_journal.LevelCount,
+                BytesOnDisk = m_folder.BytesOnDisk(),
+                TemporaryBytesPeak = m_files == null ? 0 : m_files.PeakBytes,
+                PointsPerChunk = m_plan.PointsPerChunk,
+                Note = m_note,
+                BytesOfPlane = m_journal.BytesOfPlane,
+                PlaneNames = new string[m_journal.BytesOfPlane.Length],
             };
+            var planes = manifest.CreateLayout().Planes;
             for (int p = 0; p < result.PlaneNames.Length; p++)
-                result.PlaneNames[p] = m_store.Layout.Planes[p].Name;
+                result.PlaneNames[p] = planes[p].Name;
             return result;
         }
     }

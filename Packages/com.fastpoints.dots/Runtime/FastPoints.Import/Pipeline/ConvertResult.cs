@@ -11,6 +11,15 @@ namespace FastPoints.Pipeline
         public int LevelCount;
         public long BytesOnDisk;
 
+        /// <summary>Most bytes that temporary files had; 0 where all points were in memory.</summary>
+        public long TemporaryBytesPeak;
+
+        /// <summary>What chunks were made for: the stored bytes depend on it.</summary>
+        public long PointsPerChunk;
+
+        /// <summary>About a build of this target that was broken off before, or null.</summary>
+        public string Note;
+
         /// <summary>The planes' names and bytes, position first.</summary>
         public string[] PlaneNames;
         public long[] BytesOfPlane;

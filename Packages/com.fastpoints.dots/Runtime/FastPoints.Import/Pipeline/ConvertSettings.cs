@@ -18,6 +18,14 @@ namespace FastPoints.Pipeline
         /// cloud. The stored bytes depend on it, and on nothing about the machine.</summary>
         public long PointsPerChunk;
 
+        /// <summary>For all that grows with the number of points: records, blocks being read, chunks in work. Points that do not
+        /// fit go to temporary files in the target's folder. Where it is little the chunks are smaller, by halves, and so other
+        /// bytes are stored.</summary>
+        public long MemoryBytes = 928L << 20;
+
+        /// <summary>A build that goes to files can be taken up after each so many points.</summary>
+        public long PointsPerCheckpoint = 8000000;
+
         /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
         /// same.</summary>
         public int ChunksAtOnce;

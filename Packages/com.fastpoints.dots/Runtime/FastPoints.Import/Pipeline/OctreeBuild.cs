@@ -14,23 +14,52 @@ namespace FastPoints.Pipeline
     /// levels.</summary>
     public sealed class OctreeBuild : IDisposable
     {
+        /// <summary>A chunk in work, and what comes of it.</summary>
+        sealed class Slot : IDisposable
+        {
+            public ChunkIndexer Indexer;
+            public RecordLoad Load;
+            public int Chunk = -1;
+            public WriteTicket Written;
+            public NativeArray<byte> Result;
+
+            public void Dispose()
+            {
+                Load?.Dispose();
+                Indexer.Dispose();
+                Written?.Wait();
+                if (Result.IsCreated)
+                    Result.Dispose();
+                Result = default;
+            }
+        }
+
         readonly ChunkSet m_chunks;
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;
         readonly GridCube m_root;
         readonly ulong m_cloudId;
         readonly CloudFolderWriter m_folder;
+        readonly RecordFiles m_files;
+        readonly MemoryPlan m_plan;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
-        readonly List<ChunkIndexer> m_indexers = new List<ChunkIndexer>();
+        readonly List<Slot> m_slots = new List<Slot>();
+        readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
-        readonly ChunkTop[] m_tops;
-        readonly ChunkRecord[] m_chunkRecords;
+        NativeReference<PagePool> m_pool;
+        UpperMerge m_merge;
 
-        public OctreeBuild(ChunkSet chunks, RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId,
-            CloudFolderWriter folder, Sampler sampler, NodeSizes sizes)
+        /// <param name="pool">Of the chunks' pages.</param>
+        /// <param name="files">Where their records are; null where they are in memory.</param>
+        public OctreeBuild(ChunkSet chunks, NativeReference<PagePool> pool, RecordFiles files, MemoryPlan plan,
+            RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
+            Sampler sampler, NodeSizes sizes)
         {
             m_chunks = chunks;
+            m_pool = pool;
+            m_files = files;
+            m_plan = plan;
             m_records = records;
             m_store = store;
             m_root = root;
@@ -38,43 +67,55 @@ namespace FastPoints.Pipeline
             m_folder = folder;
             m_sampler = sampler;
             m_sizes = sizes;
-            m_topRecords = new NativeArray<byte>[chunks.Chunks.Count];
-            m_tops = new ChunkTop[m_topRecords.Length];
-            m_chunkRecords = new ChunkRecord[m_topRecords.Length];
+            m_results = new ChunkResult[chunks.Chunks.Count];
+            m_topRecords = new NativeArray<byte>[m_results.Length];
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
         /// <summary>Sum of the hashes of all points that were written.</summary>
         public ulong Checksum { get; private set; }
-        public int NodeCount { get; private set; }
-
-        /// <summary>Chunks that have a file.</summary>
-        public int ChunkCount { get; private set; }
         public int LevelCount { get; private set; }
         public long[] BytesOfPlane { get; }
 
         /// <summary>Work for a pump: every chunk, several at once; then the upper levels and the hierarchy.</summary>
-        /// <param name="atOnce">Chunks in work: memory is theirs.</param>
+        /// <param name="atOnce">Chunks in work, where memory has room for them.</param>
         public IEnumerator<JobHandle> Run(int atOnce, CloudManifest manifest, StageProgress progress)
         {
             progress?.Begin("index");
             using (var chunks = IndexChunks(atOnce, progress))
                 while (chunks.MoveNext())
                     yield return chunks.Current;
+            foreach (var slot in m_slots)
+                slot.Dispose();
+            m_slots.Clear();
+            var pool = m_pool.Value;
+            pool.FreeAll();
+            m_pool.Value = pool;
+
             progress?.Begin("merge");
-            using (var upper = MergeUpper(manifest, progress))
+            int lowest = m_root.SideLog2;
+            foreach (var result in m_results)
+            {
+                Checksum += result.Checksum;
+                lowest = Math.Min(lowest, result.LowestSideLog2);
+                for (int p = 0; p < BytesOfPlane.Length; p++)
+                    BytesOfPlane[p] += result.BytesOfPlane[p];
+            }
+            m_merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes);
+            using (var upper = m_merge.Run(m_results, m_topRecords, m_plan.PointsPerChunk, manifest, progress))
                 while (upper.MoveNext())
                     yield return upper.Current;
-            foreach (var indexer in m_indexers)
-                for (int p = 0; p < BytesOfPlane.Length; p++)
-                    BytesOfPlane[p] += indexer.BytesOfPlane[p];
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] += m_merge.BytesOfPlane[p];
+            LevelCount = m_results.Length == 0 ? 0 : m_root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
         }
 
         public void Dispose()
         {
-            foreach (var indexer in m_indexers)
-                indexer.Dispose();
-            m_indexers.Clear();
+            foreach (var slot in m_slots)
+                slot.Dispose();
+            m_slots.Clear();
+            m_merge?.Dispose();
             for (int i = 0; i < m_topRecords.Length; i++)
             {
                 if (m_topRecords[i].IsCreated)
@@ -86,149 +127,175 @@ namespace FastPoints.Pipeline
         IEnumerator<JobHandle> IndexChunks(int atOnce, StageProgress progress)
         {
             // The largest first, so that none is left for the end alone.
-            int count = m_topRecords.Length;
-            var order = new int[count];
-            var sizes = new long[count];
-            long total = 0, done = 0;
-            for (int i = 0; i < count; i++)
+            var order = new List<int>();
+            long total = 0, done = 0, largest = 1;
+            for (int i = 0; i < m_results.Length; i++)
             {
-                order[i] = i;
-                sizes[i] = -m_chunks.Chunks[i].Pages.Count;
-                total -= sizes[i];
+                long count = m_chunks.Chunks[i].Count;
+                total += count;
+                largest = Math.Max(largest, count);
+                if (m_files != null && TakeOver(i))
+                    done += count;
+                else
+                    order.Add(i);
             }
-            Array.Sort(sizes, order);
-            atOnce = Math.Max(1, Math.Min(atOnce, count));
+            order.Sort((a, b) =>
+            {
+                int bySize = m_chunks.Chunks[b].Count.CompareTo(m_chunks.Chunks[a].Count);
+                return bySize != 0 ? bySize : a.CompareTo(b);
+            });
+            long chunkBytes = largest * m_plan.IndexBytesPerPoint;
+            if (m_files == null)
+                chunkBytes -= largest * m_records.StrideBytes;
+            atOnce = (int)Math.Max(1, Math.Min(Math.Min(atOnce, order.Count), m_plan.IndexBytes / chunkBytes));
             for (int i = 0; i < atOnce; i++)
-                m_indexers.Add(new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes));
-            var written = new WriteTicket[atOnce];
-            for (int i = 0; i < count + atOnce; i++)
             {
-                var indexer = m_indexers[i % atOnce];
-                if (i >= atOnce)
+                m_slots.Add(new Slot
                 {
-                    yield return indexer.Job;
-                    indexer.Job.Complete();
-                    Finish(indexer);
-                    written[i % atOnce] = Write(indexer);
-                    done -= sizes[i - atOnce];
-                    progress?.Report(done / (double)total, done, m_folder.BytesWritten);
-                }
-                if (i >= count)
-                    continue;
-                // The file's memory is the indexer's: it is written before the next chunk overwrites it.
-                while (written[i % atOnce] != null && !written[i % atOnce].IsDone(1))
-                    yield return default;
-                indexer.Begin(m_chunks.Chunks[order[i]], order[i]);
+                    Indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes),
+                    Load = m_files == null ? null : new RecordLoad(m_files, m_records.StrideBytes),
+                });
             }
-            foreach (var ticket in written)
-                while (ticket != null && !ticket.IsDone(1))
-                    yield return default;
-        }
-
-        WriteTicket Write(ChunkIndexer indexer) =>
-            indexer.File.Length == 0 ? null : m_folder.Write(StoreFormat.ChunkPath(indexer.Number), indexer.File.AsArray());
-
-        unsafe void Finish(ChunkIndexer indexer)
-        {
-            int number = indexer.Number;
-            Checksum += indexer.Checksum;
-            var top = indexer.Drafts[0];
-            m_topRecords[number] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-            m_tops[number] = new ChunkTop
-            {
-                SideLog2 = top.SideLog2,
-                CellLog2 = top.CellLog2,
-                IsLeaf = top.IsLeaf,
-                HasNodes = indexer.File.Length > 0,
-                AttachNode = -1,
-            };
-            if (indexer.File.Length == 0)
-                return;
-            var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
-            ChunkCount++;
-            NodeCount += header.NodeCount;
-            foreach (var draft in indexer.Drafts.AsArray())
-                LevelCount = Math.Max(LevelCount, m_root.SideLog2 - draft.SideLog2 + 1);
-            m_chunkRecords[number] = new ChunkRecord
-            {
-                Corner = indexer.Chunk.Cube.Corner,
-                SideLog2 = indexer.Chunk.Cube.SideLog2,
-                Number = number,
-                NodeCount = header.NodeCount,
-                PointCount = header.PointCount,
-                FileBytes = header.FileBytes,
-                TableOffset = header.TableOffset,
-                TableHash = header.TableHash,
-            };
-        }
-
-        IEnumerator<JobHandle> MergeUpper(CloudManifest manifest, StageProgress progress)
-        {
-            int chunkCount = m_topRecords.Length;
-            long bytes = 0;
-            foreach (var records in m_topRecords)
-                bytes += records.Length;
-            var all = new NativeArray<byte>(checked((int)bytes), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var tops = new NativeArray<ChunkTop>(m_tops, Allocator.Persistent);
-            var upper = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
-            m_indexers.Add(upper);
-            var hierarchy = default(NativeArray<byte>);
-            WriteTicket ticket = null;
+            var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
+            var check = default(JobHandle);
             try
             {
-                int at = 0;
-                for (int i = 0; i < chunkCount; i++)
+                for (int i = 0; i < order.Count + atOnce; i++)
                 {
-                    NativeArray<byte>.Copy(m_topRecords[i], 0, all, at, m_topRecords[i].Length);
-                    var top = tops[i];
-                    top.First = at / m_records.StrideBytes;
-                    at += m_topRecords[i].Length;
-                    top.End = at / m_records.StrideBytes;
-                    tops[i] = top;
-                    m_topRecords[i].Dispose();
-                    m_topRecords[i] = default;
-                    yield return default;
-                }
-                upper.BeginUpper(all, tops, m_root);
-                yield return upper.Job;
-                upper.Job.Complete();
-                foreach (var draft in upper.Drafts.AsArray())
-                    LevelCount = Math.Max(LevelCount, m_root.SideLog2 - draft.SideLog2 + 1);
-                if (upper.File.Length > 0)
-                {
-                    ticket = m_folder.Write(StoreFormat.UpperName, upper.File.AsArray());
-                    manifest.UpperBytes = upper.File.Length;
-                }
-                NodeCount += upper.Drafts.Length;
-                manifest.NodeCount = NodeCount;
-                manifest.ChunkCount = ChunkCount;
-
-                var records = new List<ChunkRecord>();
-                for (int i = 0; i < chunkCount; i++)
-                {
-                    if (!tops[i].HasNodes)
+                    var slot = m_slots[i % atOnce];
+                    if (i >= atOnce)
+                    {
+                        yield return slot.Indexer.Job;
+                        slot.Indexer.Job.Complete();
+                        Finish(slot);
+                        done += m_chunks.Chunks[slot.Chunk].Count;
+                        progress?.Report(done / (double)total, done, 0);
+                    }
+                    // The file's memory is the indexer's: it is written before the next chunk overwrites it.
+                    while (slot.Written != null && !slot.Written.IsDone(1))
+                        yield return default;
+                    Clear(slot);
+                    if (i >= order.Count)
                         continue;
-                    m_chunkRecords[i].AttachNode = upper.NodeOfDraft[tops[i].AttachNode];
-                    records.Add(m_chunkRecords[i]);
+                    slot.Chunk = order[i];
+                    var chunk = m_chunks.Chunks[slot.Chunk];
+                    if (m_files != null)
+                    {
+                        var pool = m_pool.Value;
+                        slot.Load.Begin(chunk.Runs, 0, chunk.Count, ref pool);
+                        m_pool.Value = pool;
+                        yield return slot.Load.Done;
+                        chunk.Pages = slot.Load.Complete();
+                        // What comes from a disk is checked before anything is computed with it.
+                        bounds[0] = PointFindings.None.Min;
+                        bounds[1] = PointFindings.None.Max;
+                        check = new MeasurePagesJob { Pages = chunk.Pages, Layout = m_records, Bounds = bounds }.Schedule();
+                        yield return check;
+                        check.Complete();
+                        if (!chunk.Cube.Contains(bounds[0]) || !chunk.Cube.Contains(bounds[1]))
+                            throw new PointCloudException(FailureCode.ReadFailed, m_files.PathOf(chunk.Runs[0].File), -1,
+                                "the points that were set aside there are damaged: delete the folder, and start again");
+                    }
+                    slot.Indexer.Begin(chunk.Cube, chunk.Pages, slot.Chunk);
                 }
-                hierarchy = HierarchyFile.Create(upper.Table.AsArray(), upper.Drafts.Length, m_store.Layout.Planes.Count, records,
-                    manifest);
-                while (ticket != null && !ticket.IsDone(1))
-                    yield return default;
-                ticket = m_folder.Write(StoreFormat.HierarchyName, hierarchy);
-                while (!ticket.IsDone(1))
-                    yield return default;
-                progress?.Report(1, at / m_records.StrideBytes, m_folder.BytesWritten);
             }
             finally
             {
-                upper.Job.Complete();
-                ticket?.Wait();
-                if (hierarchy.IsCreated)
-                    hierarchy.Dispose();
-                tops.Dispose();
-                all.Dispose();
+                check.Complete();
+                bounds.Dispose();
             }
+        }
+
+        /// <summary>A chunk that the build before this one has done.</summary>
+        bool TakeOver(int chunk)
+        {
+            string path = m_folder.PathOf(BuildFiles.TopPath(chunk));
+            if (!System.IO.File.Exists(path))
+                return false;
+            using (var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent))
+            {
+                var result = ChunkResult.FromBytes(bytes, m_cloudId, BytesOfPlane.Length, m_records.StrideBytes);
+                if (result == null || result.Record.Number != chunk)
+                    return false;
+                string file = m_folder.PathOf(StoreFormat.ChunkPath(chunk));
+                if (result.Top.HasNodes && (!System.IO.File.Exists(file) || StoreFile.SizeOf(file) != result.Record.FileBytes))
+                    return false;
+                m_results[chunk] = result;
+            }
+            foreach (var run in m_chunks.Chunks[chunk].Runs)
+                m_files.Release(run.File);
+            return true;
+        }
+
+        void Finish(Slot slot)
+        {
+            var indexer = slot.Indexer;
+            var result = Describe(indexer);
+            m_results[slot.Chunk] = result;
+            var pages = indexer.Pages;
+            var pool = m_pool.Value;
+            pool.Return(ref pages);
+            m_pool.Value = pool;
+            m_chunks.Chunks[slot.Chunk].Pages = default;
+            if (result.Top.HasNodes)
+                slot.Written = m_folder.Write(StoreFormat.ChunkPath(slot.Chunk), indexer.File.AsArray());
+            if (m_files == null)
+            {
+                m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
+                return;
+            }
+            // After the chunk's own file: where this one is, the chunk is done.
+            slot.Result = result.ToBytes(indexer.Top.AsArray(), m_cloudId);
+            slot.Written = m_folder.Write(BuildFiles.TopPath(slot.Chunk), slot.Result);
+        }
+
+        void Clear(Slot slot)
+        {
+            slot.Written = null;
+            if (slot.Result.IsCreated)
+            {
+                slot.Result.Dispose();
+                foreach (var run in m_chunks.Chunks[slot.Chunk].Runs)
+                    m_files.Release(run.File);
+            }
+            slot.Result = default;
+        }
+
+        unsafe ChunkResult Describe(ChunkIndexer indexer)
+        {
+            var top = indexer.Drafts[0];
+            var result = new ChunkResult
+            {
+                Checksum = indexer.Checksum,
+                TopPoints = top.Count,
+                LowestSideLog2 = top.SideLog2,
+                BytesOfPlane = indexer.BytesOfPlane.ToArray(),
+                Top = new ChunkTop
+                {
+                    SideLog2 = top.SideLog2,
+                    CellLog2 = top.CellLog2,
+                    IsLeaf = top.IsLeaf,
+                    HasNodes = indexer.File.Length > 0,
+                    AttachNode = -1,
+                },
+                Record = new ChunkRecord
+                {
+                    Corner = indexer.Cube.Corner,
+                    SideLog2 = indexer.Cube.SideLog2,
+                    Number = indexer.Number,
+                },
+            };
+            foreach (var draft in indexer.Drafts.AsArray())
+                result.LowestSideLog2 = Math.Min(result.LowestSideLog2, draft.SideLog2);
+            if (indexer.File.Length == 0)
+                return result;
+            var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
+            result.Record.NodeCount = header.NodeCount;
+            result.Record.PointCount = header.PointCount;
+            result.Record.FileBytes = header.FileBytes;
+            result.Record.TableOffset = header.TableOffset;
+            result.Record.TableHash = header.TableHash;
+            return result;
         }
     }
 }

@@ -27,6 +27,7 @@ namespace FastPoints.Pipeline
                 NativeArrayOptions.UninitializedMemory);
             FirstOfChunk = new NativeArray<int>(map.Chunks.Length + 2, Allocator.Persistent);
             Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
+            Detached = new NativeList<DetachedPages>(8, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             var findings = new AttributeFindings[attributes.Count];
             var fields = new RecordField[attributes.Count];
@@ -56,6 +57,9 @@ namespace FastPoints.Pipeline
         public NativeReference<PointFindings> Findings { get; }
         public NativeArray<AttributeFindings> Attributes { get; }
 
+        /// <summary>Of the last block: pages that are to be written.</summary>
+        public NativeList<DetachedPages> Detached { get; }
+
         public JobHandle ScheduleGrouping(BlockRead read, in SourceGrid grid, JobHandle decoded)
         {
             var batch = read.Points;
@@ -79,6 +83,22 @@ namespace FastPoints.Pipeline
             }.Schedule(decoded);
         }
 
+        /// <summary>What the blocks since the last call showed.</summary>
+        /// <param name="attributes">By attribute: their findings are taken in.</param>
+        public PointFindings TakeFindings(AttributeFindings[] attributes)
+        {
+            var findings = Findings;
+            var found = findings.Value;
+            findings.Value = PointFindings.None;
+            var own = Attributes;
+            for (int a = 0; a < own.Length; a++)
+            {
+                attributes[a].Include(own[a]);
+                own[a] = AttributeFindings.None;
+            }
+            return found;
+        }
+
         public void Dispose()
         {
             if (!m_fields.IsCreated)
@@ -86,6 +106,7 @@ namespace FastPoints.Pipeline
             Records.Dispose();
             FirstOfChunk.Dispose();
             Findings.Dispose();
+            Detached.Dispose();
             Attributes.Dispose();
             m_fields.Dispose();
             m_chunkOfPoint.Dispose();

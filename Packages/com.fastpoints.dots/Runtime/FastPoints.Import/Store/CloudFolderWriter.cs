@@ -5,6 +5,7 @@ using System.Text;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Octree;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
@@ -22,11 +23,27 @@ namespace FastPoints.Store
         const string LockName = "build.lock";
         const string TemporarySuffix = ".tmp";
 
+        enum OrderKind
+        {
+            /// <summary>A file in one piece.</summary>
+            Whole,
+            /// <summary>A piece of a file that has its temporary name still.</summary>
+            Piece,
+            /// <summary>The first bytes of such a file, which is complete then.</summary>
+            Seal,
+            /// <summary>Records at the end of a file that the build alone reads.</summary>
+            Records,
+        }
+
         struct Order
         {
+            public OrderKind Kind;
             public string Path;
             public IntPtr Bytes;
             public long Count;
+            public long Offset;
+            public RecordPages Pages;
+            public int StrideBytes;
             public WriteTicket Ticket;
         }
 
@@ -37,7 +54,6 @@ namespace FastPoints.Store
         FileStream m_lock;
         bool m_isEnding;
         bool m_isComplete;
-        long m_bytesWritten;
 
         /// <param name="target">The folder to be: absent, empty, or a cloud that the new one replaces.</param>
         /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being built.</exception>
@@ -50,8 +66,9 @@ namespace FastPoints.Store
             {
                 Directory.CreateDirectory(m_part);
                 m_lock = Lock(Path.Combine(m_part, LockName));
-                DeleteContents();
-                Directory.CreateDirectory(Path.Combine(m_part, StoreFormat.ChunkFolderName));
+                HasLeftovers = Directory.GetFileSystemEntries(m_part).Length > 1;
+                if (!File.Exists(PathOf(BuildFiles.JournalName)))
+                    Clear();
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -62,35 +79,163 @@ namespace FastPoints.Store
             m_thread.Start();
         }
 
-        public long BytesWritten => Interlocked.Read(ref m_bytesWritten);
+        /// <summary>Whether a build of this target was killed before.</summary>
+        public bool HasLeftovers { get; }
 
-        /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
-        public WriteTicket Write(string name, NativeArray<byte> bytes)
+        /// <summary>What a build that was killed says of itself, or null where there is none.</summary>
+        public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
+
+        /// <summary>Writes a small file on the calling thread, in place of the one of that name.</summary>
+        public void WriteText(string name, string text)
         {
-            var ticket = new WriteTicket();
-            lock (m_orders)
+            try
             {
-                m_orders.Enqueue(new Order
-                {
-                    Path = Path.Combine(m_part, name),
-                    Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
-                    Count = bytes.Length,
-                    Ticket = ticket,
-                });
-                Monitor.PulseAll(m_orders);
+                byte[] bytes = new UTF8Encoding(false).GetBytes(text);
+                fixed (byte* first = bytes)
+                    WriteFile(PathOf(name), first, bytes.Length);
             }
-            return ticket;
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(PathOf(name), e);
+            }
         }
 
-        /// <summary>Writes cloud.json last of all, and gives the folder its name. Everything queued is done.</summary>
-        public void Complete(CloudManifest manifest)
+        /// <summary>Cuts a file to a size; 0 deletes it.</summary>
+        /// <returns>Whether it has that size now: false where it was shorter.</returns>
+        public bool Truncate(string name, long bytes)
+        {
+            string path = PathOf(name);
+            try
+            {
+                if (bytes == 0)
+                {
+                    File.Delete(path);
+                    return true;
+                }
+                if (!File.Exists(path))
+                    return false;
+                using (var file = new FileStream(path, FileMode.Open, FileAccess.Write))
+                {
+                    if (file.Length < bytes)
+                        return false;
+                    file.SetLength(bytes);
+                    return true;
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Deletes what is in a folder of the build.</summary>
+        /// <param name="kept">Paths that are not deleted.</param>
+        public void DeleteOthers(string folder, ICollection<string> kept)
+        {
+            try
+            {
+                foreach (string file in Directory.GetFiles(PathOf(folder)))
+                    if (!kept.Contains(PathOf(folder + "/" + Path.GetFileName(file))))
+                        File.Delete(file);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(PathOf(folder), e);
+            }
+        }
+
+        /// <summary>Deletes everything that is there: the build begins anew.</summary>
+        public void Clear()
+        {
+            try
+            {
+                foreach (string folder in Directory.GetDirectories(m_part))
+                    Directory.Delete(folder, true);
+                foreach (string file in Directory.GetFiles(m_part))
+                    if (Path.GetFileName(file) != LockName)
+                        File.Delete(file);
+                Directory.CreateDirectory(PathOf(StoreFormat.ChunkFolderName));
+                Directory.CreateDirectory(PathOf(BuildFiles.RecordFolderName));
+                Directory.CreateDirectory(PathOf(BuildFiles.TopFolderName));
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(m_part, e);
+            }
+        }
+
+        /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
+        public WriteTicket Write(string name, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, name, bytes, 0);
+
+        /// <summary>Queues a piece of a file, which is there when <see cref="Seal"/> is done with it. The bytes belong to the writer
+        /// until the ticket is done.</summary>
+        /// <param name="offset">Of the piece in the file.</param>
+        public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
+            Enqueue(OrderKind.Piece, name, bytes, offset);
+
+        /// <summary>Queues the first bytes of a file in pieces, with which it is complete.</summary>
+        public WriteTicket Seal(string name, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, name, bytes, 0);
+
+        /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
+        /// <param name="offset">The file's size so far.</param>
+        public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
+        {
+            Kind = OrderKind.Records,
+            Path = Path.Combine(m_part, name),
+            Pages = pages,
+            StrideBytes = strideBytes,
+            Offset = offset,
+            Ticket = new WriteTicket(),
+        });
+
+        /// <summary>Path of a file of the folder while it is in the making.</summary>
+        public string PathOf(string name) => Path.Combine(m_part, name);
+
+        /// <summary>Deletes a file that the build needs no more; nothing is queued for it.</summary>
+        public void Delete(string name)
+        {
+            string path = PathOf(name);
+            try
+            {
+                File.Delete(path);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Bytes of the cloud when it is complete.</summary>
+        public long BytesOnDisk()
+        {
+            long bytes = 0;
+            foreach (string file in Directory.GetFiles(m_target, "*", SearchOption.AllDirectories))
+                bytes += new FileInfo(file).Length;
+            return bytes;
+        }
+
+        /// <summary>Bytes that the target's disk has room for; -1 where nobody says.</summary>
+        public long FreeBytes()
+        {
+            try
+            {
+                return new DriveInfo(Path.GetFullPath(m_part)).AvailableFreeSpace;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return -1;
+            }
+        }
+
+        /// <summary>Gives the folder its name. Everything is written, cloud.json last of all.</summary>
+        public void Complete()
         {
             EndThread();
             try
             {
-                byte[] json = new UTF8Encoding(false).GetBytes(manifest.ToJson());
-                fixed (byte* bytes = json)
-                    WriteFile(Path.Combine(m_part, StoreFormat.ManifestName), bytes, json.Length);
+                foreach (string folder in new[] { BuildFiles.RecordFolderName, BuildFiles.TopFolderName })
+                    if (Directory.Exists(PathOf(folder)))
+                        Directory.Delete(PathOf(folder), true);
                 m_lock.Dispose();
                 m_lock = null;
                 File.Delete(Path.Combine(m_part, LockName));
@@ -104,6 +249,7 @@ namespace FastPoints.Store
                 }
                 Directory.Move(m_part, m_target);
                 m_isComplete = true;
+                File.Delete(Path.Combine(m_target, BuildFiles.JournalName));
                 if (old != null)
                     Directory.Delete(old, true);
             }
@@ -151,20 +297,10 @@ namespace FastPoints.Store
             {
                 return new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
             }
-            catch (IOException e)
+            catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
             {
                 throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by another process", e);
             }
-        }
-
-        /// <summary>What a build that was killed has left.</summary>
-        void DeleteContents()
-        {
-            foreach (string folder in Directory.GetDirectories(m_part))
-                Directory.Delete(folder, true);
-            foreach (string file in Directory.GetFiles(m_part))
-                if (Path.GetFileName(file) != LockName)
-                    File.Delete(file);
         }
 
         void EndThread()
@@ -179,6 +315,7 @@ namespace FastPoints.Store
 
         void WriteOrders()
         {
+            Exception failure = null;
             while (true)
             {
                 Order order;
@@ -190,10 +327,11 @@ namespace FastPoints.Store
                         return;
                     order = m_orders.Dequeue();
                 }
-                Exception failure = null;
+                // After a failure nothing is written any more: what follows would rely on what is missing.
                 try
                 {
-                    WriteFile(order.Path, (byte*)order.Bytes, order.Count);
+                    if (failure == null)
+                        Carry(order);
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))
                 {
@@ -203,21 +341,91 @@ namespace FastPoints.Store
             }
         }
 
+        WriteTicket Enqueue(OrderKind kind, string name, NativeArray<byte> bytes, long offset) => Enqueue(new Order
+        {
+            Kind = kind,
+            Path = Path.Combine(m_part, name),
+            Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
+            Count = bytes.Length,
+            Offset = offset,
+            Ticket = new WriteTicket(),
+        });
+
+        WriteTicket Enqueue(Order order)
+        {
+            lock (m_orders)
+            {
+                m_orders.Enqueue(order);
+                Monitor.PulseAll(m_orders);
+            }
+            return order.Ticket;
+        }
+
+        void Carry(in Order order)
+        {
+            var bytes = (byte*)order.Bytes;
+            string temporary = order.Path + TemporarySuffix;
+            switch (order.Kind)
+            {
+                case OrderKind.Whole:
+                    WriteFile(order.Path, bytes, order.Count);
+                    break;
+                case OrderKind.Piece:
+                    using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
+                        Write(file, bytes, order.Count);
+                    break;
+                case OrderKind.Seal:
+                    using (var file = Open(temporary, FileMode.OpenOrCreate, 0))
+                    {
+                        Write(file, bytes, order.Count);
+                        file.Flush(true);
+                    }
+                    Rename(temporary, order.Path);
+                    break;
+                default:
+                    using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))
+                        for (var page = order.Pages.First; page != null; page = page->Next)
+                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * order.StrideBytes));
+                    break;
+            }
+        }
+
         void WriteFile(string path, byte* bytes, long count)
         {
             string temporary = path + TemporarySuffix;
-            using (var file = new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None, 1))
+            using (var file = Open(temporary, FileMode.Create, 0))
             {
-                for (long done = 0; done < count;)
-                {
-                    int piece = (int)Math.Min(PieceBytes, count - done);
-                    file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
-                    done += piece;
-                    Interlocked.Add(ref m_bytesWritten, piece);
-                }
+                Write(file, bytes, count);
                 file.Flush(true);
             }
-            File.Move(temporary, path);
+            Rename(temporary, path);
+        }
+
+        static FileStream Open(string path, FileMode mode, long offset)
+        {
+            // A buffer of one byte: what is written goes straight on.
+            var file = new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
+            file.Position = offset;
+            return file;
+        }
+
+        static void Write(FileStream file, byte* bytes, long count)
+        {
+            for (long done = 0; done < count;)
+            {
+                int piece = (int)Math.Min(PieceBytes, count - done);
+                file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
+                done += piece;
+            }
+        }
+
+        /// <summary>In place of what is there, if anything is.</summary>
+        static void Rename(string from, string to)
+        {
+            if (File.Exists(to))
+                File.Replace(from, to, null);
+            else
+                File.Move(from, to);
         }
     }
 }
