@@ -36,7 +36,8 @@ namespace FastPoints.Cli
                 "TB" => 1e12,
                 _ => 0,
             };
-            if (unit == 0 || !double.TryParse(digits, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double count)
+            if (unit == 0 || !double.TryParse(digits, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture,
+                out double count)
                 || count * unit >= long.MaxValue)
                 throw new UsageException("--memory: wanted a size such as 300MiB, 1.5GiB or 2GB, got " + text);
             return (long)(count * unit);

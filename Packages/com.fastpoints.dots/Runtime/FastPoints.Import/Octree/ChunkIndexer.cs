@@ -195,7 +195,8 @@ namespace FastPoints.Octree
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records, NativeArray<int> nodeOfPoint,
+        JobHandle Write(int count, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
+            NativeArray<int> nodeOfPoint,
             JobHandle inputDeps)
         {
             return new WriteNodesJob

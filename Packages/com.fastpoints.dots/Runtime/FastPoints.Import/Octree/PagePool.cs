@@ -98,7 +98,8 @@ namespace FastPoints.Octree
             long pageBytes = RecordPages.PageBytes(StrideBytes);
             if (m_pagesLeft == 0)
             {
-                var slab = (Slab*)UnsafeUtility.Malloc(HeaderBytes + m_pagesPerSlab * pageBytes, HeaderBytes, Allocator.Persistent);
+                var slab = (Slab*)UnsafeUtility.Malloc(HeaderBytes + m_pagesPerSlab * pageBytes, HeaderBytes,
+                    Allocator.Persistent);
                 slab->Next = m_slabs;
                 m_slabs = slab;
                 m_next = (byte*)slab + HeaderBytes;

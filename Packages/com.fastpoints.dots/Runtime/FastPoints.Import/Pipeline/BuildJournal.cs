@@ -61,7 +61,8 @@ namespace FastPoints.Pipeline
 
         public string ToJson()
         {
-            var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage", At.ToString())
+            var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
+                At.ToString())
                 .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
                 .Add("levelCount", LevelCount)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
@@ -172,7 +173,8 @@ namespace FastPoints.Pipeline
             return journal;
         }
 
-        static ulong Hex(object value) => ulong.Parse((string)value, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture);
+        static ulong Hex(object value) => ulong.Parse((string)value, NumberStyles.AllowHexSpecifier,
+            CultureInfo.InvariantCulture);
 
         static Grid3 Place(object value)
         {

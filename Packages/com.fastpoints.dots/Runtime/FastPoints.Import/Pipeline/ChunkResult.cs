@@ -8,7 +8,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// What is left of a chunk when its nodes are written: its top node's points and what the merge and the hierarchy need to know.
+    /// What is left of a chunk when its nodes are written: its top node's points and what the merge and the hierarchy need to
+    /// know.
     /// Between chunk and merge it is kept in memory, or in a file that also shows, after a kill, which chunks are done.
     /// </summary>
     public sealed unsafe class ChunkResult
@@ -72,7 +73,8 @@ namespace FastPoints.Pipeline
         {
             var start = (byte*)file.GetUnsafeReadOnlyPtr();
             var header = (Header*)start;
-            if (file.Length < sizeof(Header) || header->Hash != ContentHash.Of(start + sizeof(ulong), file.Length - sizeof(ulong)) ||
+            if (file.Length < sizeof(Header) || header->Hash != ContentHash.Of(start + sizeof(ulong),
+                file.Length - sizeof(ulong)) ||
                 header->CloudId != cloudId || header->PlaneCount != planeCount || header->TopPoints < 0 ||
                 file.Length != RecordsOffset(planeCount) + (long)header->TopPoints * strideBytes)
                 return null;

@@ -186,7 +186,8 @@ namespace FastPoints.Pipeline
             m_grid = GridChoice.Choose(infos, m_sampleFindings, m_attributes.BytesPerPoint);
             int stride = m_grid.Records.StrideBytes;
             m_plan = MemoryPlan.For(m_points, stride, m_settings);
-            m_pool = new NativeReference<PagePool>(new PagePool(stride, m_points / RecordPages.RecordsPerPage), Allocator.Persistent);
+            m_pool = new NativeReference<PagePool>(new PagePool(stride, m_points / RecordPages.RecordsPerPage),
+                Allocator.Persistent);
 
             var cube = FirstCube();
             int levels = PartitionMap.LevelsFor(cube.SideLog2, PartitionMap.MaxLevels);
@@ -219,14 +220,15 @@ namespace FastPoints.Pipeline
             m_samples.Clear();
         }
 
-        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are on
-        /// disk.</summary>
+        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
+        /// on disk.</summary>
         void TakeUp()
         {
             m_identity = Identify();
             m_journal = new BuildJournal { Identity = m_identity };
             m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool,
-                m_plan.IsStored ? m_files = new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null, m_plan, m_points, m_progress);
+                m_plan.IsStored ? m_files = new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null, m_plan, m_points,
+                    m_progress);
             m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2);
             string text = m_folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
@@ -244,8 +246,8 @@ namespace FastPoints.Pipeline
                 m_scatter.Skip(points);
                 for (int a = 0; a < journal.Attributes.Length; a++)
                     m_scatter.Attributes[a] = journal.Attributes[a];
-                m_note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of {1} points were "
-                    + "read", points, m_points);
+                m_note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of {1} "
+                    + "points were read", points, m_points);
             }
             else
             {
@@ -269,7 +271,8 @@ namespace FastPoints.Pipeline
             long needed = (m_points - m_scatter.Findings.Count) * m_grid.Records.StrideBytes, free = m_folder.FreeBytes();
             if (m_journal.At == BuildJournal.Stage.Read && free >= 0 && free < needed)
                 throw new PointCloudException(FailureCode.DiskFull, m_target, -1, string.Format(CultureInfo.InvariantCulture,
-                    "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}", needed, free));
+                    "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}",
+                        needed, free));
         }
 
         /// <summary>What the stored bytes and the temporary files depend on.</summary>
@@ -279,14 +282,16 @@ namespace FastPoints.Pipeline
             foreach (var reader in m_readers)
             {
                 string path = reader.Info.Path;
-                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|').Append(reader.PointCount)
+                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount)
                     .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
             }
             foreach (var attribute in m_attributes)
                 text.Append(attribute).Append('\n');
             text.Append(m_plan.PointsPerChunk).Append('|').Append(m_plan.PointsPerPartition).Append('|').Append(m_plan.IsStored)
                 .Append('|').Append(StoreFormat.Version).Append('|').Append(m_grid.Records.StrideBytes).Append('|')
-                .Append(m_map.Chunks.Length).Append('|').Append(m_map.Cube).Append('|').Append(m_settings.Sampler).Append('|').Append(m_settings.CellsLog2);
+                .Append(m_map.Chunks.Length).Append('|').Append(m_map.Cube).Append('|').Append(m_settings.Sampler)
+                .Append('|').Append(m_settings.CellsLog2);
             string all = text.ToString();
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^
@@ -430,7 +435,12 @@ namespace FastPoints.Pipeline
         }
 
         void AddSource(string path, long fileBytes, long points) =>
-            m_manifest.Sources.Add(new CloudManifest.Source { Name = Path.GetFileName(path), FileBytes = fileBytes, Points = points });
+            m_manifest.Sources.Add(new CloudManifest.Source
+            {
+                Name = Path.GetFileName(path),
+                FileBytes = fileBytes,
+                Points = points
+            });
 
         void Warn(SourceInfo info, in PointFindings found)
         {
@@ -534,7 +544,8 @@ namespace FastPoints.Pipeline
             if (m_settings.CellsLog2 > 0)
                 sizes.CellsLog2 = m_settings.CellsLog2;
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
-            m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root, m_manifest.CloudId,
+            m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
+                m_manifest.CloudId,
                 m_folder, m_settings.Sampler, sizes);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))

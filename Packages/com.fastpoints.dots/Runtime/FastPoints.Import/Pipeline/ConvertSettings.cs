@@ -10,7 +10,8 @@ namespace FastPoints.Pipeline
 
         public Sampler Sampler;
 
-        /// <summary>log2 of the sampling cells along a node's edge, 4 to 8: the spacing is the node's edge by that; 0 for the default
+        /// <summary>log2 of the sampling cells along a node's edge, 4 to 8: the spacing is the node's edge by that; 0 for the
+        /// default
         /// of <see cref="NodeSizes"/>.</summary>
         public int CellsLog2;
 

@@ -4,7 +4,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Pipeline
 {
-    /// <summary>Neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes that
+    /// <summary>Neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes
+    /// that
     /// have no more than some number of points.</summary>
     public static class CubeGroups
     {

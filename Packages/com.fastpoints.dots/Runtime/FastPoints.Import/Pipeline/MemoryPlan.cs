@@ -4,7 +4,8 @@ using FastPoints.Octree;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// What a build's memory is divided into. Chunks, and with them the stored bytes, depend on the number of points, the bytes of
+    /// What a build's memory is divided into. Chunks, and with them the stored bytes, depend on the number of points, the bytes
+    /// of
     /// a record and the memory that was allowed: not on how many threads there are.
     /// </summary>
     public sealed class MemoryPlan

@@ -53,7 +53,8 @@ namespace FastPoints.Pipeline
 
         /// <summary>Takes over the files of a build that was killed: as long as its journal knows them, the others
         /// deleted.</summary>
-        /// <returns>Whether they are all there, but for those of chunks that may be done; otherwise nothing was taken over.</returns>
+        /// <returns>Whether they are all there, but for those of chunks that may be done; otherwise nothing was taken
+        /// over.</returns>
         public bool TakeOver(BuildJournal journal)
         {
             var users = new int[journal.Records.Count];

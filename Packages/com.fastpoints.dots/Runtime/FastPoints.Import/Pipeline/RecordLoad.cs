@@ -54,7 +54,12 @@ namespace FastPoints.Pipeline
                     var page = pool.Take();
                     page->Count = (int)Math.Min(left, RecordPages.RecordsPerPage);
                     long bytes = (long)page->Count * m_strideBytes;
-                    commands[commandCount++] = new ReadCommand { Buffer = RecordPages.RecordsOf(page), Offset = offset, Size = bytes };
+                    commands[commandCount++] = new ReadCommand
+                    {
+                        Buffer = RecordPages.RecordsOf(page),
+                        Offset = offset,
+                        Size = bytes
+                    };
                     m_pages.AddPage(page);
                     left -= page->Count;
                     offset += bytes;

@@ -151,7 +151,8 @@ namespace FastPoints.Pipeline
                     }
                     else
                     {
-                        read.Begin(m_folder.PathOf(BuildFiles.TopPath(member.Chunk)), ChunkResult.RecordsOffset(BytesOfPlane.Length),
+                        read.Begin(m_folder.PathOf(BuildFiles.TopPath(member.Chunk)),
+                            ChunkResult.RecordsOffset(BytesOfPlane.Length),
                             bytes);
                         yield return read.Done;
                         read.Complete();

@@ -5,7 +5,8 @@ using Unity.Collections;
 namespace FastPoints.Pipeline
 {
     /// <summary>
-    /// Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a region, as a
+    /// Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a region,
+    /// as a
     /// chunk's, belongs to the region above; the root's has none above. Owns its table.
     /// </summary>
     public sealed class UpperRegion : IDisposable
@@ -20,7 +21,8 @@ namespace FastPoints.Pipeline
         /// <summary>What is added to the planes' offsets.</summary>
         public long PlaneShift;
 
-        /// <summary>The region above, and the draft there that this region's parentless nodes hang on. Null for the root.</summary>
+        /// <summary>The region above, and the draft there that this region's parentless nodes hang on. Null for the
+        /// root.</summary>
         public UpperRegion Above;
         public int AttachDraft;
 

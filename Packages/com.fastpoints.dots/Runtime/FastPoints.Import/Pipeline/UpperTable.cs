@@ -61,7 +61,8 @@ namespace FastPoints.Pipeline
                 }
             }
 
-            var table = new NativeArray<byte>(count * (NodeRecord.SizeBytes + planeCount * PlaneRange.SizeBytes), Allocator.Persistent);
+            var table = new NativeArray<byte>(count * (NodeRecord.SizeBytes + planeCount * PlaneRange.SizeBytes),
+                Allocator.Persistent);
             var toNodes = (NodeRecord*)table.GetUnsafePtr();
             var toPlanes = (PlaneRange*)(toNodes + count);
             foreach (var region in regions)

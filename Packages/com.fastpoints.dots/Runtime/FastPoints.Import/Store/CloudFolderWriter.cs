@@ -167,7 +167,8 @@ namespace FastPoints.Store
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, name, bytes, 0);
 
-        /// <summary>Queues a piece of a file, which is there when <see cref="Seal"/> is done with it. The bytes belong to the writer
+        /// <summary>Queues a piece of a file, which is there when <see cref="Seal"/> is done with it. The bytes belong to the
+        /// writer
         /// until the ticket is done.</summary>
         /// <param name="offset">Of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>

@@ -151,7 +151,8 @@ namespace FastPoints.Tests.Pipeline
             Convert(Uneven(), "whole", InMemory());
             var wanted = Files("whole");
             int steps = 0;
-            for (var count = ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { }, null); count.MoveNext(); steps++)
+            for (var count = ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { },
+                null); count.MoveNext(); steps++)
                 count.Current.Complete();
             var random = new System.Random(4);
             int continued = 0;
@@ -282,7 +283,8 @@ namespace FastPoints.Tests.Pipeline
             if (isStored && memory > 8 << 20)
             {
                 long pages = plan.MostPages + plan.MostWaitingPages;
-                Assert.That(plan.ReadBytes + pages * FastPoints.Octree.RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
+                Assert.That(plan.ReadBytes + pages * FastPoints.Octree.RecordPages.PageBytes(stride),
+                    Is.LessThanOrEqualTo(memory));
                 Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MostPages + 16));
             }
         }
