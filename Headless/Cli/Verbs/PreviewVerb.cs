@@ -25,6 +25,11 @@ namespace FastPoints.Cli.Verbs
         {
             Description = "Choose from a scan of all points, not from short runs of them: the reference.",
         };
+        readonly Option<bool> m_quick = new("--quick")
+        {
+            Description = "Stop at the first N points. Of LAZ, ascii PLY and text, these are the beginnings of blocks: a scan follows "
+                + "without this.",
+        };
         readonly Option<bool> m_report = new("--report")
         {
             Description = "Measure the error: the picture of the sample against that of a sample from a full scan.",
@@ -39,6 +44,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_output);
             Command.Add(m_points);
             Command.Add(m_exact);
+            Command.Add(m_quick);
             Command.Add(m_report);
             m_picture = new PictureSettings(Command);
             m_source = new SourceSettings(Command);
@@ -57,7 +63,13 @@ namespace FastPoints.Cli.Verbs
             int points = parsed.GetValue(m_points);
             if (points < 1)
                 throw new UsageException("--points is at least 1");
-            var options = new PreviewOptions { Points = points, Exact = parsed.GetValue(m_exact), Picture = m_picture.Read(parsed) };
+            var options = new PreviewOptions
+            {
+                Points = points,
+                Exact = parsed.GetValue(m_exact),
+                Quick = parsed.GetValue(m_quick),
+                Picture = m_picture.Read(parsed),
+            };
             run.Inputs.AddRange(files);
             using var reader = PointReaders.Open(files, m_source.Read(parsed));
             run.Warn(reader.Info);

@@ -18,6 +18,7 @@ namespace FastPoints.Pipeline
     {
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
 
         public PreviewCloud(PointReader reader, PreviewOptions options)
         {
@@ -26,8 +27,8 @@ namespace FastPoints.Pipeline
         }
 
         public PreviewSample Sample { get; private set; }
-        /// <summary>When which beginning of the sample was there, the whole of it last.</summary>
-        public IReadOnlyList<SampleWave> Waves { get; private set; } = Array.Empty<SampleWave>();
+        /// <summary>When which sample was there, coarse to fine; the last one is <see cref="Sample"/>.</summary>
+        public IReadOnlyList<SampleWave> Waves => m_waves;
 
         public DisplayRanges Ranges { get; private set; }
 
@@ -37,7 +38,7 @@ namespace FastPoints.Pipeline
         /// <summary>Null before the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
+        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c>, <c>scan</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobHandle> Run(StageProgress progress)
         {
@@ -76,43 +77,39 @@ namespace FastPoints.Pipeline
 
             progress?.Begin("sample");
             var watch = Stopwatch.StartNew();
-            if (m_options.Exact)
+            // Several files as one have no runs yet.
+            bool scansOnly = m_options.Exact || m_reader.HasFixedStride && !m_reader.HasRunReads;
+            if (!scansOnly)
             {
+                using (var sampler = PreviewSampler.Create(m_reader, m_options.Points, m_options.Seed))
+                {
+                    using (var sampling = sampler.Run(0, progress))
+                        while (sampling.MoveNext())
+                            yield return sampling.Current;
+                    m_waves.AddRange(sampler.Waves);
+                    Sample = sampler.TakeSample();
+                }
+            }
+            // Beginnings of blocks are there soon, and leave most of the cloud bare: the scan takes their place.
+            if (scansOnly || !m_reader.HasRunReads && m_reader.Tree == null && !m_options.Quick && !Sample.IsWhole)
+            {
+                if (!scansOnly)
+                    progress?.Begin("scan");
                 using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
                 {
                     using (var sampling = uniform.Run(0, progress))
                         while (sampling.MoveNext())
                             yield return sampling.Current;
+                    Sample?.Dispose();
                     Sample = uniform.TakeSample();
                 }
-            }
-            else if (WaveSampler.CanSample(m_reader))
-            {
-                using (var waves = new WaveSampler(m_reader, m_options.Points, m_options.Seed))
+                m_waves.Add(new SampleWave
                 {
-                    using (var sampling = waves.Run(0, progress))
-                        while (sampling.MoveNext())
-                            yield return sampling.Current;
-                    Waves = waves.Waves;
-                    Sample = waves.TakeSample();
-                }
+                    Points = Sample.Count,
+                    Seconds = watch.Elapsed.TotalSeconds,
+                    BytesRead = Sample.BytesRead,
+                });
             }
-            else
-            {
-                using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
-                {
-                    using (var sampling = uniform.Run(0, progress))
-                        while (sampling.MoveNext())
-                            yield return sampling.Current;
-                    Sample = uniform.TakeSample();
-                }
-            }
-
-            if (Waves.Count == 0)
-                Waves = new[]
-                {
-                    new SampleWave { Points = Sample.Count, Seconds = watch.Elapsed.TotalSeconds, BytesRead = Sample.BytesRead },
-                };
 
             Ranges = new DisplayRanges();
             using (var measuring = Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis))

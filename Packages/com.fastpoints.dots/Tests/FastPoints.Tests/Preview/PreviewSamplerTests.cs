@@ -13,7 +13,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Preview
 {
-    public class WaveSamplerTests
+    public class PreviewSamplerTests
     {
         string m_path;
 
@@ -49,7 +49,7 @@ namespace FastPoints.Tests.Preview
 
         static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1, List<SampleWave> waves = null)
         {
-            using var sampler = new WaveSampler(reader, wanted, seed);
+            using var sampler = PreviewSampler.Create(reader, wanted, seed);
             WorkPump.RunToEnd(sampler.Run(slots, new StageProgress()));
             waves?.AddRange(sampler.Waves);
             return sampler.TakeSample();
@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Preview
         public void Waves_AreReady_BeforeTheRestAndStayAsTheyWere()
         {
             using var reader = Numbered(100_000);
-            using var sampler = new WaveSampler(reader, 30_000, 1);
+            using var sampler = PreviewSampler.Create(reader, 30_000, 1);
             var first = new List<int>();
             int raised = 0;
             sampler.WaveReady += wave =>
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Preview
             using var reader = Numbered(200_000);
             using (var stream = new FileStream(m_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(stream.Length / 2);
-            using var sampler = new WaveSampler(reader, 10_000, 1);
+            using var sampler = PreviewSampler.Create(reader, 10_000, 1);
             Assert.That(() => WorkPump.RunToEnd(sampler.Run(3, null)),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Truncated));
         }
@@ -247,13 +247,92 @@ namespace FastPoints.Tests.Preview
             using var reader = Numbered(50_000);
             for (int steps = 0; steps < 40; steps += 3)
             {
-                using var sampler = new WaveSampler(reader, 25_000, 1);
+                using var sampler = PreviewSampler.Create(reader, 25_000, 1);
                 IEnumerator<JobHandle> work = sampler.Run(3, null);
                 for (int step = 0; step < steps && work.MoveNext(); step++)
                 {
                 }
                 new WorkPump(work).Cancel();
             }
+        }
+
+        /// <summary>Points of a source of which only the beginnings of blocks are cheap; x is the index.</summary>
+        static MemoryPointReader Blocks(int count, int pointsPerBlock)
+        {
+            var attributes = TestBatches.Xyz(AttributeType.Int32);
+            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
+            var batch = TestBatches.New(count, attributes);
+            for (int i = 0; i < count; i++)
+            {
+                TestBatches.Set(batch, 0, i, i);
+                TestBatches.Set(batch, 1, i, -i);
+                TestBatches.Set(batch, 2, i, i % 1000);
+                TestBatches.Set(batch, 3, i, i % 60_000);
+            }
+            return new MemoryPointReader(batch, pointsPerBlock, fixedStride: false);
+        }
+
+        [Test]
+        public void Prefixes_OfManyBlocks_ComeFromAllOfTheSourceInEachWave()
+        {
+            using var reader = Blocks(400_000, 1000);
+            var waves = new List<SampleWave>();
+            using var sample = Take(reader, 100_000, 3, 1, waves);
+            var indices = Indices(sample);
+            Assert.That(new HashSet<int>(indices), Has.Count.EqualTo(100_000));
+            Assert.That(waves, Has.Count.EqualTo(3));
+            foreach (var wave in waves)
+            {
+                var tenths = new int[10];
+                for (int i = 0; i < wave.Points; i++)
+                    tenths[indices[i] / 40_000]++;
+                Assert.That(tenths, Has.All.EqualTo(wave.Points / 10).Within(wave.Points * 0.06));
+            }
+            // The first quarter of each block, and nothing else.
+            foreach (int index in indices)
+                Assert.That(index % 1000, Is.LessThan(251));
+        }
+
+        [TestCase(1, 100)]
+        [TestCase(49, 100)]
+        [TestCase(2000, 100)]
+        [TestCase(2100, 7)]
+        [TestCase(9999, 1)]
+        [TestCase(10_000, 333)]
+        [TestCase(20_000, 10_000)]
+        public void Prefixes_OfAnySize_AreExactlySoManyDistinctPoints(int wanted, int pointsPerBlock)
+        {
+            using var reader = Blocks(10_000, pointsPerBlock);
+            using var sample = Take(reader, wanted, 2);
+            Assert.That(sample.Count, Is.EqualTo(Math.Min(wanted, 10_000)));
+            Assert.That(new HashSet<int>(Indices(sample)), Has.Count.EqualTo(sample.Count));
+        }
+
+        [Test]
+        public void Prefixes_AnySlotsAndWorkers_AreTheSame()
+        {
+            using var reader = Blocks(60_000, 777);
+            int[] expected = null;
+            foreach (int workers in new[] { 1, 2, 7 })
+            {
+                foreach (int slots in new[] { 1, 2, 9 })
+                {
+                    using var count = new WorkerCount(workers);
+                    using var sample = Take(reader, 23_456, slots);
+                    expected ??= Indices(sample);
+                    Assert.That(Indices(sample), Is.EqualTo(expected));
+                }
+            }
+        }
+
+        [Test]
+        public void Prefixes_OfASourceThatBreaksOff_AreWhatIsThere()
+        {
+            using var whole = Blocks(10_000, 100);
+            using var reader = new MemoryPointReader(whole.Points, 100, false, 4_321);
+            using var sample = Take(reader, 5_000, 2);
+            Assert.That(sample.Count, Is.EqualTo(43 * 50 + 21));
+            Assert.That(Indices(sample), Has.All.LessThan(4_321));
         }
     }
 }

@@ -1,0 +1,43 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so any number
+    /// of these may run at once.
+    /// </summary>
+    [BurstCompile]
+    struct CopyPrefixJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Decoded;
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfDecoded;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+
+        [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+        public int FirstPlace;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
+
+        /// <summary>Set to 1 at each place that is written.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled;
+
+        public unsafe void Execute()
+        {
+            int count = Result.Value.Points;
+            byte* from = (byte*)Decoded.GetUnsafeReadOnlyPtr();
+            byte* to = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample);
+            for (int column = 0; column < ColumnsOfSample.Length; column++)
+            {
+                int size = ColumnsOfSample[column].Type.SizeOf();
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstPlace * size,
+                    from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
+            }
+            UnsafeUtility.MemSet((byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled) + FirstPlace, 1,
+                count);
+        }
+    }
+}

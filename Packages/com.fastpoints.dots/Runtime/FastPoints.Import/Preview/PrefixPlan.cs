@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// How many points of which blocks a sample of prefixes takes, wave by wave: some blocks spread over the source first, then all of
+    /// them, then more of each, in proportion to the points they have. Of a source with an octree, its levels from the top, whole ones
+    /// but for the last.
+    /// </summary>
+    sealed class PrefixPlan
+    {
+        /// <summary>Points of a block that its start-up is worth: fewer blocks are chosen where all would get fewer.</summary>
+        const int LeastPoints = 50;
+
+        readonly PointReader m_reader;
+        readonly SampleOrder m_order;
+
+        /// <summary>Points that each block has given so far.</summary>
+        readonly int[] m_taken;
+
+        /// <summary>Blocks of each level of the source's own octree, or null.</summary>
+        readonly List<List<int>> m_levels;
+
+        public PrefixPlan(PointReader reader, uint seed)
+        {
+            m_reader = reader;
+            m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
+            m_taken = new int[reader.BlockCount];
+            if (reader.Tree == null)
+                return;
+            m_levels = new List<List<int>>();
+            for (int i = 0; i < reader.Tree.NodeCount; i++)
+            {
+                var node = reader.Tree[i];
+                while (m_levels.Count <= node.Level)
+                    m_levels.Add(new List<int>());
+                if (node.Block >= 0)
+                    m_levels[node.Level].Add(node.Block);
+            }
+        }
+
+        /// <summary>Points taken in the waves so far.</summary>
+        public int Taken { get; private set; }
+
+        /// <summary>What the next wave takes of which blocks until <paramref name="wanted"/> points are taken in all.</summary>
+        public List<Prefix> Next(int wanted)
+        {
+            var prefixes = new List<Prefix>();
+            if (m_levels == null)
+            {
+                Take(Choose(wanted), wanted, wanted, prefixes);
+                return prefixes;
+            }
+            // What the levels above have, each whole, is not for this one to share.
+            long left = wanted;
+            foreach (var level in m_levels)
+            {
+                long points = PointsOf(level);
+                Take(level, (int)Math.Min(left, points), wanted, prefixes);
+                left -= points;
+                if (left <= 0)
+                    break;
+            }
+            return prefixes;
+        }
+
+        /// <summary>Shares <paramref name="wanted"/> points out among the blocks, less those that were taken before.</summary>
+        /// <param name="most">Points that are taken in all.</param>
+        void Take(List<int> blocks, int wanted, int most, List<Prefix> prefixes)
+        {
+            long points = PointsOf(blocks), before = 0;
+            foreach (int block in blocks)
+            {
+                int inBlock = m_reader.PointsInBlock(block);
+                // Differences of rounded sums: the counts add up.
+                int count = (int)(Share(before + inBlock, points, wanted) - Share(before, points, wanted));
+                before += inBlock;
+                count = Math.Min(count, inBlock) - m_taken[block];
+                // Where an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
+                count = Math.Min(count, most - Taken);
+                if (count <= 0)
+                    continue;
+                prefixes.Add(new Prefix { Block = block, First = m_taken[block], Count = count, Place = Taken });
+                m_taken[block] += count;
+                Taken += count;
+            }
+        }
+
+        long PointsOf(List<int> blocks)
+        {
+            long points = 0;
+            foreach (int block in blocks)
+                points += m_reader.PointsInBlock(block);
+            return points;
+        }
+
+        /// <summary>floor(part * wanted / whole); the product split so that it does not overflow.</summary>
+        static long Share(long part, long whole, int wanted) =>
+            whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
+
+        /// <summary>Blocks spread over the source: those that get <see cref="LeastPoints"/> each, and more where they do not have
+        /// so many.</summary>
+        List<int> Choose(int wanted)
+        {
+            var blocks = new List<int>();
+            long points = 0;
+            for (int place = 0; place < m_order.Places; place++)
+            {
+                if (blocks.Count > wanted / LeastPoints && points >= wanted)
+                    break;
+                int block = m_order.StratumAt(place);
+                if (block < 0 || block >= m_taken.Length)
+                    continue;
+                blocks.Add(block);
+                points += m_reader.PointsInBlock(block);
+            }
+            blocks.Sort();
+            return blocks;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Preview
+{
+    /// <summary>The beginnings of blocks from all over a source of which nothing else is cheap (LAZ chunks): see
+    /// <see cref="PrefixPlan"/> for how many of which.</summary>
+    /// <remarks>
+    /// A later wave decodes a block's beginning again to come to what follows it: a tenth of its own work where waves are ten times as
+    /// large. Points of one block's beginning are neighbours, so the sample is coarser than a uniform one of as many points.
+    /// </remarks>
+    sealed class PrefixSampler : PreviewSampler
+    {
+        readonly PrefixPlan m_plan;
+        BlockRead[] m_reads;
+        NativeArray<PointColumn>[] m_columnsOfSlot;
+        JobHandle[] m_copied;
+
+        public PrefixSampler(PointReader reader, int wanted, uint seed)
+            : base(reader, (int)Math.Min(wanted, reader.PointCount), reader.Tree == null ? "beginnings of blocks, in waves" : "levels of its octree, in waves")
+        {
+            m_plan = new PrefixPlan(reader, seed);
+        }
+
+        private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
+        {
+            var prefixes = m_plan.Next(wanted);
+            int longest = 0;
+            foreach (var prefix in prefixes)
+                longest = Math.Max(longest, prefix.Count);
+            if (longest == 0)
+                yield break;
+            // Slots for beginnings of another length than in the wave before.
+            Free();
+            Allocate(slots < 1 ? SourceScan.SlotsFor(Reader, Buffer.Points.Schema) : slots, longest);
+            slots = m_reads.Length;
+            for (int i = 0; i < prefixes.Count + slots; i++)
+            {
+                int slot = i % slots;
+                if (i >= slots && i - slots < prefixes.Count)
+                {
+                    yield return m_copied[slot];
+                    m_copied[slot].Complete();
+                    m_reads[slot].Complete();
+                    BytesRead += Reader.BytesOfRange(m_reads[slot].Range);
+                    Report(progress);
+                }
+                if (i < prefixes.Count)
+                    Begin(slot, prefixes[i]);
+            }
+            EndPlace = m_plan.Taken;
+        }
+
+        void Allocate(int slots, int longest)
+        {
+            m_reads = new BlockRead[slots];
+            m_columnsOfSlot = new NativeArray<PointColumn>[slots];
+            m_copied = new JobHandle[slots];
+            for (int i = 0; i < slots; i++)
+            {
+                m_reads[i] = Reader.CreateRead(Buffer.Points.Schema, longest, Allocator.Persistent);
+                m_columnsOfSlot[i] = SampleBuffer.ColumnsOf(m_reads[i].Points);
+            }
+        }
+
+        void Begin(int slot, in Prefix prefix)
+        {
+            var read = m_reads[slot];
+            read.Begin(new BlockRange(prefix.Block, prefix.First, prefix.Count));
+            m_copied[slot] = new CopyPrefixJob
+            {
+                Decoded = read.Points.Bytes,
+                ColumnsOfDecoded = m_columnsOfSlot[slot],
+                Result = read.Result,
+                ColumnsOfSample = Buffer.Columns,
+                FirstPlace = prefix.Place,
+                Sample = Buffer.Points.Bytes,
+                Filled = Buffer.Filled,
+            }.Schedule(read.Decoded);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        private protected override void Free()
+        {
+            if (m_reads == null)
+                return;
+            for (int i = 0; i < m_reads.Length; i++)
+            {
+                m_copied[i].Complete();
+                m_reads[i]?.Dispose();
+                if (m_columnsOfSlot[i].IsCreated)
+                    m_columnsOfSlot[i].Dispose();
+            }
+            m_reads = null;
+        }
+    }
+}

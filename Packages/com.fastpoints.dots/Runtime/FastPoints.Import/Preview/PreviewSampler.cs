@@ -1,0 +1,135 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Base;
+using FastPoints.Files;
+using Unity.Jobs;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// A sample of a source that reads little and arrives in waves, coarse to fine, each the beginning of the next one and spread over
+    /// all of the source. The time it takes depends on the points wanted, hardly on the source's size.
+    /// </summary>
+    /// <remarks>
+    /// The sample is the same for the same source, seed and number of points, whatever the threads, slots and the disk. All members
+    /// belong to the thread of the pump.
+    /// </remarks>
+    public abstract class PreviewSampler : IDisposable
+    {
+        /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
+        static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
+
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
+        PreviewSample m_sample;
+
+        private protected PreviewSampler(PointReader reader, int placeCount, string method)
+        {
+            Reader = reader;
+            Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), placeCount);
+            m_sample = Buffer.ShareSample(reader.Info.Transform);
+            m_sample.PointsInSource = reader.PointCount;
+            m_sample.Method = method;
+        }
+
+        /// <summary>Raised on the pump's thread after each wave: the beginning of <see cref="Sample"/> that it is can be drawn from
+        /// then on.</summary>
+        public event Action<SampleWave> WaveReady;
+
+        /// <summary>The waves that are there.</summary>
+        public IReadOnlyList<SampleWave> Waves => m_waves;
+
+        /// <summary>The sample as far as it has come.</summary>
+        public PreviewSample Sample => m_sample;
+
+        private protected PointReader Reader { get; }
+
+        private protected SampleBuffer Buffer { get; }
+
+        private protected double Seconds => m_watch.Elapsed.TotalSeconds;
+
+        private protected long BytesRead { get; set; }
+
+        /// <summary>Places of the sample that the waves so far have come to.</summary>
+        private protected int EndPlace { get; set; }
+
+        /// <param name="reader">Its blocks are known.</param>
+        /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public static PreviewSampler Create(PointReader reader, int wanted, uint seed)
+        {
+            wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
+            return reader.HasRunReads ? (PreviewSampler)new RunSampler(reader, wanted, seed)
+                : new PrefixSampler(reader, wanted, seed);
+        }
+
+        /// <summary>Work for a pump.</summary>
+        /// <param name="slots">Reads in flight; 0 for a default.</param>
+        public IEnumerator<JobHandle> Run(int slots, StageProgress progress)
+        {
+            m_watch.Restart();
+            try
+            {
+                for (int wave = 0; EndPlace < Buffer.Places; wave++)
+                {
+                    int first = EndPlace;
+                    bool isLast = wave >= s_waves.Length || s_waves[wave] >= Buffer.Places;
+                    using (var reading = Read(isLast ? Buffer.Places : s_waves[wave], slots, progress))
+                        while (reading.MoveNext())
+                            yield return reading.Current;
+                    if (EndPlace > first)
+                    {
+                        using (var closing = Buffer.Close(Reader.Info.Transform, first, EndPlace))
+                            while (closing.MoveNext())
+                                yield return closing.Current;
+                        TellWave();
+                        Report(progress);
+                    }
+                    if (isLast)
+                        break;
+                }
+            }
+            finally
+            {
+                Free();
+            }
+        }
+
+        /// <summary>Work for a pump: brings more points into the places that follow, and moves <see cref="EndPlace"/> behind
+        /// them.</summary>
+        /// <param name="wanted">Places to come to, about; all of them for the last wave.</param>
+        private protected abstract IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress);
+
+        /// <summary>Frees what <see cref="Read"/> needs; jobs in flight are awaited. May run twice.</summary>
+        private protected abstract void Free();
+
+        private protected void Report(StageProgress progress) =>
+            progress?.Report(m_sample.Count / (double)Math.Max(1, Buffer.Places), m_sample.Count, BytesRead);
+
+        void TellWave()
+        {
+            Buffer.Measure(m_sample);
+            m_sample.BytesRead = BytesRead;
+            var wave = new SampleWave { Points = m_sample.Count, Seconds = Seconds, BytesRead = BytesRead };
+            m_waves.Add(wave);
+            WaveReady?.Invoke(wave);
+        }
+
+        /// <summary>Hands the sample over, once; null after that.</summary>
+        public PreviewSample TakeSample()
+        {
+            var sample = m_sample;
+            m_sample = null;
+            return sample;
+        }
+
+        public void Dispose()
+        {
+            Free();
+            Buffer.Dispose();
+            m_sample?.Dispose();
+            m_sample = null;
+        }
+    }
+}
