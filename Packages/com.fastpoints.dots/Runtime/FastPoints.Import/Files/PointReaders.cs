@@ -46,7 +46,7 @@ namespace FastPoints.Files
         {
             new Kind("LASF", LasReader.Open),
             new Kind("ply", PlyReader.Open),
-            new Kind("an E57 file", "ASTM-E57"),
+            new Kind("ASTM-E57", E57Reader.Open),
             new Kind("a PCD file", "# .PCD"),
             new Kind("a PCD file", "VERSION .7"),
             new Kind("a PCD file", "VERSION 0.7"),

@@ -17,7 +17,6 @@ namespace FastPoints.Files.Tests
         [TearDown]
         public void Delete() => File.Delete(m_path);
 
-        [TestCase("ASTM-E57 and so on", "E57")]
         [TestCase("# .PCD v.7 - Point Cloud Data", "PCD")]
         [TestCase("PK\u0003\u0004rest", "zip")]
         [TestCase("x y z\nnothing\n", "text \"x y z\"")]

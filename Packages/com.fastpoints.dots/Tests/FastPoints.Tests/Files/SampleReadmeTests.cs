@@ -61,7 +61,7 @@ namespace FastPoints.Files.Tests
             { "empty.ply", new Outcome(FailureCode.Truncated, "0 bytes") },
             { "diamond_with_bool.ply", new Outcome(FailureCode.Unsupported, "bool") },
             { "utm17_space.pcd", new Outcome(FailureCode.Unsupported, "PCD") },
-            { "A4.e57", new Outcome(FailureCode.Unsupported, "E57") },
+            { "A4.e57", new Outcome(4, null) },
         };
 
         /// <summary>Files whose header has a box that is not that of the points: found so, and what is said of it.</summary>
@@ -134,7 +134,10 @@ namespace FastPoints.Files.Tests
             {
                 ScanBounds(reader, out long points);
                 Assert.That(points, Is.EqualTo(outcome.Points));
-                Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(outcome.Story));
+                if (outcome.Story == null)
+                    Assert.That(reader.Info.Warnings, Is.Empty);
+                else
+                    Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(outcome.Story));
             }
         }
 

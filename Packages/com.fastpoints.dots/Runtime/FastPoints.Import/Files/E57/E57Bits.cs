@@ -1,0 +1,40 @@
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i takes
+    /// bits i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
+    /// </summary>
+    static unsafe class E57Bits
+    {
+        /// <summary>Bytes behind the last value that may be loaded and not used.</summary>
+        public const int PaddingBytes = 16;
+
+        /// <param name="firstBit">Of the first value.</param>
+        /// <param name="bits">1 to 64.</param>
+        public static void Unpack(byte* bytes, long firstBit, int bits, int count, ulong* values)
+        {
+            if (bits <= 57)
+            {
+                ulong mask = (1UL << bits) - 1;
+                long at = firstBit;
+                for (int i = 0; i < count; i++, at += bits)
+                    values[i] = *(ulong*)(bytes + (at >> 3)) >> (int)(at & 7) & mask;
+                return;
+            }
+            ulong wideMask = bits == 64 ? ulong.MaxValue : (1UL << bits) - 1;
+            for (int i = 0; i < count; i++)
+            {
+                long at = firstBit + (long)i * bits;
+                int shift = (int)(at & 7);
+                byte* p = bytes + (at >> 3);
+                ulong value = *(ulong*)p >> shift;
+                // Twice, since a shift by 64 is one by 0.
+                value |= (ulong)p[8] << (63 - shift) << 1;
+                values[i] = value & wideMask;
+            }
+        }
+
+        /// <summary>Bytes that so many values take from a bit on.</summary>
+        public static long BytesOf(long firstBit, int bits, long count) => (firstBit + count * bits + 7 >> 3) - (firstBit >> 3);
+    }
+}

@@ -1,0 +1,204 @@
+using System;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>A slot of <see cref="E57Reader"/>: the pages of a range are read, checked, decoded field by field and
+    /// placed.</summary>
+    sealed class E57BlockRead : BlockRead
+    {
+        const int VectorRows = 6;
+
+        readonly E57Reader m_reader;
+        readonly E57PagesRead m_pages;
+        readonly bool[] m_isWanted = new bool[E57Scan.MaxFields];
+        readonly long[] m_firstPages = new long[E57Scan.MaxFields];
+        readonly long[] m_endPages = new long[E57Scan.MaxFields];
+        NativeArray<E57FieldRead> m_reads;
+        NativeArray<E57StreamRange> m_ranges;
+        NativeArray<PointColumn> m_columns;
+        NativeArray<double> m_vectors;
+        NativeArray<byte> m_drops;
+        NativeArray<byte> m_scratch;
+        NativeReference<DecodeResult> m_result;
+        NativeReference<E57Oddities> m_oddities;
+        int m_readCount;
+        E57Section m_section;
+        PlaceE57PointsJob m_place;
+        bool m_isBusy;
+
+        public E57BlockRead(E57Reader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            foreach (var attribute in wanted)
+            {
+                int index = reader.Info.Schema.IndexOf(attribute.Name);
+                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
+                    throw new ArgumentException("the file has no attribute " + attribute, nameof(wanted));
+            }
+            m_reader = reader;
+            Points = new PointBatch(wanted, capacity, allocator);
+            m_pages = new E57PagesRead(reader, reader.MaxBlockPages, E57Scan.MaxFields, allocator);
+            // Wanted columns, invalid states, and rows that no column is made of.
+            int reads = wanted.Count + VectorRows + 1;
+            m_reads = new NativeArray<E57FieldRead>(reads, allocator);
+            m_ranges = new NativeArray<E57StreamRange>(reads, allocator);
+            var columns = new PointColumn[wanted.Count];
+            for (int i = 0; i < columns.Length; i++)
+                columns[i] = Points.Column(i);
+            m_columns = new NativeArray<PointColumn>(columns, allocator);
+            m_vectors = new NativeArray<double>(reader.HasVectors ? VectorRows * capacity : 1, allocator,
+                NativeArrayOptions.UninitializedMemory);
+            m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
+            m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
+            m_result = new NativeReference<DecodeResult>(allocator);
+            m_oddities = new NativeReference<E57Oddities>(allocator);
+            Result = m_result;
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            if (m_isBusy)
+                throw new InvalidOperationException("the slot has a range in flight");
+            int points = m_reader.PointsInBlock(range.Block);
+            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > Points.Capacity)
+                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
+                    " of " + points + ", capacity " + Points.Capacity);
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Points.Count = 0;
+            m_isBusy = true;
+            m_pages.Clear();
+            if (range.Count == 0)
+            {
+                m_result.Value = default;
+                m_oddities.Value = default;
+                Decoded = default;
+                return;
+            }
+            var section = m_reader.SectionOf(range.Block);
+            if (section != m_section)
+                TakeSection(section);
+            long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
+            Decoded = Schedule(first, range.Count);
+        }
+
+        /// <summary>What is read of the scan's fields.</summary>
+        void TakeSection(E57Section section)
+        {
+            m_section = section;
+            var reads = m_reader.ReadsOf(section, Points);
+            m_readCount = reads.Count;
+            Array.Clear(m_isWanted, 0, m_isWanted.Length);
+            bool hasPositions = false, hasNormals = false;
+            for (int i = 0; i < reads.Count; i++)
+            {
+                m_reads[i] = reads[i];
+                if (reads[i].Stream >= 0)
+                    m_isWanted[reads[i].Stream] = true;
+                hasPositions |= reads[i].Target == E57Target.Vector && reads[i].Row < 3;
+                hasNormals |= reads[i].Target == E57Target.Vector && reads[i].Row >= 3;
+            }
+            var schema = Points.Schema;
+            m_place = new PlaceE57PointsJob
+            {
+                Vectors = m_vectors,
+                RowLength = Points.Capacity,
+                Drops = m_drops,
+                IsDamaged = m_pages.IsDamaged,
+                Extents = m_pages.Extents,
+                ColumnTable = m_columns,
+                Columns = Points.Bytes,
+                Result = m_result,
+                Oddities = m_oddities,
+                HasPositions = hasPositions,
+                IsSpherical = !section.Scan.IsCartesian,
+                HasNormals = hasNormals,
+                Pose = section.Scan.Pose,
+                PositionColumns = new int3(schema.IndexOf(AttributeNames.X), schema.IndexOf(AttributeNames.Y),
+                    schema.IndexOf(AttributeNames.Z)),
+                NormalColumns = new int3(schema.IndexOf(AttributeNames.NormalX), schema.IndexOf(AttributeNames.NormalY),
+                    schema.IndexOf(AttributeNames.NormalZ)),
+            };
+        }
+
+        JobHandle Schedule(long first, int count)
+        {
+            int runs = m_section.PagesOf(first, first + count, m_isWanted, m_firstPages, m_endPages);
+            for (int i = 0; i < runs; i++)
+                m_pages.Add(m_firstPages[i], (int)(m_endPages[i] - m_firstPages[i]));
+            for (int i = 0; i < m_readCount; i++)
+            {
+                if (m_reads[i].Stream < 0 || m_reads[i].Bits == 0)
+                    continue;
+                var mark = m_section.MarkOf(m_reads[i].Stream, first);
+                m_ranges[i] = new E57StreamRange
+                {
+                    PacketOffset = mark.PacketOffset,
+                    BytesBefore = mark.BytesBefore,
+                    End = m_section.EndOf(m_reads[i].Stream, first + count),
+                };
+            }
+            var decode = new DecodeE57Job
+            {
+                Input = m_pages.Buffer,
+                IsDamaged = m_pages.IsDamaged,
+                Extents = m_pages.Extents,
+                ExtentCount = m_pages.ExtentCount,
+                StreamCount = m_section.Scan.Fields.Count,
+                Reads = m_reads,
+                Ranges = m_ranges,
+                FirstRecord = first,
+                Count = count,
+                Columns = Points.Bytes,
+                Vectors = m_vectors,
+                RowLength = Points.Capacity,
+                Drops = m_drops,
+                Scratch = m_scratch,
+                Result = m_result,
+                Oddities = m_oddities,
+            };
+            var done = m_pages.Begin();
+            for (int i = 0; i == 0 || i < m_readCount; i += DecodeE57Job.FieldsPerSlice)
+            {
+                decode.FirstRead = i;
+                decode.ReadCount = Math.Min(DecodeE57Job.FieldsPerSlice, m_readCount - i);
+                done = decode.Schedule(done);
+            }
+            m_place.ExtentCount = m_pages.ExtentCount;
+            return m_place.Schedule(done);
+        }
+
+        public override void Complete()
+        {
+            if (!m_isBusy)
+                throw new InvalidOperationException("the slot has no range in flight");
+            m_isBusy = false;
+            Decoded.Complete();
+            m_pages.End();
+            var result = m_result.Value;
+            Points.Count = result.Points;
+            m_reader.Tell(Range, result, m_oddities.Value);
+        }
+
+        public override void Dispose()
+        {
+            if (!m_result.IsCreated)
+                return;
+            m_isBusy = false;
+            Decoded.Complete();
+            m_pages.Dispose();
+            Points.Dispose();
+            m_reads.Dispose();
+            m_ranges.Dispose();
+            m_columns.Dispose();
+            m_vectors.Dispose();
+            m_drops.Dispose();
+            m_scratch.Dispose();
+            m_result.Dispose();
+            m_oddities.Dispose();
+        }
+    }
+}

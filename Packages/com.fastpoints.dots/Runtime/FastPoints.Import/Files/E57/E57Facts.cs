@@ -1,0 +1,160 @@
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>What the XML section says, as facts, claims and warnings.</summary>
+    static class E57Facts
+    {
+        /// <summary>Scans told with all that is known of them; of later ones only names and counts.</summary>
+        const int MaxWholeScans = 50;
+        const int MaxScans = 1000;
+        const int MaxImages = 50;
+
+        // Sensor, weather and times, as the standard names them.
+        static readonly string[] s_texts =
+        {
+            "guid", "description", "sensorVendor", "sensorModel", "sensorSerialNumber", "sensorHardwareVersion",
+            "sensorSoftwareVersion", "sensorFirmwareVersion",
+        };
+        static readonly string[] s_numbers = { "temperature", "relativeHumidity", "atmosphericPressure" };
+        static readonly string[] s_times = { "acquisitionStart", "acquisitionEnd" };
+
+        public static void TellFile(E57Node root, SourceInfo info)
+        {
+            if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
+                info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
+            Text(info, "guid", root, "guid");
+            Text(info, "library", root, "e57LibraryVersion");
+            var created = root.Child("creationDateTime");
+            double seconds = created?.NumberOf("dateTimeValue") ?? 0;
+            if (seconds > 0)
+                info.Fact("created", E57Text.GpsTime(seconds));
+            TellCrs(root.Child("coordinateMetadata")?.Text, info);
+            info.Fact("scans", E57Text.Of(root.Child("data3D")?.Children.Count ?? 0));
+            TellImages(root.Child("images2D"), info);
+            foreach (var child in root.Children)
+                if (child.Name.IndexOf(':') >= 0)
+                    info.Fact("extension (left out)", E57Text.OneLine(child.Name));
+        }
+
+        public static void TellScan(E57Node node, E57Scan scan, SourceInfo info)
+        {
+            if (scan.Index >= MaxScans)
+                return;
+            string label = scan.Label;
+            string count = scan.RecordsClaimed.ToString(System.Globalization.CultureInfo.InvariantCulture) + " points";
+            info.Fact(label, scan.Name != null ? scan.Name + ", " + count : count);
+            if (scan.Index >= MaxWholeScans)
+                return;
+            foreach (string name in s_texts)
+                Text(info, "  " + name, node, name);
+            foreach (string name in s_numbers)
+                if (node.Child(name) != null)
+                    info.Fact("  " + name, E57Text.Of(node.NumberOf(name)));
+            foreach (string name in s_times)
+                if (node.Child(name)?.NumberOf("dateTimeValue") > 0)
+                    info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
+            TellPose(scan, info);
+            if (!scan.BoundsClaimed.IsEmpty)
+                info.Fact("  cartesianBounds", Text(scan.BoundsClaimed.Min) + " to " + Text(scan.BoundsClaimed.Max) +
+                    " (the scanner's coordinates)");
+            if (math.all(math.isfinite(scan.IntensityLimits)))
+                info.Fact("  intensityLimits", E57Text.Of(scan.IntensityLimits.x) + " to " + E57Text.Of(scan.IntensityLimits.y));
+            if (math.all(math.isfinite(scan.ColorLimits[0])))
+                info.Fact("  colorLimits", E57Text.Of(scan.ColorLimits[0].x) + " to " + E57Text.Of(scan.ColorLimits[0].y) +
+                    " (red)");
+            var groups = node.Child("pointGroupingSchemes");
+            if (groups != null && groups.Children.Count > 0)
+                info.Fact("  pointGroupingSchemes", "left out");
+            foreach (var field in scan.Fields)
+                info.Fact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
+        }
+
+        public static void TellSchema(E57Schema schema, List<E57Scan> scans, SourceInfo info)
+        {
+            info.Fact("positions", schema.PositionSummary);
+            if (schema.HasScaledColors)
+                info.Fact("colors", "scaled to 0 to 65,535 by their limits");
+            if (info.Schema.Has(AttributeNames.ReturnNumber))
+                info.Fact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
+            foreach (string field in schema.LeftOut)
+                info.Warn(-1, "field " + E57Text.OneLine(field) + " is left out: another attribute has its name");
+            TellMissing(scans, info);
+            info.HasBoundsClaimed = scans.Count > 0;
+            foreach (var scan in scans)
+            {
+                if (scan.RecordsClaimed == 0)
+                    continue;
+                info.HasBoundsClaimed &= scan.Pose.IsShift && !scan.BoundsClaimed.IsEmpty;
+                info.BoundsClaimed.Include(new BoundsGeo(scan.BoundsClaimed.Min + scan.Pose.Translation,
+                    scan.BoundsClaimed.Max + scan.Pose.Translation));
+            }
+            info.HasBoundsClaimed &= !info.BoundsClaimed.IsEmpty;
+        }
+
+        /// <summary>One attribute of some scans only is 0 in the points of the others.</summary>
+        static void TellMissing(List<E57Scan> scans, SourceInfo info)
+        {
+            foreach (var attribute in info.Schema)
+            {
+                int with = 0;
+                foreach (var scan in scans)
+                    foreach (var field in scan.Fields)
+                        if (E57Names.AttributeOf(field.Name) == attribute.Name)
+                        {
+                            with++;
+                            break;
+                        }
+                if (with > 0 && with < scans.Count)
+                    info.Warn(-1, attribute.Name + " is there in " + with + " of " + scans.Count +
+                        " scans: it is 0 in the points of the others");
+            }
+        }
+
+        static void TellPose(E57Scan scan, SourceInfo info)
+        {
+            var pose = scan.Pose;
+            if (pose.IsIdentity)
+                return;
+            string text = "translation " + Text(pose.Translation);
+            if (!pose.IsShift)
+                text += ", axes " + Text(pose.AxisX) + " | " + Text(pose.AxisY) + " | " + Text(pose.AxisZ);
+            info.Fact("  pose", text);
+        }
+
+        static void TellCrs(string metadata, SourceInfo info)
+        {
+            // Lengths are metres (ASTM E2807, 8.2); the text is free, and well-known text by custom.
+            info.Crs.MetresPerUnit = 1;
+            if (string.IsNullOrWhiteSpace(metadata))
+                return;
+            double unit = info.Crs.MetresPerUnit;
+            if (WktCoordinateSystem.Read(metadata, info.Crs))
+                info.Crs.MetresPerUnit = info.Crs.MetresPerUnit == 0 ? unit : info.Crs.MetresPerUnit;
+            else
+                info.Crs.Name = E57Text.OneLine(metadata);
+            info.Fact("coordinateMetadata", E57Text.OneLine(metadata));
+        }
+
+        static void TellImages(E57Node images, SourceInfo info)
+        {
+            if (images == null || images.Children.Count == 0)
+                return;
+            info.Fact("images (left out)", E57Text.Of(images.Children.Count));
+            for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
+                info.Fact("  image " + E57Text.Of(i + 1L), images.Children[i].TextOf("name") ??
+                    images.Children[i].TextOf("guid") ?? "without a name");
+        }
+
+        static void Text(SourceInfo info, string fact, E57Node node, string name)
+        {
+            string text = node.TextOf(name);
+            if (text != null)
+                info.Fact(fact, text);
+        }
+
+        static string Text(double3 v) => E57Text.Of(v.x) + ", " + E57Text.Of(v.y) + ", " + E57Text.Of(v.z);
+    }
+}

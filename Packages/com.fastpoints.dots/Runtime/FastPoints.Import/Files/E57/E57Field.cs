@@ -1,0 +1,132 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>One field of a scan's points: an element of its prototype, and one bytestream of its packets.</summary>
+    sealed class E57Field
+    {
+        /// <summary>As in the file; fields within structures with the structures' names before it: "a/b".</summary>
+        public string Name;
+
+        public E57FieldKind Kind;
+
+        /// <summary>Its place among the bytestreams.</summary>
+        public int Stream;
+
+        /// <summary>Integers: the least and the largest that the file says there are.</summary>
+        public long Minimum;
+        public long Maximum;
+
+        /// <summary>Floats: the same, NaN where the file does not say.</summary>
+        public double FloatMinimum;
+        public double FloatMaximum;
+
+        public bool IsScaled;
+
+        /// <summary>Value = integer * <see cref="Scale"/> + <see cref="Offset"/>; 1 and 0 for plain integers and
+        /// floats.</summary>
+        public double Scale = 1;
+        public double Offset;
+
+        /// <summary>Bits of one value; 0 for a field that is the same in all points, -1 for strings.</summary>
+        public int Bits;
+
+        public bool IsInteger => Kind == E57FieldKind.Integer;
+
+        /// <summary>The smallest value as a real number.</summary>
+        public double Least => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
+
+        /// <summary>The largest value as a real number.</summary>
+        public double Most => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
+
+        /// <param name="problem">What is wrong with it, where it cannot be read.</param>
+        /// <returns>The field, or null.</returns>
+        public static E57Field Read(E57Node node, string name, int stream, out string problem)
+        {
+            var field = new E57Field { Name = name, Stream = stream };
+            problem = null;
+            switch (node.Type)
+            {
+                case "Integer":
+                case "ScaledInteger":
+                    problem = field.ReadInteger(node);
+                    break;
+                case "Float":
+                    problem = field.ReadFloat(node);
+                    break;
+                case "String":
+                    field.Kind = E57FieldKind.String;
+                    field.Bits = -1;
+                    break;
+                default:
+                    problem = "type: wanted Integer, ScaledInteger, Float or String, got \"" +
+                        E57Text.OneLine(node.Type ?? "") + "\"";
+                    break;
+            }
+            if (problem == null)
+                return field;
+            problem = "field " + name + ": " + problem;
+            return null;
+        }
+
+        string ReadInteger(E57Node node)
+        {
+            Kind = E57FieldKind.Integer;
+            IsScaled = node.Type == "ScaledInteger";
+            if (!E57Text.TryInteger(node.Attribute("minimum"), long.MinValue, out Minimum))
+                return Unreadable(node, "minimum");
+            if (!E57Text.TryInteger(node.Attribute("maximum"), long.MaxValue, out Maximum))
+                return Unreadable(node, "maximum");
+            if (Minimum > Maximum)
+                return "its minimum " + E57Text.Of(Minimum) + " is above its maximum " + E57Text.Of(Maximum);
+            Bits = 64 - math.lzcnt((ulong)Maximum - (ulong)Minimum);
+            if (!IsScaled)
+                return null;
+            if (!E57Text.TryReal(node.Attribute("scale"), 1, out Scale))
+                return Unreadable(node, "scale");
+            if (!E57Text.TryReal(node.Attribute("offset"), 0, out Offset))
+                return Unreadable(node, "offset");
+            return !math.isfinite(Scale) || !math.isfinite(Offset)
+                ? "scale " + E57Text.Of(Scale) + " and offset " + E57Text.Of(Offset) + " must be finite"
+                : Scale == 0 ? "its scale is 0" : null;
+        }
+
+        string ReadFloat(E57Node node)
+        {
+            string precision = node.Attribute("precision");
+            if (precision != null && precision != "single" && precision != "double")
+                return Unreadable(node, "precision");
+            Kind = precision == "single" ? E57FieldKind.Float32 : E57FieldKind.Float64;
+            Bits = precision == "single" ? 32 : 64;
+            // Limits of floats are for people; what cannot be read of them is as if it were not there.
+            if (!E57Text.TryReal(node.Attribute("minimum"), double.NaN, out FloatMinimum))
+                FloatMinimum = double.NaN;
+            if (!E57Text.TryReal(node.Attribute("maximum"), double.NaN, out FloatMaximum))
+                FloatMaximum = double.NaN;
+            return null;
+        }
+
+        static string Unreadable(E57Node node, string attribute) =>
+            attribute + ": got \"" + E57Text.OneLine(node.Attribute(attribute)) + "\"";
+
+        /// <summary>Type and range, for people.</summary>
+        public string Summary()
+        {
+            switch (Kind)
+            {
+                case E57FieldKind.String:
+                    return "String (left out)";
+                case E57FieldKind.Float32:
+                case E57FieldKind.Float64:
+                    string type = Kind == E57FieldKind.Float32 ? "Float single" : "Float double";
+                    return math.isfinite(FloatMinimum) && math.isfinite(FloatMaximum) && FloatMaximum < float.MaxValue
+                        ? type + ", " + E57Text.Of(FloatMinimum) + " to " + E57Text.Of(FloatMaximum)
+                        : type;
+                default:
+                    string range = (IsScaled ? "ScaledInteger, " : "Integer, ") + E57Text.Of(Minimum) + " to " +
+                        E57Text.Of(Maximum) + ", " + Bits + " bits";
+                    return IsScaled ? range + ", scale " + E57Text.Of(Scale) + ", offset " + E57Text.Of(Offset) : range;
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using System.Xml;
+using FastPoints.Base;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads the XML section into a tree. Prefixes need not be declared (some writers forget to), document type definitions
+    /// and with them entities are refused, and what a document may claim of memory is bounded.
+    /// </summary>
+    static class E57XmlTree
+    {
+        public const int MaxBytes = 32 << 20;
+        const int MaxNodes = 400_000;
+        const int MaxDepth = 64;
+
+        /// <summary>Between two tags; the parser holds all attributes of a tag at once.</summary>
+        const int MaxTagBytes = 1 << 20;
+
+        /// <param name="xml">UTF-8.</param>
+        /// <param name="offset">Where it starts in the file.</param>
+        /// <exception cref="PointCloudException">It is no well-formed XML, or larger than any E57 file has use for.</exception>
+        public static E57Node Parse(byte[] xml, string path, long offset)
+        {
+            CheckTags(xml, path, offset);
+            try
+            {
+                using (var text = new StreamReader(new MemoryStream(xml), Encoding.UTF8))
+                using (var reader = new XmlTextReader(text)
+                {
+                    Namespaces = false,
+                    DtdProcessing = DtdProcessing.Prohibit,
+                    XmlResolver = null,
+                    WhitespaceHandling = WhitespaceHandling.None,
+                    // Without definitions there is none to expand: one that is named is an error.
+                    EntityHandling = EntityHandling.ExpandEntities,
+                })
+                    return Parse(reader, path, offset);
+            }
+            catch (XmlException e)
+            {
+                throw new PointCloudException(FailureCode.BadInput, path, offset, "the XML section, line " + e.LineNumber +
+                    ", column " + e.LinePosition + ": " + E57Text.OneLine(e.Message), e);
+            }
+        }
+
+        static E57Node Parse(XmlTextReader reader, string path, long offset)
+        {
+            var open = new Stack<E57Node>();
+            var leafText = new StringBuilder();
+            E57Node root = null;
+            int nodes = 0;
+            while (reader.Read())
+            {
+                switch (reader.NodeType)
+                {
+                    case XmlNodeType.Element:
+                        if (++nodes > MaxNodes || open.Count == MaxDepth)
+                            throw PointCloudException.Wanted(FailureCode.Unsupported, path, offset, "the XML section",
+                                "at most " + MaxNodes + " elements, nested at most " + MaxDepth + " deep", "more");
+                        var node = new E57Node(reader.Name, reader.LineNumber);
+                        bool isEmpty = reader.IsEmptyElement;
+                        while (reader.MoveToNextAttribute())
+                            node.AddAttribute(reader.Name, reader.Value);
+                        if (open.Count > 0)
+                            open.Peek().Add(node);
+                        root = root ?? node;
+                        leafText.Clear();
+                        if (!isEmpty)
+                            open.Push(node);
+                        break;
+                    case XmlNodeType.EndElement:
+                        var ended = open.Pop();
+                        if (ended.Children.Count == 0)
+                            ended.Text = leafText.ToString();
+                        leafText.Clear();
+                        break;
+                    case XmlNodeType.Text:
+                    case XmlNodeType.CDATA:
+                        leafText.Append(reader.Value);
+                        break;
+                }
+            }
+            return root ?? throw new PointCloudException(FailureCode.BadInput, path, offset, "the XML section has no element");
+        }
+
+        static void CheckTags(byte[] xml, string path, long offset)
+        {
+            int last = 0;
+            for (int i = 0; i < xml.Length; i++)
+            {
+                if (xml[i] != '<')
+                {
+                    if (i - last > MaxTagBytes)
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, path, offset, "a tag of the XML section",
+                            "at most " + MaxTagBytes + " bytes with the text behind it", "more");
+                    continue;
+                }
+                last = i;
+            }
+        }
+    }
+}
