@@ -28,7 +28,7 @@ namespace FastPoints.Files
         const ulong MostRecordsWithoutBits = 65536;
 
         readonly Crc32C m_crc;
-        readonly FileHandle m_file;
+        FileHandle m_file;
         readonly E57Schema m_schema;
         readonly List<E57Section> m_sections;
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
@@ -50,8 +50,7 @@ namespace FastPoints.Files
             foreach (var section in sections)
                 HasVectors |= schema.HasVectorPositions || E57Schema.HasVectorNormals(section.Scan);
             m_areBlocksKnown = info.PointsClaimed == 0;
-            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(info.Path));
-            m_isOpen = true;
+            OpenFile();
         }
 
         /// <inheritdoc cref="Open(FileSource)"/>
@@ -143,6 +142,7 @@ namespace FastPoints.Files
         {
             if (m_areBlocksKnown)
                 yield break;
+            OpenFile();
             long points = 0;
             foreach (var section in m_sections)
             {
@@ -176,6 +176,7 @@ namespace FastPoints.Files
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             Known(0);
+            OpenFile();
             return new E57BlockRead(this, wanted, capacity, allocator);
         }
 
@@ -217,13 +218,26 @@ namespace FastPoints.Files
                 Tell("integers above the maximum of their field: the maximum was taken", -1, isNew ? oddities.Misfits : 0);
         }
 
-        public override void Dispose()
+        public override void CloseFile()
         {
             if (!m_isOpen)
                 return;
             m_isOpen = false;
             m_file.Close().Complete();
+        }
+
+        public override void Dispose()
+        {
+            CloseFile();
             m_crc.Dispose();
+        }
+
+        void OpenFile()
+        {
+            if (m_isOpen)
+                return;
+            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
+            m_isOpen = true;
         }
 
         static List<E57Section> ReadScans(E57Node root, FileSource source, Crc32C crc, SourceInfo info)

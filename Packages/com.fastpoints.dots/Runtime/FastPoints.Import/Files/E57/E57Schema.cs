@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -9,7 +10,7 @@ namespace FastPoints.Files
     /// The one schema of a file whose scans may differ in their fields, and how each scan's fields become its attributes.
     /// </summary>
     /// <remarks>
-    /// A position is an int32 on a common grid where all scans are scaled integers on one (exact), a float where they are floats
+    /// A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float where they are floats
     /// that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all scans; a scan without
     /// it has 0.
     /// </remarks>
@@ -33,6 +34,9 @@ namespace FastPoints.Files
         /// <summary>Grid positions: by scan, what is added to its integers.</summary>
         long[][] m_shiftsOfScan;
 
+        /// <summary>Grid positions: by axis.</summary>
+        readonly AttributeType[] m_gridTypes = new AttributeType[3];
+
         /// <summary>The field that each attribute comes from.</summary>
         readonly Dictionary<string, string> m_fieldOf = new Dictionary<string, string>();
 
@@ -40,8 +44,10 @@ namespace FastPoints.Files
         {
             m_scans = scans;
             var attributes = new List<PointAttribute>();
-            foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
-                attributes.Add(new PointAttribute(axis, ChoosePositions()));
+            ChoosePositions();
+            attributes.Add(new PointAttribute(AttributeNames.X, PositionType(0)));
+            attributes.Add(new PointAttribute(AttributeNames.Y, PositionType(1)));
+            attributes.Add(new PointAttribute(AttributeNames.Z, PositionType(2)));
             foreach (string field in FieldNames())
                 attributes.Add(new PointAttribute(E57Names.AttributeOf(field), TypeOf(field, out double scale, out double offset),
                     scale, offset));
@@ -117,33 +123,31 @@ namespace FastPoints.Files
         /// <summary>Colors that are neither bytes nor 16-bit numbers nor shares of 1 are told as 16-bit numbers.</summary>
         public bool HasScaledColors { get; private set; }
 
-        AttributeType ChoosePositions()
+        void ChoosePositions()
         {
-            if (PositionSummary == null)
+            if (m_scans.Count > 0 && TryGrid())
             {
-                if (TryGrid())
-                {
-                    m_positions = PositionKind.Grid;
-                    PositionSummary = "whole numbers, as stored";
-                }
-                else if (m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity &&
-                    Array.TrueForAll(scan.Three(E57Names.Cartesian), field => field.Kind == E57FieldKind.Float32)))
-                {
-                    m_positions = PositionKind.Floats;
-                    PositionSummary = "floats, as stored";
-                }
-                else
-                {
-                    m_positions = PositionKind.Doubles;
-                    PositionSummary = m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity)
-                        ? "doubles" : "doubles, computed from the scans' coordinates and poses";
-                }
+                m_positions = PositionKind.Grid;
+                PositionSummary = "whole numbers, as stored";
             }
-            return m_positions == PositionKind.Grid ? AttributeType.Int32
-                : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
+            else if (m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity &&
+                Array.TrueForAll(scan.Three(E57Names.Cartesian), field => field.Kind == E57FieldKind.Float32)))
+            {
+                m_positions = PositionKind.Floats;
+                PositionSummary = "floats, as stored";
+            }
+            else
+            {
+                m_positions = PositionKind.Doubles;
+                PositionSummary = m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity)
+                    ? "doubles" : "doubles, computed from the scans' coordinates and poses";
+            }
         }
 
-        /// <summary>Whether all scans' integers lie on one grid of 32 bits, by shifts of whole steps.</summary>
+        AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
+            : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
+
+        /// <summary>Whether all scans' integers lie on one grid, by shifts of whole steps.</summary>
         bool TryGrid()
         {
             var shifts = new long[m_scans.Count][];
@@ -173,9 +177,15 @@ namespace FastPoints.Files
                     least = Math.Min(least, field.Minimum + whole);
                     most = Math.Max(most, field.Maximum + whole);
                 }
-                if (most - least > uint.MaxValue || Math.Abs(least) > 1L << 52)
+                // As doubles these limits are rounded, and wide of what 64 bits hold where a shift could leave them.
+                bool isShifted = shifts.Any(shift => shift[axis] != 0);
+                if (isShifted && !(Math.Abs(least) < 1L << 62 && Math.Abs(most) < 1L << 62))
                     return false;
-                long toInt = least >= int.MinValue && most <= int.MaxValue ? 0 : int.MinValue - (long)least;
+                bool isNarrow = most - least <= uint.MaxValue && Math.Abs(least) < 1L << 52;
+                m_gridTypes[axis] = isNarrow ? AttributeType.Int32 : AttributeType.Int64;
+                if (!isNarrow || least >= int.MinValue && most <= int.MaxValue)
+                    continue;
+                long toInt = int.MinValue - (long)least;
                 for (int i = 0; i < shifts.Length; i++)
                     shifts[i][axis] += toInt;
                 offset[axis] -= toInt * scale[axis];

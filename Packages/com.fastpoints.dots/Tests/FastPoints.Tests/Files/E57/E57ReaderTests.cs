@@ -276,6 +276,22 @@ namespace FastPoints.Files.Tests
         }
 
         [Test]
+        public void Read_RangeOf64Bits_IsExact()
+        {
+            long[] values = { long.MinValue, -1, 0, 123456789012345678, long.MaxValue };
+            var scan = Floats(5);
+            scan.Fields[0] = E57TestField.Scaled("cartesianX", 0, 0, 1e-4, -3, values);
+            scan.Fields[0].HasLimits = false;
+            scan.Fields[1] = E57TestField.Scaled("cartesianY", -5000000000, 5000000000, 1e-4, 0, -5000000000, 1, 2, 3, 5000000000);
+            scan.Fields[2] = E57TestField.Integer("cartesianZ", 0, 3, 0, 1, 2, 3, 3);
+            var contents = E57Contents.Read(File(scan));
+            Assert.That(contents.Column<long>("X"), Is.EqualTo(values));
+            Assert.That(contents.Column<long>("Y"), Is.EqualTo(scan.Fields[1].Integers));
+            Assert.That(contents.Column<int>("Z"), Is.EqualTo(new[] { 0, 1, 2, 3, 3 }));
+            Assert.That(contents.Info.Transform.Offset.x, Is.EqualTo(-3));
+        }
+
+        [Test]
         public void Read_ScansOfDifferentKinds_AreDoubles()
         {
             var contents = E57Contents.Read(File(Grid(20, 0.001), Floats(10), Grid(20, 0.01)));
