@@ -65,8 +65,8 @@ namespace FastPoints.Files
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
             paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
-        /// <summary>Opens a LAS, LAZ, PLY or E57 file, a Potree octree by its folder or its index in it, or all clouds that lie in a
-        /// folder as one. Dispose the reader.</summary>
+        /// <summary>Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that
+        /// lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
         /// header; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
@@ -98,7 +98,8 @@ namespace FastPoints.Files
                         "this is " + kind.Name + ": wanted LAS, LAZ, PLY, E57 or Potree");
                 }
                 return XyzReader.Open(source, options) ?? throw new PointCloudException(FailureCode.Unsupported, path, 0,
-                    "no known point cloud format: wanted LAS (LASF), PLY (ply), E57 (ASTM-E57), or lines of numbers, got " + Shown(head));
+                    "no known point cloud format: wanted LAS (LASF), PLY (ply), E57 (ASTM-E57), or lines of numbers, got " +
+                    Shown(head));
             }
         }
 
