@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.LazEncoding;
 using FastPoints.Scenes;
 
 namespace FastPoints.Cli
@@ -10,7 +11,7 @@ namespace FastPoints.Cli
         public const long DefaultPoints = 5_000_000;
         public const int MostOrderedPoints = OrderedScan.MostPoints;
 
-        /// <param name="path">Ends in .las or .ply; anything else becomes LAS.</param>
+        /// <param name="path">Ends in .las, .laz or .ply; anything else becomes LAS.</param>
         public static void Write(string path, long points, uint seed, ScanOrder order, CliRun run)
         {
             run.Progress.Begin("scan");
@@ -25,6 +26,10 @@ namespace FastPoints.Cli
                 });
                 file.Commit();
             }
+            else if (Path.GetExtension(path).Equals(".laz", StringComparison.OrdinalIgnoreCase))
+            {
+                WriteLaz(path, points, seed, order, run);
+            }
             else
             {
                 using var las = new LasReturnSink(path);
@@ -33,6 +38,29 @@ namespace FastPoints.Cli
             }
             run.Progress.Report(1, points, new FileInfo(path).Length);
             run.Progress.End();
+        }
+
+        /// <summary>By way of a LAS file beside it, which is gone at the end.</summary>
+        static void WriteLaz(string path, long points, uint seed, ScanOrder order, CliRun run)
+        {
+            string las = path + ".las.tmp";
+            try
+            {
+                using (var sink = new LasReturnSink(las))
+                {
+                    run.Pump(OrderedScan.Run(points, seed, order, sink, run.Progress));
+                    sink.Complete();
+                }
+                run.Progress.End();
+                run.Progress.Begin("compress");
+                using var file = new OutputFile(path);
+                OutputFile.Guarded(path, () => LazFile.Write(las, file.Stream, run.Progress, run.Cancellation));
+                file.Commit();
+            }
+            finally
+            {
+                File.Delete(las);
+            }
         }
     }
 }

@@ -13,7 +13,7 @@ namespace FastPoints.Cli.Verbs
         {
             HelpName = "FILE",
             Required = true,
-            Description = "What to write: .las (1.4, point format 7) or .ply (binary).",
+            Description = "What to write: .las or .laz (1.4, point format 7) or .ply (binary).",
         };
         readonly Option<long> m_points = new("--points")
         {
@@ -56,6 +56,7 @@ namespace FastPoints.Cli.Verbs
         public override IReadOnlyList<(string, string)> Examples =>
         [
             ("./fastpoints demo-cloud -o demo.las", "5 million points"),
+            ("./fastpoints demo-cloud -o demo.laz --points 1000000", "compressed"),
             ("./fastpoints demo-cloud -o demo.ply --points 200000 --seed 7", "a small one, as PLY"),
             ("./fastpoints demo-cloud -o big.las --tile demo.las --times 100", "half a billion points"),
         ];
@@ -86,8 +87,8 @@ namespace FastPoints.Cli.Verbs
                 if (order != ScanOrder.Strip && written > DemoCloud.MostOrderedPoints)
                     throw new UsageException("--order " + parsed.GetValue(m_order) + " keeps the points in memory: at most "
                         + Human.Count(DemoCloud.MostOrderedPoints));
-                if (!HasExtension(output, ".las") && !HasExtension(output, ".ply"))
-                    throw new UsageException("--output: wanted a name that ends in .las or .ply, got " + output);
+                if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
+                    throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
                 DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
             }
             long bytes = new FileInfo(output).Length;

@@ -50,6 +50,20 @@ namespace FastPoints.HostTests.Cli
         }
 
         [Test]
+        public void DemoCloud_AsLaz_HoldsTheSamePoints()
+        {
+            Make("a.las", "--points", "60001");
+            Make("a.laz", "--points", "60001");
+            JsonElement las = Scan("a.las"), laz = Scan("a.laz");
+            Assert.That(laz.GetProperty("format").GetString(), Is.EqualTo("LAZ"));
+            foreach (string key in new[] { "points", "columnSums", "bounds", "boundsClaimed", "attributes", "crs" })
+                Assert.That(laz.GetProperty(key).GetRawText(), Is.EqualTo(las.GetProperty(key).GetRawText()), key);
+            Assert.That(laz.GetProperty("warnings").GetArrayLength(), Is.Zero);
+            Assert.That(new FileInfo(m_scratch["a.laz"]).Length, Is.LessThan(new FileInfo(m_scratch["a.las"]).Length / 2));
+            Assert.That(Directory.GetFiles(Path.GetDirectoryName(m_scratch["a.laz"])!).Length, Is.EqualTo(2), "nothing is left beside");
+        }
+
+        [Test]
         public void DemoCloud_IsAStreet()
         {
             Make("a.las", "--points", "50000");

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;

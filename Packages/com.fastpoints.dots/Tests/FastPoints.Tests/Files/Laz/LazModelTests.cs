@@ -1,4 +1,5 @@
 using System;
+using FastPoints.LazEncoding;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.LazEncoding;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Files;
+using FastPoints.LazEncoding;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

@@ -5,6 +5,7 @@ using System.IO.Compression;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Files.Tests;
+using FastPoints.LazEncoding;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

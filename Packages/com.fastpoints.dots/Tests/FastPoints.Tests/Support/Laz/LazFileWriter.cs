@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Text;
 using FastPoints.Files;
+using FastPoints.LazEncoding;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
@@ -55,32 +55,7 @@ namespace FastPoints.Tests.Support
 
         public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
 
-        public LazItem[] Items()
-        {
-            var items = new List<LazItem>();
-            bool isExtended = PointFormat >= 6;
-            int at = 0;
-            foreach (string name in LazFormat.ItemsOf(PointFormat).Split(new[] { " + " }, StringSplitOptions.None))
-                Add(items, (LazItemType)Enum.Parse(typeof(LazItemType), name), 0, ref at);
-            if (ExtraBytes > 0)
-                Add(items, isExtended ? LazItemType.Bytes14 : LazItemType.Bytes, ExtraBytes, ref at);
-            return items.ToArray();
-        }
-
-        void Add(List<LazItem> items, LazItemType type, int bytes, ref int at)
-        {
-            int fixedBytes = LazItem.FixedBytes(type);
-            var item = new LazItem
-            {
-                Type = type,
-                // Wave packets of pointwise chunks have one version only.
-                Version = type == LazItemType.WavePacket13 ? 1 : ItemVersion,
-                Bytes = fixedBytes != 0 ? fixedBytes : bytes,
-                RecordOffset = at,
-            };
-            items.Add(item);
-            at += item.Bytes;
-        }
+        public LazItem[] Items() => LazItems.Of(PointFormat, ItemVersion, ExtraBytes);
 
         /// <summary>The file's bytes.</summary>
         public byte[] Write(IReadOnlyList<byte[]> records)
@@ -157,38 +132,10 @@ namespace FastPoints.Tests.Support
             file.Write(table);
         }
 
-        byte[] Vlr(LazItem[] items)
-        {
-            var vlr = new BinaryWriter(new MemoryStream());
-            vlr.Write((ushort)0);
-            vlr.Write(Padded(LazFormat.UserId, 16));
-            vlr.Write(LazFormat.RecordId);
-            vlr.Write((ushort)(34 + 6 * items.Length));
-            vlr.Write(Padded("", 32));
-            vlr.Write((ushort)(IsPlain ? LazCompressor.None : ChunkPoints.Length == 0 ? LazCompressor.Pointwise
-                : PointFormat >= 6 ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked));
-            vlr.Write((ushort)0);
-            vlr.Write(new byte[] { 3, 4, 0, 0 });
-            vlr.Write(0u);
-            vlr.Write(HasVariableChunks ? LazFormat.VariableChunkPoints : ChunkPoints.Length == 0 ? 0 : (uint)ChunkPoints[0]);
-            vlr.Write(-1L);
-            vlr.Write(-1L);
-            vlr.Write((ushort)items.Length);
-            foreach (var item in items)
-            {
-                vlr.Write((ushort)item.Type);
-                vlr.Write((ushort)item.Bytes);
-                vlr.Write((ushort)item.Version);
-            }
-            return ((MemoryStream)vlr.BaseStream).ToArray();
-        }
-
-        static byte[] Padded(string text, int count)
-        {
-            var bytes = new byte[count];
-            Encoding.ASCII.GetBytes(text).CopyTo(bytes, 0);
-            return bytes;
-        }
+        byte[] Vlr(LazItem[] items) => LazItems.Vlr(items,
+            IsPlain ? LazCompressor.None : ChunkPoints.Length == 0 ? LazCompressor.Pointwise
+                : PointFormat >= 6 ? LazCompressor.LayeredChunked : LazCompressor.PointwiseChunked,
+            HasVariableChunks ? LazFormat.VariableChunkPoints : ChunkPoints.Length == 0 ? 0 : (uint)ChunkPoints[0]);
 
         static List<byte[]> Part(IReadOnlyList<byte[]> records, int first, int count)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Files;
+using FastPoints.LazEncoding;
 
 namespace FastPoints.Tests.Support
 {

@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Files;
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.LazEncoding.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.LazEncoding
 {
     /// <summary>Records to the bytes of LAZ chunks, and chunks to a chunk table.</summary>
     public static class LazEncoder

@@ -1,4 +1,4 @@
-namespace FastPoints.Tests.Support
+namespace FastPoints.LazEncoding
 {
     /// <summary>The encoder's side of <see cref="FastPoints.Files.IntegerModel"/>.</summary>
     public sealed class IntegerEncoder

@@ -1,9 +1,9 @@
 using System;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.LazEncoding
 {
     /// <summary>Little-endian values within a record.</summary>
-    static class RecordFields
+    public static class RecordFields
     {
         public static int Int32(byte[] record, int at) => BitConverter.ToInt32(record, at);
         public static ushort UInt16(byte[] record, int at) => BitConverter.ToUInt16(record, at);

@@ -1,6 +1,6 @@
-using static FastPoints.Tests.Support.RecordFields;
+using static FastPoints.LazEncoding.RecordFields;
 
-namespace FastPoints.Tests.Support
+namespace FastPoints.LazEncoding
 {
     /// <summary>An item of pointwise chunks, as an encoder: given the first record, then each further one.</summary>
     interface IItemEncoder
