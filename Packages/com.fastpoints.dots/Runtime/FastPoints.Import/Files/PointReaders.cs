@@ -109,7 +109,7 @@ namespace FastPoints.Files
             if (index.IsObject("hierarchy") && index.Has("encoding"))
                 return Potree2Reader.Open(index);
             if (index.Has("octreeDir") || index.Has("pointAttributes"))
-                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "a Potree 1 octree is not read yet");
+                return Potree1Reader.Open(index);
             if (index.Has("hierarchyType") || index.IsList("schema") && index.Has("dataType"))
                 throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "an Entwine octree (EPT) is not read yet");
             if (index.IsText("format") && index.Text("format") == "fastpoints")

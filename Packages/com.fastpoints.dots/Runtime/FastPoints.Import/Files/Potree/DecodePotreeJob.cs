@@ -41,7 +41,7 @@ namespace FastPoints.Files
         }
 
         /// <returns>An error where a position left the grid and stays at its edge.</returns>
-        static int Move(int* column, int count, int shift)
+        public static int Move(int* column, int count, int shift)
         {
             int error = PotreeError.None;
             for (int i = 0; i < count; i++)

@@ -262,6 +262,7 @@ namespace FastPoints.Files
         {
             if (bytes == 0)
                 points = 0;
+            PointsClaimed += points;
             string problem = points > 0 ? FindProblem(ref points, offset, bytes) : null;
             if (problem != null)
                 Findings.Tell("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,

@@ -88,6 +88,16 @@ namespace FastPoints.Files
             return attribute;
         }
 
+        /// <summary>Gives up what it means: its bytes are columns.</summary>
+        public void BecomeBytes()
+        {
+            Kind = PotreeAttributeKind.Plain;
+            Type = AttributeType.UInt8;
+            Columns = new PointAttribute[Bytes];
+            for (int i = 0; i < Bytes; i++)
+                Columns[i] = new PointAttribute(Name + "[" + Text(i) + "]", Type);
+        }
+
         /// <summary>Of the attributes that are more than a list of numbers, if it is one of them in the form that these have.</summary>
         bool MakeSpecial(string canonical)
         {

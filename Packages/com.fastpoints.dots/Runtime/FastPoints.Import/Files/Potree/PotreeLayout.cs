@@ -23,6 +23,8 @@ namespace FastPoints.Files
             long bytes = 0;
             foreach (var attribute in attributes)
             {
+                if (attribute.IsPackedNormal && m_attributes.Exists(other => other.IsPackedNormal))
+                    attribute.BecomeBytes();
                 attribute.RecordOffset = (int)bytes;
                 bytes += attribute.Bytes;
                 if (bytes > MaxRecordBytes)

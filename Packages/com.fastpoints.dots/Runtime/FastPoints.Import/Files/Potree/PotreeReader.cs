@@ -58,6 +58,9 @@ namespace FastPoints.Files
 
         private protected PotreeFindings Findings { get; }
 
+        /// <summary>By the hierarchy, as far as it has been read.</summary>
+        private protected long PointsClaimed { get; set; }
+
         public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
 
         public override int PointsInBlock(int block) => Block(block).Points;
@@ -83,8 +86,11 @@ namespace FastPoints.Files
                 watch.Restart();
             }
             EndReading();
-            if (m_tree.IsWhole)
-                Info.PointsReadable = m_pointCount;
+            if (!m_tree.IsWhole)
+                yield break;
+            Info.PointsReadable = m_pointCount;
+            if (Info.PointsClaimed == 0)
+                Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
         /// <summary>Reads the next part of the hierarchy that the first levels take: some milliseconds' work at most.</summary>
