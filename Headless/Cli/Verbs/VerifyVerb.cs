@@ -75,7 +75,7 @@ namespace FastPoints.Cli.Verbs
             if (!result.Ok)
                 throw new PointCloudException(FailureCode.BadInput, cloud, -1,
                     result.ProblemCount == 1 ? "1 problem" : Human.Count(result.ProblemCount) + " problems");
-            run.Out.WriteLine(cloud + ": " + Human.Count(result.Points) + " points, all there"
+            run.Out.WriteLine(cloud + ": " + Human.Count(result.Points) + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
                 + (readers.Count > 0 ? ", the same as in the source" : ""));
         }
 

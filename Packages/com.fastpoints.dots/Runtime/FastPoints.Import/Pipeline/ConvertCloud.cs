@@ -546,7 +546,7 @@ namespace FastPoints.Pipeline
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
                 m_manifest.CloudId,
-                m_folder, m_settings.Sampler, sizes);
+                m_folder, m_settings.Sampler, sizes, m_settings.SecondsPerGeneration);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))
                 while (work.MoveNext())

@@ -27,6 +27,9 @@ namespace FastPoints.Pipeline
         /// <summary>A build that goes to files can be taken up after each so many points.</summary>
         public long PointsPerCheckpoint = 8000000;
 
+        /// <summary>While chunks become nodes, what is finished is made a cloud that can be opened, at most so often.</summary>
+        public double SecondsPerGeneration = 5;
+
         /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
         /// same.</summary>
         public int ChunksAtOnce;

@@ -44,17 +44,21 @@ namespace FastPoints.Pipeline
         readonly MemoryPlan m_plan;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
+        readonly double m_secondsPerGeneration;
         readonly List<Slot> m_slots = new List<Slot>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
         NativeReference<PagePool> m_pool;
         UpperMerge m_merge;
+        long m_largestChunkBytes;
+        int m_atOnce;
+        long m_generation;
 
         /// <param name="pool">Of the chunks' pages.</param>
         /// <param name="files">Where their records are; null where they are in memory.</param>
         public OctreeBuild(ChunkSet chunks, NativeReference<PagePool> pool, RecordFiles files, MemoryPlan plan,
             RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
-            Sampler sampler, NodeSizes sizes)
+            Sampler sampler, NodeSizes sizes, double secondsPerGeneration)
         {
             m_chunks = chunks;
             m_pool = pool;
@@ -67,6 +71,7 @@ namespace FastPoints.Pipeline
             m_folder = folder;
             m_sampler = sampler;
             m_sizes = sizes;
+            m_secondsPerGeneration = secondsPerGeneration;
             m_results = new ChunkResult[chunks.Chunks.Count];
             m_topRecords = new NativeArray<byte>[m_results.Length];
             BytesOfPlane = new long[store.Layout.Planes.Count];
@@ -82,7 +87,7 @@ namespace FastPoints.Pipeline
         public IEnumerator<JobHandle> Run(int atOnce, CloudManifest manifest, StageProgress progress)
         {
             progress?.Begin("index");
-            using (var chunks = IndexChunks(atOnce, progress))
+            using (var chunks = IndexChunks(atOnce, manifest, progress))
                 while (chunks.MoveNext())
                     yield return chunks.Current;
             foreach (var slot in m_slots)
@@ -124,8 +129,11 @@ namespace FastPoints.Pipeline
             }
         }
 
-        IEnumerator<JobHandle> IndexChunks(int atOnce, StageProgress progress)
+        IEnumerator<JobHandle> IndexChunks(int atOnce, CloudManifest manifest, StageProgress progress)
         {
+            var watch = System.Diagnostics.Stopwatch.StartNew();
+            double mergeSeconds = 0;
+            int finished = 0;
             // The largest first, so that none is left for the end alone.
             var order = new List<int>();
             long total = 0, done = 0, largest = 1;
@@ -148,6 +156,8 @@ namespace FastPoints.Pipeline
             if (m_files == null)
                 chunkBytes -= largest * m_records.StrideBytes;
             atOnce = (int)Math.Max(1, Math.Min(Math.Min(atOnce, order.Count), m_plan.IndexBytes / chunkBytes));
+            m_largestChunkBytes = chunkBytes;
+            m_atOnce = atOnce;
             for (int i = 0; i < atOnce; i++)
             {
                 m_slots.Add(new Slot
@@ -170,11 +180,21 @@ namespace FastPoints.Pipeline
                         Finish(slot);
                         done += m_chunks.Chunks[slot.Chunk].Count;
                         progress?.Report(done / (double)total, done, 0);
+                        finished++;
                     }
                     // The file's memory is the indexer's: it is written before the next chunk overwrites it.
                     while (slot.Written != null && !slot.Written.IsDone(1))
                         yield return default;
                     Clear(slot);
+                    if (finished < order.Count && IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
+                    {
+                        double begin = watch.Elapsed.TotalSeconds;
+                        using (var work = WriteGeneration(manifest))
+                            while (work.MoveNext())
+                                yield return work.Current;
+                        mergeSeconds = watch.Elapsed.TotalSeconds - begin;
+                        watch.Restart();
+                    }
                     if (i >= order.Count)
                         continue;
                     slot.Chunk = order[i];
@@ -204,6 +224,53 @@ namespace FastPoints.Pipeline
                 check.Complete();
                 bounds.Dispose();
             }
+        }
+
+        /// <summary>Not often, not much of the time, and only where memory has room beside the chunks in work.</summary>
+        bool IsGenerationDue(double seconds, double lastTook)
+        {
+            if (seconds < Math.Max(m_secondsPerGeneration, 8 * lastTook))
+                return false;
+            long tops = 0;
+            foreach (var result in m_results)
+                tops += result == null ? 0 : result.TopPoints;
+            long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(m_plan.PointsPerChunk)) * m_plan.IndexBytesPerPoint;
+            return tops > 0 && merged + m_atOnce * m_largestChunkBytes <= m_plan.IndexBytes;
+        }
+
+        /// <summary>Makes what is finished a cloud that can be opened: upper nodes above the finished chunks' tops.</summary>
+        IEnumerator<JobHandle> WriteGeneration(CloudManifest whole)
+        {
+            var manifest = CloudManifest.FromJson(whole.ToJson(), m_folder.PathOf(StoreFormat.ManifestName));
+            manifest.IsBuilding = true;
+            manifest.Generation = ++m_generation;
+            manifest.Points = 0;
+            manifest.Checksum = 0;
+            var finished = new List<ChunkResult>();
+            for (int i = 0; i < m_results.Length; i++)
+            {
+                // A chunk whose file is still being written comes with the next generation.
+                if (m_results[i] == null || IsBeingWritten(i))
+                    continue;
+                finished.Add(m_results[i]);
+                manifest.Points += m_results[i].TopPoints + m_results[i].Record.PointCount;
+                manifest.Checksum += m_results[i].Checksum;
+            }
+            using (var merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes))
+            using (var work = merge.Run(finished, m_topRecords, m_plan.PointsPerChunk, manifest, null))
+                while (work.MoveNext())
+                    yield return work.Current;
+            m_folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
+            // The generation before is what a reader may just be opening.
+            m_folder.DeleteGeneration(m_generation - 2);
+        }
+
+        bool IsBeingWritten(int chunk)
+        {
+            foreach (var slot in m_slots)
+                if (slot.Chunk == chunk && slot.Written != null)
+                    return true;
+            return false;
         }
 
         /// <summary>A chunk that the build before this one has done.</summary>

@@ -47,22 +47,26 @@ namespace FastPoints.Pipeline
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
+        /// <summary>Tops' points that one go takes: more are merged in regions first.</summary>
+        public static long MostPointsAtOnce(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, LeastPointsPerRegion);
+
         /// <summary>Side of the smallest node.</summary>
         public int LowestSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
         /// <summary>Work for a pump: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
-        /// <param name="chunks">In Morton order.</param>
-        /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. Emptied.</param>
+        /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
+        /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
         /// <param name="pointsPerRegion">That one go takes, about.</param>
-        public IEnumerator<JobHandle> Run(ChunkResult[] chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
+        public IEnumerator<JobHandle> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
             CloudManifest manifest, StageProgress progress)
         {
             m_indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
-            m_regionOfChunk = new UpperRegion[chunks.Length];
-            m_draftOfChunk = new int[chunks.Length];
+            int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
+            m_regionOfChunk = new UpperRegion[last + 1];
+            m_draftOfChunk = new int[last + 1];
             long left = 0;
-            for (int i = 0; i < chunks.Length; i++)
+            for (int i = 0; i < chunks.Count; i++)
             {
                 left += chunks[i].TopPoints;
                 m_items.Add(new UpperItem
@@ -70,15 +74,14 @@ namespace FastPoints.Pipeline
                     Cube = chunks[i].Record.Cube,
                     Top = chunks[i].Top,
                     TopPoints = chunks[i].TopPoints,
-                    Chunk = i,
-                    Records = topRecords[i],
+                    Chunk = chunks[i].Record.Number,
+                    Records = topRecords[chunks[i].Record.Number],
                 });
-                topRecords[i] = default;
             }
 
             pointsPerRegion = Math.Max(pointsPerRegion, LeastPointsPerRegion);
             m_upperBytes = FileHeader.SizeBytes;
-            while (left > 2 * pointsPerRegion)
+            while (left > MostPointsAtOnce(pointsPerRegion))
             {
                 var groups = CubeGroups.Of(m_root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
                 if (groups.Count == m_items.Count)
@@ -95,7 +98,7 @@ namespace FastPoints.Pipeline
                     else
                     {
                         var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
-                        using (var work = MergeRegion(members, group.Cube, false))
+                        using (var work = MergeRegion(members, group.Cube, false, manifest))
                             while (work.MoveNext())
                                 yield return work.Current;
                     }
@@ -104,7 +107,7 @@ namespace FastPoints.Pipeline
                 }
             }
             if (m_items.Count > 0)
-                using (var work = MergeRegion(new List<UpperItem>(m_items), m_root, true))
+                using (var work = MergeRegion(new List<UpperItem>(m_items), m_root, true, manifest))
                     while (work.MoveNext())
                         yield return work.Current;
             using (var work = WriteHierarchy(chunks, manifest))
@@ -119,13 +122,13 @@ namespace FastPoints.Pipeline
             foreach (var region in m_regions)
                 region.Dispose();
             foreach (var item in m_items)
-                if (item.Records.IsCreated)
+                if (item.Region != null && item.Records.IsCreated)
                     item.Records.Dispose();
             m_items.Clear();
         }
 
         /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
-        IEnumerator<JobHandle> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
+        IEnumerator<JobHandle> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot, CloudManifest manifest)
         {
             long points = 0;
             foreach (var member in members)
@@ -146,7 +149,8 @@ namespace FastPoints.Pipeline
                     if (member.Records.IsCreated)
                     {
                         NativeArray<byte>.Copy(member.Records, 0, records, at, bytes);
-                        member.Records.Dispose();
+                        if (member.Region != null)
+                            member.Records.Dispose();
                         member.Records = default;
                     }
                     else
@@ -192,13 +196,13 @@ namespace FastPoints.Pipeline
                 if (isRoot && m_upperPoints == 0)
                 {
                     m_upperBytes = file.Length;
-                    ticket = m_folder.Write(StoreFormat.UpperName, file);
+                    ticket = m_folder.Write(manifest.UpperName, file);
                 }
                 else if (file.Length > 0)
                 {
                     region.PlaneShift = m_upperBytes - FileHeader.SizeBytes;
                     var planes = file.GetSubArray(FileHeader.SizeBytes, file.Length - FileHeader.SizeBytes);
-                    ticket = m_folder.WritePiece(StoreFormat.UpperName, planes, m_upperBytes);
+                    ticket = m_folder.WritePiece(manifest.UpperName, planes, m_upperBytes);
                     m_upperBytes += planes.Length;
                 }
                 if (file.Length > 0)
@@ -208,7 +212,7 @@ namespace FastPoints.Pipeline
                 if (!isRoot || region.PlaneShift == 0)
                     yield break;
                 DescribeAll(file);
-                ticket = m_folder.Seal(StoreFormat.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
+                ticket = m_folder.Seal(manifest.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
                 while (!ticket.IsDone(1))
                     yield return default;
             }
@@ -270,7 +274,7 @@ namespace FastPoints.Pipeline
             };
         }
 
-        IEnumerator<JobHandle> WriteHierarchy(ChunkResult[] chunks, CloudManifest manifest)
+        IEnumerator<JobHandle> WriteHierarchy(IReadOnlyList<ChunkResult> chunks, CloudManifest manifest)
         {
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();
@@ -283,18 +287,18 @@ namespace FastPoints.Pipeline
                 manifest.NodeCount = placeOfNode.Length;
                 manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
                 var records = new List<ChunkRecord>();
-                for (int i = 0; i < chunks.Length; i++)
+                foreach (var chunk in chunks)
                 {
-                    if (!chunks[i].Top.HasNodes)
+                    if (!chunk.Top.HasNodes)
                         continue;
-                    var record = chunks[i].Record;
-                    record.AttachNode = placeOfNode[m_regionOfChunk[i].NodeOf(m_draftOfChunk[i])];
+                    var record = chunk.Record;
+                    record.AttachNode = placeOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
                     manifest.NodeCount += record.NodeCount;
                     records.Add(record);
                 }
                 manifest.ChunkCount = records.Count;
                 hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, manifest);
-                ticket = m_folder.Write(StoreFormat.HierarchyName, hierarchy);
+                ticket = m_folder.Write(manifest.HierarchyName, hierarchy);
                 while (!ticket.IsDone(1))
                     yield return default;
             }

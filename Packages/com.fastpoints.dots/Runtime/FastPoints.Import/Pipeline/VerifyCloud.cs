@@ -55,6 +55,7 @@ namespace FastPoints.Pipeline
                 result.Add(e.Message);
                 yield break;
             }
+            result.IsBuilding = folder.Manifest.IsBuilding;
             using (folder)
             using (var verify = new VerifyCloud(folder, result))
             {

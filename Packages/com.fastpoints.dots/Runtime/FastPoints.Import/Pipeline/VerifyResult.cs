@@ -18,6 +18,9 @@ namespace FastPoints.Pipeline
             public double MinDistance;
         }
 
+        /// <summary>The cloud is in the making: what is finished of it was verified.</summary>
+        public bool IsBuilding;
+
         public const int MaxProblems = 100;
 
         readonly List<string> m_problems = new List<string>();

@@ -206,6 +206,13 @@ namespace FastPoints.Store
             }
         }
 
+        /// <summary>Deletes the files of one generation of the cloud in the making, where they are.</summary>
+        public void DeleteGeneration(long generation)
+        {
+            Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
+            Delete(StoreFormat.GenerationName(StoreFormat.HierarchyName, generation));
+        }
+
         /// <summary>Bytes of the cloud when it is complete.</summary>
         public long BytesOnDisk()
         {
@@ -237,6 +244,9 @@ namespace FastPoints.Store
                 foreach (string folder in new[] { BuildFiles.RecordFolderName, BuildFiles.TopFolderName })
                     if (Directory.Exists(PathOf(folder)))
                         Directory.Delete(PathOf(folder), true);
+                foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
+                    foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
+                        File.Delete(file);
                 m_lock.Dispose();
                 m_lock = null;
                 File.Delete(Path.Combine(m_part, LockName));

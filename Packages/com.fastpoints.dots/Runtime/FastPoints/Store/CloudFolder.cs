@@ -31,16 +31,40 @@ namespace FastPoints.Store
         /// <summary>In the order of the upper nodes that they hang on.</summary>
         public NativeArray<ChunkRecord> Chunks { get; private set; }
 
-        public string UpperPath => Path.Combine(FolderPath, StoreFormat.UpperName);
+        public string UpperPath => Path.Combine(FolderPath, Manifest.UpperName);
 
         public string ChunkPath(int chunk) => Path.Combine(FolderPath, StoreFormat.ChunkPath(Chunks[chunk].Number));
 
         /// <summary>Whether a path looks like a cloud's folder.</summary>
-        public static bool IsCloud(string path) =>
-            Directory.Exists(path) && File.Exists(Path.Combine(path, StoreFormat.ManifestName));
+        public static bool IsCloud(string path) => File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
+
+        /// <summary>Where a cloud is: under its name, or, where that is not there yet, in the making.</summary>
+        public static string Find(string path)
+        {
+            string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
+            return Directory.Exists(path) ||
+                !Directory.Exists(name + StoreFormat.PartSuffix) ? path : name + StoreFormat.PartSuffix;
+        }
 
         /// <exception cref="PointCloudException">It is no cloud, or its manifest or hierarchy are damaged.</exception>
         public static CloudFolder Open(string path)
+        {
+            path = Find(path);
+            // A cloud in the making may move on while its files are opened: then the next generation is there.
+            for (int attempt = 0; ; attempt++)
+            {
+                try
+                {
+                    return OpenOnce(path);
+                }
+                catch (PointCloudException) when (attempt < 3 && path.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal))
+                {
+                    path = Find(path.Substring(0, path.Length - StoreFormat.PartSuffix.Length));
+                }
+            }
+        }
+
+        static CloudFolder OpenOnce(string path)
         {
             string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
             var folder = new CloudFolder(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
@@ -93,7 +117,7 @@ namespace FastPoints.Store
 
         void ReadHierarchy()
         {
-            string path = Path.Combine(FolderPath, StoreFormat.HierarchyName);
+            string path = Path.Combine(FolderPath, Manifest.HierarchyName);
             var header = StoreFile.ReadHeader(path, StoreFormat.HierarchyMagic);
             if (header.CloudId != Manifest.CloudId || header.PointCount != Manifest.Points ||
                 header.FileBytes != Manifest.HierarchyBytes ||

@@ -34,6 +34,9 @@ namespace FastPoints.Store
         /// <summary>Rises by one each time the file is replaced.</summary>
         public long Generation = 1;
 
+        /// <summary>The cloud is in the making: what is told here is of the chunks that are finished.</summary>
+        public bool IsBuilding;
+
         public long Points;
 
         /// <summary>Points of the sources without a finite position on the grid.</summary>
@@ -78,6 +81,13 @@ namespace FastPoints.Store
         public ulong HierarchyHash;
         public long UpperBytes;
 
+        /// <summary>Names of the two files: a generation of a cloud in the making has its own, so that none changes under a
+        /// reader.</summary>
+        public string HierarchyName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
+            : StoreFormat.HierarchyName;
+        public string UpperName => IsBuilding ? StoreFormat.GenerationName(StoreFormat.UpperName, Generation)
+            : StoreFormat.UpperName;
+
         public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
 
         public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors);
@@ -85,7 +95,7 @@ namespace FastPoints.Store
         public string ToJson()
         {
             var json = new JsonWriter().BeginObject().Add("format", FormatName).Add("version", StoreFormat.Version)
-                .AddHex("id", CloudId).Add("generation", Generation)
+                .AddHex("id", CloudId).Add("generation", Generation).Add("building", IsBuilding)
                 .Add("points", Points).Add("pointsLeftOut", PointsLeftOut).AddHex("checksum", Checksum)
                 .Add("nodes", NodeCount).Add("chunks", ChunkCount);
 
@@ -164,6 +174,7 @@ namespace FastPoints.Store
             {
                 CloudId = Hex(Get(json, "id", ref member)),
                 Generation = JsonReader.ToLong(Get(json, "generation", ref member)),
+                IsBuilding = json.TryGetValue("building", out object building) && true.Equals(building),
                 Points = Count(Get(json, "points", ref member)),
                 PointsLeftOut = Count(Get(json, "pointsLeftOut", ref member)),
                 Checksum = Hex(Get(json, "checksum", ref member)),

@@ -27,6 +27,10 @@ namespace FastPoints.Store
         /// <summary>A node holds at most so many points of its own; more equal ones make a chain of nodes at one cube.</summary>
         public const int MaxPointsPerNode = 50000;
 
+        /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>
+        public static string GenerationName(string name, long generation) =>
+            name.Replace(".bin", "-" + generation.ToString(CultureInfo.InvariantCulture) + ".bin");
+
         /// <summary>Path of a chunk's file in the folder.</summary>
         public static string ChunkPath(int number) =>
             ChunkFolderName + "/" + number.ToString("D6", CultureInfo.InvariantCulture) + ".bin";

@@ -268,6 +268,43 @@ namespace FastPoints.Tests.Pipeline
             Assert.That(Directory.GetFileSystemEntries(m_folder), Is.Empty);
         }
 
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Convert_InTheMaking_CanBeOpenedAndVerified(bool inFiles)
+        {
+            var settings = inFiles ? InFiles() : InMemory();
+            settings.SecondsPerGeneration = 0;
+            settings.MemoryBytes *= inFiles ? 4 : 1;
+            string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
+            long generation = 0, points = 0;
+            int generations = 0;
+            using (var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null))
+            {
+                while (work.MoveNext())
+                {
+                    work.Current.Complete();
+                    if (!File.Exists(manifest))
+                        continue;
+                    var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
+                    if (!said.IsBuilding || said.Generation == generation)
+                        continue;
+                    generation = said.Generation;
+                    generations++;
+                    if (generations % 8 != 1)
+                        continue;
+                    var result = new VerifyResult();
+                    WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
+                    Assert.That(result.Problems, Is.Empty);
+                    Assert.That(result.IsBuilding, Is.True);
+                    Assert.That(result.Points, Is.InRange(Math.Max(1, points), Points - 1));
+                    points = result.Points;
+                }
+            }
+            Assert.That(generations, Is.GreaterThan(0));
+            Prove(Uneven(), "cloud");
+            Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(3));
+        }
+
         [TestCase(1000L, 928L << 20, false, 200000L)]
         [TestCase(20000000L, 928L << 20, false, 1000000L)]
         [TestCase(20000000L, 204L << 20, true, 250000L)]

@@ -1,0 +1,103 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Text.Json;
+using FastPoints.Cli;
+using NUnit.Framework;
+
+namespace FastPoints.HostTests.Cli
+{
+    /// <summary>Builds in processes of their own: killed without notice and continued, and within their memory.</summary>
+    public sealed class KillTests
+    {
+        const string LittleMemory = "160MiB";
+
+        static Process Convert(string source, string target, string summary = null)
+        {
+            var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "FastPoints.Cli"))
+            {
+                RedirectStandardError = true,
+                RedirectStandardOutput = true,
+            };
+            foreach (string arg in new[] { "convert", source, "-o", target, "--memory", LittleMemory, "--quiet" })
+                start.ArgumentList.Add(arg);
+            if (summary != null)
+            {
+                start.ArgumentList.Add("--json");
+                start.ArgumentList.Add(summary);
+            }
+            return Process.Start(start);
+        }
+
+        static JsonElement ConvertToEnd(string source, string target, string summary)
+        {
+            using var process = Convert(source, target, summary);
+            string error = process.StandardError.ReadToEnd();
+            process.WaitForExit();
+            Assert.That(process.ExitCode, Is.EqualTo(ExitStatus.Done), error);
+            return JsonDocument.Parse(File.ReadAllText(summary)).RootElement;
+        }
+
+        static void MakeCloud(ScratchFolder scratch, int points, int times)
+        {
+            Assert.That(CliCall.Of("demo-cloud", "-o", scratch["one.las"], "--points", points.ToString(), "--quiet").Status,
+                Is.Zero);
+            Assert.That(CliCall.Of("demo-cloud", "-o", scratch["cloud.las"], "--tile", scratch["one.las"], "--times",
+                times.ToString(),
+                "--quiet").Status, Is.Zero);
+            File.Delete(scratch["one.las"]);
+        }
+
+        [TestCase(100_000, 12, 3)]
+        [TestCase(500_000, 40, 20, Category = "Long")]
+        public void Kill_AtRandomMoments_TheSameCommandGoesOnToTheSameBytes(int points, int times, int kills)
+        {
+            using var scratch = new ScratchFolder();
+            MakeCloud(scratch, points, times);
+            var watch = Stopwatch.StartNew();
+            var whole = ConvertToEnd(scratch["cloud.las"], scratch["whole.fastpoints"], scratch["whole.json"]);
+            double seconds = watch.Elapsed.TotalSeconds;
+            Assert.That(whole.GetProperty("temporaryBytesPeak").GetInt64(), Is.GreaterThan(0));
+            Assert.That(whole.GetProperty("peakResidentBytes").GetInt64(), Is.LessThanOrEqualTo(160L << 20));
+
+            var random = new Random(points);
+            int killed = 0;
+            for (int i = 0; i < kills; i++)
+            {
+                using var process = Convert(scratch["cloud.las"], scratch["killed.fastpoints"]);
+                if (process.WaitForExit((int)(1000 * seconds * random.NextDouble())))
+                {
+                    Directory.Delete(scratch["killed.fastpoints"], true);
+                    continue;
+                }
+                process.Kill();
+                process.WaitForExit();
+                killed++;
+            }
+            Assert.That(killed, Is.GreaterThan(0));
+            ConvertToEnd(scratch["cloud.las"], scratch["killed.fastpoints"], scratch["killed.json"]);
+            AssertSame(scratch["killed.fastpoints"], scratch["whole.fastpoints"]);
+            var verified = CliCall.Of("verify", scratch["killed.fastpoints"], "--against", scratch["cloud.las"], "--quiet");
+            Assert.That(verified.Status, Is.Zero, verified.Error + verified.Output);
+            Assert.That(Directory.GetDirectories(scratch.Root), Has.Length.EqualTo(2), "nothing is left beside the clouds");
+        }
+
+        [TestCase(500_000, 42, Category = "Long")]
+        public void Memory_WhateverTheNumberOfPoints_IsNeverExceeded(int points, int times)
+        {
+            using var scratch = new ScratchFolder();
+            MakeCloud(scratch, points, times);
+            var made = ConvertToEnd(scratch["cloud.las"], scratch["cloud.fastpoints"], scratch["cloud.json"]);
+            Assert.That(made.GetProperty("points").GetInt64(), Is.EqualTo((long)points * times));
+            Assert.That(made.GetProperty("peakResidentBytes").GetInt64(), Is.LessThanOrEqualTo(160L << 20));
+        }
+
+        static void AssertSame(string got, string wanted)
+        {
+            string[] files = Directory.GetFiles(wanted, "*", SearchOption.AllDirectories);
+            Assert.That(Directory.GetFiles(got, "*", SearchOption.AllDirectories), Has.Length.EqualTo(files.Length));
+            foreach (string file in files)
+                Assert.That(File.ReadAllBytes(got + file.Substring(wanted.Length)).AsSpan().SequenceEqual(File.ReadAllBytes(file)), file);
+        }
+    }
+}
