@@ -63,13 +63,15 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine(problem);
             if (result.ProblemCount > result.Problems.Count)
                 run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
-            var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance");
+            var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance", "across chunks", "share too near");
             for (int level = 0; level < result.Levels.Count; level++)
             {
                 var at = result.Levels[level];
                 if (at.Nodes > 0)
                     table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points), at.Spacing > 0 ? Human.Value(at.Spacing) : "",
-                        double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "");
+                        double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "",
+                        double.IsFinite(at.MinDistanceAcrossChunks) ? Human.Value(at.MinDistanceAcrossChunks) : "",
+                        at.SampledPoints > 0 ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %" : "");
             }
             table.Write(run.Out, "  ");
             if (!result.Ok)
@@ -99,6 +101,8 @@ namespace FastPoints.Cli.Verbs
                 json.WriteInteger("points", at.Points);
                 WriteLength(json, "spacing", at.Spacing > 0 ? at.Spacing : double.NaN);
                 WriteLength(json, "minDistance", at.MinDistance);
+                WriteLength(json, "minDistanceAcrossChunks", at.MinDistanceAcrossChunks);
+                WriteLength(json, "shareNearAcrossChunks", at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
                 json.WriteEndObject();
             }
             json.WriteEndArray();

@@ -41,7 +41,7 @@ namespace FastPoints.Octree
             return math.sqrt(bestSq);
         }
 
-        static int Slot(double3 cell, int bits)
+        internal static int Slot(double3 cell, int bits)
         {
             ulong hash = (ulong)(long)cell.x * 0x9E3779B97F4A7C15UL ^ (ulong)(long)cell.y * 0xC2B2AE3D27D4EB4FUL ^
                 (ulong)(long)cell.z * 0x165667B19E3779F9UL;

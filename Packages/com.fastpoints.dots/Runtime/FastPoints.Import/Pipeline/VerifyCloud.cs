@@ -25,6 +25,9 @@ namespace FastPoints.Pipeline
         readonly VerifyResult m_result;
         readonly NativeStoreLayout m_store;
         readonly StoreRead m_read = new StoreRead();
+
+        /// <summary>By level: sampled points that other chunks' may come near to.</summary>
+        readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
         ulong m_firstSum;
         ulong m_secondSum;
         long m_nodes;
@@ -63,6 +66,9 @@ namespace FastPoints.Pipeline
                 using (var work = verify.CheckFiles(progress))
                     while (work.MoveNext())
                         yield return work.Current;
+                using (var work = verify.MeasureAcrossChunks())
+                    while (work.MoveNext())
+                        yield return work.Current;
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
@@ -77,6 +83,9 @@ namespace FastPoints.Pipeline
 
         public void Dispose()
         {
+            foreach (var points in m_atSides)
+                points.Dispose();
+            m_atSides.Clear();
             m_read.Dispose();
             m_store.Dispose();
         }
@@ -86,7 +95,7 @@ namespace FastPoints.Pipeline
             if (m_folder.Upper.Nodes.Length > 0)
             {
                 using (var work = CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper,
-                    StoreFormat.UpperMagic))
+                    m_folder.Manifest.Root, StoreFormat.UpperMagic))
                     while (work.MoveNext())
                         yield return work.Current;
             }
@@ -104,7 +113,8 @@ namespace FastPoints.Pipeline
                 if (table == null)
                     continue;
                 using (table)
-                using (var work = CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table, StoreFormat.ChunkMagic))
+                using (var work = CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
+                    m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic))
                     while (work.MoveNext())
                         yield return work.Current;
                 progress?.Report((c + 1) / (double)m_folder.Chunks.Length, m_result.Points, 0);
@@ -112,8 +122,9 @@ namespace FastPoints.Pipeline
         }
 
         /// <summary>Reads a whole file and checks every node of it.</summary>
-        IEnumerator<JobHandle> CheckNodes(string path, long fileBytes, NodeTable table, ulong magic)
+        IEnumerator<JobHandle> CheckNodes(string path, long fileBytes, NodeTable table, GridCube cube, ulong magic)
         {
+            var spacing = new SpacingCheck(m_folder.Manifest, table, cube, magic == StoreFormat.UpperMagic);
             var verdicts = new NativeArray<NodeVerdict>(table.Nodes.Length, Allocator.Persistent);
             var job = default(JobHandle);
             try
@@ -150,16 +161,26 @@ namespace FastPoints.Pipeline
                     Shapes = m_store.Shapes,
                     AttributeBytes = m_folder.Layout.AttributeBytes,
                     Step = m_folder.Manifest.Grid.Step,
+                    Origin = m_folder.Manifest.Root.Corner,
+                    FirstSampled = spacing.FirstSampled,
+                    Sampled = spacing.Sampled,
                     Verdicts = verdicts,
                 }.Schedule(table.Nodes.Length, NodesPerBatch);
                 yield return job;
                 job.Complete();
                 for (int i = 0; i < verdicts.Length; i++)
                     Take(path, i, table, verdicts[i]);
+                if (!m_result.Ok)
+                    yield break;
+                job = spacing.Schedule();
+                yield return job;
+                job.Complete();
+                spacing.Take(m_result.Levels, m_atSides);
             }
             finally
             {
                 job.Complete();
+                spacing.Dispose();
                 verdicts.Dispose();
             }
         }
@@ -180,17 +201,50 @@ namespace FastPoints.Pipeline
             m_secondSum += verdict.SecondSum;
             int level = m_folder.Manifest.Root.SideLog2 - node.SideLog2;
             while (m_result.Levels.Count <= level)
-                m_result.Levels.Add(new VerifyResult.Level { MinDistance = double.PositiveInfinity });
+                m_result.Levels.Add(VerifyResult.Level.None);
             var at = m_result.Levels[level];
             at.Nodes++;
             at.Points += node.PointCount;
-            at.MinDistance = Math.Min(at.MinDistance, verdict.MinDistance);
-            if ((node.Flags & NodeRecord.IsLeaf) == 0)
+            if (SpacingCheck.HasSpacing(node))
             {
+                at.SampledPoints += node.PointCount;
                 double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
                 at.Spacing = at.Spacing == 0 ? spacing : Math.Min(at.Spacing, spacing);
             }
             m_result.Levels[level] = at;
+        }
+
+        /// <summary>How near the sampled points of different chunks are: samplers keep their distance inside of chunks.</summary>
+        IEnumerator<JobHandle> MeasureAcrossChunks()
+        {
+            var smallest = new NativeReference<double>(Allocator.Persistent);
+            var near = new NativeReference<long>(Allocator.Persistent);
+            var job = default(JobHandle);
+            try
+            {
+                for (int level = 0; level < m_atSides.Count && m_result.Ok; level++)
+                {
+                    var at = m_result.Levels[level];
+                    job = new CountNearJob
+                    {
+                        Points = m_atSides[level],
+                        Spacing = at.Spacing,
+                        MinDistance = smallest,
+                        Near = near,
+                    }.Schedule();
+                    yield return job;
+                    job.Complete();
+                    at.MinDistanceAcrossChunks = smallest.Value;
+                    at.NearAcrossChunks = near.Value;
+                    m_result.Levels[level] = at;
+                }
+            }
+            finally
+            {
+                job.Complete();
+                smallest.Dispose();
+                near.Dispose();
+            }
         }
 
         static string Describe(NodeVerdict.Fault fault)

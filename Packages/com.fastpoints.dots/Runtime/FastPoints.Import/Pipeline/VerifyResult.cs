@@ -14,8 +14,24 @@ namespace FastPoints.Pipeline
             /// <summary>Edge of the finest sampling cells of the level's nodes, in CRS units; 0 where all are leaves.</summary>
             public double Spacing;
 
-            /// <summary>Smallest distance between two points of one node, in CRS units; infinity where no node has two.</summary>
+            /// <summary>Points of nodes that have a spacing: neither leaves nor chains at one place.</summary>
+            public long SampledPoints;
+
+            /// <summary>Smallest distance between two sampled points of one chunk, or of the upper levels' nodes that no chunk hangs
+            /// on, whichever nodes they are of; in CRS units, infinity where there are no two.</summary>
             public double MinDistance;
+
+            /// <summary>The same for sampled points of any chunks.</summary>
+            public double MinDistanceAcrossChunks;
+
+            /// <summary>Sampled points at the sides of chunks with another one nearer than the spacing.</summary>
+            public long NearAcrossChunks;
+
+            public static Level None => new Level
+            {
+                MinDistance = double.PositiveInfinity,
+                MinDistanceAcrossChunks = double.PositiveInfinity,
+            };
         }
 
         /// <summary>The cloud is in the making: what is finished of it was verified.</summary>

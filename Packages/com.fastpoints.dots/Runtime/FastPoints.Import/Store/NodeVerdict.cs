@@ -23,8 +23,5 @@ namespace FastPoints.Store
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>
         public ulong FirstSum;
         public ulong SecondSum;
-
-        /// <summary>Smallest distance between two of the node's points, in CRS units; infinity for a single one.</summary>
-        public double MinDistance;
     }
 }

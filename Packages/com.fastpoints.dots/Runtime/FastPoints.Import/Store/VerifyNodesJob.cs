@@ -22,6 +22,16 @@ namespace FastPoints.Store
         public int AttributeBytes;
         public double3 Step;
 
+        /// <summary>What <see cref="Sampled"/> counts from.</summary>
+        public Grid3 Origin;
+
+        /// <summary>By node: where its points go in <see cref="Sampled"/>; -1 for leaves and points at one place, which have no
+        /// spacing.</summary>
+        [ReadOnly] public NativeArray<int> FirstSampled;
+
+        /// <summary>Out: places of the sampled points, in CRS units.</summary>
+        [NativeDisableParallelForRestriction] public NativeArray<double3> Sampled;
+
         /// <summary>By node.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<NodeVerdict> Verdicts;
 
@@ -29,7 +39,7 @@ namespace FastPoints.Store
         {
             if (Nodes[index].Host != index)
                 return;
-            var verdict = new NodeVerdict { MinDistance = double.PositiveInfinity };
+            var verdict = default(NodeVerdict);
             CheckPlanes(index, ref verdict);
             var node = Nodes[index];
             Verdicts[index] = CheckPoints(index, verdict);
@@ -69,7 +79,7 @@ namespace FastPoints.Store
                 return verdict;
             var node = Nodes[index];
             var host = Nodes[node.Host];
-            var points = (double3*)UnsafeUtility.Malloc((long)node.PointCount * sizeof(double3), 16, Allocator.Temp);
+            var points = FirstSampled[index] >= 0 ? (double3*)Sampled.GetUnsafePtr() + FirstSampled[index] : null;
             ulong* places = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             int recordBytes = RecordHash.PaddedBytes(AttributeBytes);
@@ -107,7 +117,11 @@ namespace FastPoints.Store
                     var offset = place - node.Corner;
                     min = Grid3.Min(min, offset);
                     max = Grid3.Max(max, offset);
-                    points[done + i] = new double3(offset.X, offset.Y, offset.Z) * Step;
+                    if (points != null)
+                    {
+                        var fromOrigin = place - Origin;
+                        points[done + i] = new double3(fromOrigin.X, fromOrigin.Y, fromOrigin.Z) * Step;
+                    }
                     verdict.FirstSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.ChecksumSeed);
                     verdict.SecondSum += RecordHash.Of(place, records + i * recordBytes, recordBytes, RecordHash.SecondSeed);
                 }
@@ -119,10 +133,8 @@ namespace FastPoints.Store
                 if (node.MinX != min.X >> shift || node.MinY != min.Y >> shift || node.MinZ != min.Z >> shift ||
                     node.MaxX != max.X >> shift || node.MaxY != max.Y >> shift || node.MaxZ != max.Z >> shift)
                     verdict.What = NodeVerdict.Fault.Bounds;
-                verdict.MinDistance = ClosestPair.Distance(points, node.PointCount);
             }
             UnsafeUtility.Free(records, Allocator.Temp);
-            UnsafeUtility.Free(points, Allocator.Temp);
             return verdict;
         }
 
