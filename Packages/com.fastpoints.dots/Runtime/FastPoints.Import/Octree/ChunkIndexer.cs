@@ -29,6 +29,8 @@ namespace FastPoints.Octree
         NativeArray<byte> m_common;
         NativeArray<uint> m_priority;
         NativeArray<int> m_nodeOfPoint;
+        NativeArray<int> m_averageOfPoint;
+        NativeList<PointAverage> m_averages;
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
@@ -47,6 +49,7 @@ namespace FastPoints.Octree
             if (sampler != Sampler.Random)
                 m_poisson = new PoissonScratch(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            m_averages = new NativeList<PointAverage>(16, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
             m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
             Drafts = new NativeList<NodeDraft>(64, Allocator.Persistent);
@@ -68,7 +71,7 @@ namespace FastPoints.Octree
         /// <summary>When an upper job is done: the upper nodes' table.</summary>
         public NativeList<byte> Table { get; }
 
-        /// <summary>When the job is done: the records of the top node.</summary>
+        /// <summary>When the job is done: the records of the top node, in the layout of tops.</summary>
         public NativeList<byte> Top { get; }
         public NativeList<NodeDraft> Drafts { get; }
         public NativeList<int> NodeOfDraft { get; }
@@ -107,8 +110,8 @@ namespace FastPoints.Octree
                 Priority = m_priority,
                 Checksum = m_checksum,
             }.Schedule(ordered);
-            var sampled = Sample(count, cube, m_sorted, m_tops, gathered);
-            Job = Write(count, cube.Corner, true, true, m_sorted, m_nodeOfPoint, sampled);
+            var sampled = Sample(count, cube, m_records, m_sorted, m_tops, gathered);
+            Job = Write(count, m_records, cube.Corner, true, true, m_sorted, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -121,19 +124,20 @@ namespace FastPoints.Octree
             Number = 0;
             Cube = cube;
             Pages = default;
-            int count = records.Length / m_records.StrideBytes;
+            var layout = m_records.ForTops(m_store.HasAverages);
+            int count = records.Length / layout.StrideBytes;
             Reserve(count);
             var prepared = new PrepareUpperJob
             {
                 Count = count,
-                Layout = m_records,
+                Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
                 CommonCubeLog2 = m_common,
                 Priority = m_priority,
             }.Schedule();
-            var sampled = Sample(count, cube, records, tops, prepared);
-            Job = Write(count, m_rootCorner, false, !isRoot, records, m_nodeOfPoint, sampled);
+            var sampled = Sample(count, cube, layout, records, tops, prepared);
+            Job = Write(count, layout, m_rootCorner, false, !isRoot, records, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -144,6 +148,7 @@ namespace FastPoints.Octree
                 return;
             FreePoints();
             m_tops.Dispose();
+            m_averages.Dispose();
             m_checksum.Dispose();
             m_bytesOfPlane.Dispose();
             if (m_sampler != Sampler.Random)
@@ -155,7 +160,8 @@ namespace FastPoints.Octree
             NodeOfDraft.Dispose();
         }
 
-        JobHandle Sample(int count, GridCube cube, NativeArray<byte> records, NativeArray<ChunkTop> tops, JobHandle inputDeps)
+        JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
+            JobHandle inputDeps)
         {
             if (m_sampler == Sampler.Random)
             {
@@ -177,7 +183,7 @@ namespace FastPoints.Octree
                 Count = count,
                 RootSideLog2 = cube.SideLog2,
                 Sizes = m_sizes,
-                Layout = m_records,
+                Layout = layout,
                 Corner = cube.Corner,
                 Records = records,
                 CommonCubeLog2 = m_common,
@@ -185,6 +191,7 @@ namespace FastPoints.Octree
                 Tops = tops,
                 NodeOfPoint = m_nodeOfPoint,
                 Nodes = Drafts,
+                Averaged = Averaged,
                 Scratch = m_poisson,
                 PointsPerSlice = SamplePoissonJob.PointsOfSlice,
             };
@@ -195,14 +202,14 @@ namespace FastPoints.Octree
             return job.Schedule(inputDeps);
         }
 
-        JobHandle Write(int count, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
+        JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
             NativeArray<int> nodeOfPoint,
             JobHandle inputDeps)
         {
             return new WriteNodesJob
             {
                 Count = count,
-                Layout = m_records,
+                Layout = layout,
                 Corner = corner,
                 CloudId = m_cloudId,
                 Number = Number,
@@ -218,9 +225,18 @@ namespace FastPoints.Octree
                 Table = Table,
                 Top = Top,
                 NodeOfDraft = NodeOfDraft,
+                AverageOf = m_store.AverageOf,
+                Averaged = Averaged,
                 BytesOfPlane = m_bytesOfPlane,
             }.Schedule(inputDeps);
         }
+
+        AveragedColumns Averaged => new AveragedColumns
+        {
+            Columns = m_store.AveragedColumns,
+            AverageOfPoint = m_averageOfPoint,
+            Averages = m_averages,
+        };
 
         void Reserve(int count)
         {
@@ -236,6 +252,7 @@ namespace FastPoints.Octree
             m_common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
             m_priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
             m_nodeOfPoint = new NativeArray<int>(m_capacity, Allocator.Persistent, raw);
+            m_averageOfPoint = new NativeArray<int>(m_store.HasAverages ? m_capacity : 0, Allocator.Persistent, raw);
         }
 
         void FreePoints()
@@ -249,6 +266,7 @@ namespace FastPoints.Octree
             m_common.Dispose();
             m_priority.Dispose();
             m_nodeOfPoint.Dispose();
+            m_averageOfPoint.Dispose();
         }
     }
 }

@@ -79,6 +79,34 @@ namespace FastPoints.Octree
             return End(file, plane, start, word);
         }
 
+        /// <summary>Writes a plane of averages of a node at the end of a list.</summary>
+        /// <param name="firstColumn">Of the averaged columns.</param>
+        public PlaneRange WriteAverages(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape,
+            in AveragedColumns averaged, int firstColumn)
+        {
+            uint* plane = Begin(file, shape, runs, runCount, out long start, out long word);
+            uint* descriptor = plane;
+            ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
+            ulong* min = stackalloc ulong[PlaneShape.MaxColumns];
+            ulong* max = stackalloc ulong[PlaneShape.MaxColumns];
+            for (int r = 0; r < runCount; r++)
+            {
+                for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
+                {
+                    int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
+                    for (int i = 0; i < count; i++)
+                    {
+                        int point = (int)runs[r].Points[first + i];
+                        var average = averaged.Of(point, Records + (long)point * Layout.StrideBytes, Layout);
+                        for (int c = 0; c < shape.ColumnCount; c++)
+                            values[c * PlaneShape.MaxPointsPerBlock + i] = averaged.Stored(average, firstColumn + c);
+                    }
+                    WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
+                }
+            }
+            return End(file, plane, start, word);
+        }
+
         void LoadColumn(uint* points, int count, in StoredColumn column, ulong* values)
         {
             byte* attribute = Records + Layout.PositionBytes + column.RecordOffset;

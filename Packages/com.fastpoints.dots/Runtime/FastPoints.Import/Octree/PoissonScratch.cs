@@ -21,6 +21,10 @@ namespace FastPoints.Octree
 
             /// <summary>The first sample of those ranges.</summary>
             public int FirstSample;
+
+            /// <summary>The first of those ranges, and the average of their first sample.</summary>
+            public int FirstRange;
+            public int FirstAverage;
         }
 
         public NativeReference<State> Now;

@@ -22,15 +22,28 @@ namespace FastPoints.Octree
         /// <summary>Bytes of the attributes, padded.</summary>
         public int AttributeBytes;
 
+        /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it where colours are
+        /// averaged. It is no part of the point.</summary>
+        public int AverageBytes;
+
         public RecordLayout(bool isWide, Grid3 origin, int attributeBytes)
         {
             IsWide = isWide;
             Base = isWide ? default : origin;
             AttributeBytes = RecordHash.PaddedBytes(attributeBytes);
+            AverageBytes = 0;
         }
 
         public int PositionBytes => IsWide ? 24 : 12;
-        public int StrideBytes => PositionBytes + AttributeBytes;
+        public int StrideBytes => PositionBytes + AttributeBytes + AverageBytes;
+
+        /// <summary>The layout of the tops of chunks.</summary>
+        public RecordLayout ForTops(bool hasAverages)
+        {
+            var result = this;
+            result.AverageBytes = hasAverages ? sizeof(PointAverage) : 0;
+            return result;
+        }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Grid3 PlaceOf(byte* record)

@@ -29,6 +29,7 @@ namespace FastPoints.Octree
             Queue,
             Throw,
             MakeNodes,
+            Average,
             Split,
             Done,
         }
@@ -61,6 +62,10 @@ namespace FastPoints.Octree
 
         /// <summary>Out, parents before children.</summary>
         public NativeList<NodeDraft> Nodes;
+
+        /// <summary>Averages over what each sampled point stands for: the points that are nearer to it than to any other at its
+        /// spacing. Off for the plain sampler.</summary>
+        public AveragedColumns Averaged;
 
         /// <summary>Its <see cref="PoissonScratch.Now"/> is reset before the first slice.</summary>
         public PoissonScratch Scratch;
@@ -105,6 +110,9 @@ namespace FastPoints.Octree
                     case Stage.MakeNodes:
                         MakeNodes();
                         break;
+                    case Stage.Average:
+                        AverageRange();
+                        break;
                     default:
                         Split();
                         break;
@@ -125,6 +133,11 @@ namespace FastPoints.Octree
             int runs = (Count >> RunLog2) + 1;
             Scratch.KeeperOfRun.ResizeUninitialized(runs);
             UnsafeUtility.MemSet(Scratch.KeeperOfRun.GetUnsafePtr(), 0xFF, (long)runs * sizeof(int));
+            if (Averaged.IsOn)
+            {
+                Averaged.Averages.Clear();
+                UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
+            }
             if (Count > 0)
                 Visit(new SampledRange { First = 0, End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2 });
             m_now.Stage = Stage.NextSpacing;
@@ -296,7 +309,7 @@ namespace FastPoints.Octree
                     : new PoissonSample { X = darts[d].X, Y = darts[d].Y, Z = darts[d].Z, Point = point };
                 // What kept off one point keeps off most of its neighbours on the curve.
                 int found = keeper[point >> RunLog2];
-                if (found >= 0 && grid.IsNear(samples + found, sample))
+                if (found >= 0 && grid.IsNear(samples + found, sample, out _))
                     continue;
                 found = grid.Find(samples, sample, out int slot);
                 if (found >= 0)
@@ -333,8 +346,42 @@ namespace FastPoints.Octree
                 m_nodeOfPoint[samples[s].Point] = ranges[CodeOf(m_nodeOfPoint[samples[s].Point])].Parent;
             m_budget -= Scratch.Samples.Length - m_now.FirstSample;
             Scratch.FirstRange[m_now.CellLog2] = Scratch.LastRange[m_now.CellLog2] = -1;
+            m_now.Stage = Averaged.IsOn ? Stage.Average : Stage.Split;
+            m_now.FirstAverage = Averaged.Averages.Length;
+            m_now.FirstRange = m_now.At = first;
+            if (Averaged.IsOn)
+                Averaged.Averages.Resize(m_now.FirstAverage + Scratch.Samples.Length - m_now.FirstSample,
+                    NativeArrayOptions.ClearMemory);
+        }
+
+        /// <summary>Each point of a range adds to the new sample that is nearest to it, unless one of a wider spacing is
+        /// nearer.</summary>
+        void AverageRange()
+        {
+            var range = Scratch.Ranges[m_now.At];
+            var samples = Scratch.Samples.GetUnsafePtr();
+            var averages = Averaged.Averages.GetUnsafePtr() + m_now.FirstAverage;
+            var records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            var grid = new Grid(Scratch.Heads.GetUnsafePtr(), math.tzcnt(Scratch.Heads.Length), m_now.CellLog2);
+            for (int i = range.First; i < range.End; i++)
+            {
+                if (m_nodeOfPoint[i] >= 0 && (range.Count == 0 || m_nodeOfPoint[i] != range.Parent))
+                    continue;
+                int nearest = grid.Nearest(samples, SampleAt(i)) - m_now.FirstSample;
+                if (nearest < 0)
+                    continue;
+                var own = Averaged.Of(i, records + (long)i * Layout.StrideBytes, Layout);
+                averages[nearest].Points += own.Points;
+                averages[nearest].Sum += own.Sum;
+            }
+            m_budget -= 4L * (range.End - range.First);
+            m_now.At = range.Next;
+            if (m_now.At >= 0)
+                return;
+            for (int s = m_now.FirstSample; s < Scratch.Samples.Length; s++)
+                Averaged.AverageOfPoint[samples[s].Point] = m_now.FirstAverage + s - m_now.FirstSample;
             m_now.Stage = Stage.Split;
-            m_now.At = first;
+            m_now.At = m_now.FirstRange;
         }
 
         void Split()
@@ -379,15 +426,17 @@ namespace FastPoints.Octree
                     (ulong)(x << 2 | (y & 1) << 1 | z & 1) & ulong.MaxValue >> m_hashShift);
 
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            public bool IsNear(PoissonSample* a, in PoissonSample b)
+            public bool IsNear(PoissonSample* a, in PoissonSample b, out long distanceSq)
             {
+                distanceSq = 0;
                 long x = math.abs(a->X - b.X), y = math.abs(a->Y - b.Y), z = math.abs(a->Z - b.Z);
                 if ((x | y | z) >> m_cell != 0)
                     return false;
                 x >>= m_dropped;
                 y >>= m_dropped;
                 z >>= m_dropped;
-                return x * x + y * y + z * z < m_nearSq;
+                distanceSq = x * x + y * y + z * z;
+                return distanceSq < m_nearSq;
             }
 
             /// <summary>A sample nearer than the spacing, or -1.</summary>
@@ -409,11 +458,36 @@ namespace FastPoints.Octree
                 return found;
             }
 
+            /// <summary>The sample nearest to a point of those nearer than the spacing, the first on the curve of several; -1 for
+            /// none.</summary>
+            public int Nearest(PoissonSample* samples, in PoissonSample point)
+            {
+                long x = point.X >> m_cell + 1, y = point.Y >> m_cell + 1, z = point.Z >> m_cell + 1;
+                long besideX = x + (point.X >> m_cell & 1) * 2 - 1;
+                long besideY = y + (point.Y >> m_cell & 1) * 2 - 1;
+                long besideZ = z + (point.Z >> m_cell & 1) * 2 - 1;
+                int nearest = -1;
+                long nearestSq = m_nearSq;
+                for (int n = 0; n < 8; n++)
+                {
+                    int slot = SlotOf((n & 1) != 0 ? besideX : x, (n & 2) != 0 ? besideY : y, (n & 4) != 0 ? besideZ : z);
+                    for (int s = Heads[slot]; s >= 0; s = samples[s].Next)
+                    {
+                        if (!IsNear(samples + s, point, out long distanceSq) || distanceSq > nearestSq ||
+                            (distanceSq == nearestSq && nearest >= 0 && samples[s].Point > samples[nearest].Point))
+                            continue;
+                        nearest = s;
+                        nearestSq = distanceSq;
+                    }
+                }
+                return nearest;
+            }
+
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
             int FindIn(int slot, PoissonSample* samples, in PoissonSample point)
             {
                 int s = Heads[slot];
-                while (s >= 0 && !IsNear(samples + s, point))
+                while (s >= 0 && !IsNear(samples + s, point, out _))
                     s = samples[s].Next;
                 return s;
             }

@@ -42,6 +42,12 @@ namespace FastPoints.Octree
         /// <summary>By attribute plane.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
+        /// <summary>By attribute plane: the attribute plane whose values are averaged in it, or negative.</summary>
+        [ReadOnly] public NativeArray<int> AverageOf;
+
+        /// <summary>As the sampler left them.</summary>
+        [ReadOnly] public AveragedColumns Averaged;
+
         /// <summary>Out: the file. Empty where a chunk has no node but its top.</summary>
         public NativeList<byte> File;
 
@@ -165,12 +171,20 @@ namespace FastPoints.Octree
 
         void CopyTop()
         {
-            int stride = Layout.StrideBytes, count = m_drafts[0].Count;
+            var layout = Layout.ForTops(Averaged.IsOn);
+            int stride = layout.StrideBytes, count = m_drafts[0].Count;
             Top.ResizeUninitialized(count * stride);
             byte* to = Top.GetUnsafePtr();
-            for (int i = 0; i < count; i++)
-                UnsafeUtility.MemCpy(to + (long)i * stride, m_packer.Records + (long)m_points[m_firstPointOfDraft[0] +
-                    i] * stride, stride);
+            for (int i = 0; i < count; i++, to += stride)
+            {
+                int point = (int)m_points[m_firstPointOfDraft[0] + i];
+                byte* record = m_packer.Records + (long)point * Layout.StrideBytes;
+                UnsafeUtility.MemCpy(to, record, stride - layout.AverageBytes);
+                if (!Averaged.IsOn)
+                    continue;
+                var average = Averaged.Of(point, record, Layout);
+                UnsafeUtility.MemCpy(to + stride - layout.AverageBytes, &average, layout.AverageBytes);
+            }
         }
 
         void WriteFile(int* firstChild, int* childCount)
@@ -257,8 +271,23 @@ namespace FastPoints.Octree
             ulong* max = Allocate<ulong>(3 * runCount);
             ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
             BytesOfPlane[0] += ranges[0].LengthBytes;
+            bool hasAverages = HasAverages(runs, runCount);
+            int averagedColumn = 0;
             for (int p = 0; p < Shapes.Length; p++)
             {
+                if (AverageOf[p] >= 0)
+                {
+                    // Where every point stands for itself alone the averages are the values: the same bytes.
+                    if (!hasAverages)
+                    {
+                        ranges[p + 1] = ranges[AverageOf[p] + 1];
+                        continue;
+                    }
+                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, averagedColumn);
+                    averagedColumn += Shapes[p].ColumnCount;
+                    BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+                    continue;
+                }
                 ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
                 BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
             }
@@ -268,6 +297,20 @@ namespace FastPoints.Octree
             UnsafeUtility.Free(min, Allocator.Temp);
             UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
             UnsafeUtility.Free(runs, Allocator.Temp);
+        }
+
+        bool HasAverages(PackedRun* runs, int runCount)
+        {
+            for (int r = 0; r < runCount && Averaged.IsOn; r++)
+            {
+                for (int i = 0; i < runs[r].Count; i++)
+                {
+                    int point = (int)runs[r].Points[i];
+                    if (Averaged.Of(point, m_packer.Records + (long)point * Layout.StrideBytes, Layout).Points > 1)
+                        return true;
+                }
+            }
+            return false;
         }
 
         void AddRun(int node, NodeRecord* nodes, PackedRun* runs, int* nodeOfRun, ref int runCount, ref int blocks)

@@ -77,6 +77,8 @@ namespace FastPoints.Pipeline
                 for (int p = 1; p < folder.Layout.Planes.Count; p++)
                 {
                     var plane = folder.Layout.Planes[p];
+                    if (plane.AverageOf >= 0)
+                        continue;
                     // A plane is wanted where all its attributes are.
                     int first = targets.Count;
                     for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
@@ -116,9 +118,12 @@ namespace FastPoints.Pipeline
                         FirstRange = i * planes.Count,
                     };
                     Points += node.PointCount;
+                    // Points that stand for more than themselves show its average: of the same shape and types.
+                    bool isRefined = selection.IsRefined(file, chosen[i]);
                     for (int p = 0; p < planes.Count; p++)
                     {
-                        var range = table.Planes[node.Host * table.PlaneCount + planes[p]];
+                        int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
+                        var range = table.Planes[node.Host * table.PlaneCount + (average >= 0 ? average : planes[p])];
                         ranges[i * planes.Count + p] = range;
                         begin = Math.Min(begin, range.OffsetBytes);
                         end = Math.Max(end, range.OffsetBytes + range.LengthBytes);

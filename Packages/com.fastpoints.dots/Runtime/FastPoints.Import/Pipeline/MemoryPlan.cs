@@ -23,6 +23,9 @@ namespace FastPoints.Pipeline
         /// <summary>Darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
 
+        /// <summary>What each sampled point stands for.</summary>
+        const int AverageBytesPerPoint = 24;
+
         MemoryPlan()
         {
         }
@@ -61,7 +64,8 @@ namespace FastPoints.Pipeline
                 ReadBytes = Math.Min(Files.SourceScan.MaxSlotBytes, memoryBytes / 4),
                 IndexBytes = memoryBytes / 10 * 9,
                 PointsPerChunk = pointsPerChunk,
-                IndexBytesPerPoint = 37 + 3 * (long)strideBytes + (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint),
+                IndexBytesPerPoint = 37 + 3 * (long)strideBytes + (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint) +
+                    (settings.Sampler == Sampler.Average ? AverageBytesPerPoint : 0),
             };
             if (pointsPerChunk <= 0)
             {

@@ -56,6 +56,26 @@ namespace FastPoints.Pipeline
 
         public string PathOf(int file) => file == UpperFile ? m_folder.UpperPath : m_folder.ChunkPath(file);
 
+        /// <summary>Whether all that is below a chosen node is chosen too, so that its points stand for themselves alone.</summary>
+        public bool IsRefined(int file, int node)
+        {
+            var record = TableOf(file).Nodes[node];
+            for (int child = record.FirstChild; child < record.FirstChild + record.ChildCount; child++)
+                if (!IsChosen(file, child))
+                    return false;
+            for (int chunk = record.FirstChunk; chunk < record.FirstChunk + record.ChunkCount; chunk++)
+            {
+                if (!m_tables.TryGetValue(chunk, out var table))
+                    return false;
+                for (int n = 0; n < table.Nodes.Length && table.Nodes[n].Parent < 0; n++)
+                    if (!IsChosen(chunk, n))
+                        return false;
+            }
+            return true;
+        }
+
+        bool IsChosen(int file, int node) => m_nodesOfFile.TryGetValue(file, out var nodes) && nodes.BinarySearch(node) >= 0;
+
         /// <summary>Chooses for a camera, or, without one, from the root down evenly.</summary>
         /// <param name="budget">Points at most, but for the root, which is always chosen.</param>
         /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>

@@ -281,7 +281,8 @@ namespace FastPoints.Pipeline
                 return false;
             using (var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent))
             {
-                var result = ChunkResult.FromBytes(bytes, m_cloudId, BytesOfPlane.Length, m_records.StrideBytes);
+                var result = ChunkResult.FromBytes(bytes, m_cloudId, BytesOfPlane.Length,
+                    m_records.ForTops(m_store.HasAverages).StrideBytes);
                 if (result == null || result.Record.Number != chunk)
                     return false;
                 string file = m_folder.PathOf(StoreFormat.ChunkPath(chunk));

@@ -133,7 +133,7 @@ namespace FastPoints.Pipeline
             long points = 0;
             foreach (var member in members)
                 points += member.TopPoints;
-            int stride = m_records.StrideBytes;
+            int stride = m_records.ForTops(m_store.HasAverages).StrideBytes;
             var records = new NativeArray<byte>(checked((int)(points * stride)), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);

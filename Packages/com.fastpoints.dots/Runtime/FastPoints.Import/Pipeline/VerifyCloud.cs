@@ -159,6 +159,7 @@ namespace FastPoints.Pipeline
                     Columns = m_store.Columns,
                     FirstColumnOfPlane = m_store.FirstColumnOfPlane,
                     Shapes = m_store.Shapes,
+                    AverageOf = m_store.AverageOf,
                     AttributeBytes = m_folder.Layout.AttributeBytes,
                     Step = m_folder.Manifest.Grid.Step,
                     Origin = m_folder.Manifest.Root.Corner,

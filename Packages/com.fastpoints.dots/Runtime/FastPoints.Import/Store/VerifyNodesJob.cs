@@ -19,6 +19,9 @@ namespace FastPoints.Store
         [ReadOnly] public NativeArray<StoredColumn> Columns;
         [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>By attribute plane: the one whose values are averaged in it, or negative.</summary>
+        [ReadOnly] public NativeArray<int> AverageOf;
         public int AttributeBytes;
         public double3 Step;
 
@@ -160,7 +163,9 @@ namespace FastPoints.Store
                         ulong value = values[i] * (ulong)column.Divisor;
                         if (bits < 64 && value >> bits != 0)
                             verdict.What = NodeVerdict.Fault.Value;
-                        OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
+                        // Averages are no part of the point.
+                        if (AverageOf[p - 1] < 0)
+                            OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
                     }
                 }
             }

@@ -65,6 +65,9 @@ namespace FastPoints.Store
         public int ChunkCount;
         public string Sampler = "random";
 
+        /// <summary>Planes with averages follow the others: see <see cref="StoreLayout"/>.</summary>
+        public bool HasAverages => Sampler == "average";
+
         /// <summary>For people: the coordinate system's one-line summary, its well-known text and codes, where known.</summary>
         public string CrsName;
         public string CrsWkt;
@@ -90,7 +93,7 @@ namespace FastPoints.Store
 
         public BoundsGeo BoundsGeo => Points == 0 ? BoundsGeo.Empty : new BoundsGeo(Grid.ToGeo(BoundsMin), Grid.ToGeo(BoundsMax));
 
-        public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors);
+        public StoreLayout CreateLayout() => new StoreLayout(Attributes, Divisors, HasAverages);
 
         public string ToJson()
         {

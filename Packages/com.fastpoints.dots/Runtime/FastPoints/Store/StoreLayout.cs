@@ -14,6 +14,9 @@ namespace FastPoints.Store
         public const string PositionName = "position";
         public const string ColorName = "color";
 
+        /// <summary>Ends the name of a plane with averages of another.</summary>
+        public const string AverageSuffix = ".average";
+
         readonly List<Plane> m_planes = new List<Plane>();
 
         /// <summary>One plane: its attributes are columns.</summary>
@@ -27,15 +30,21 @@ namespace FastPoints.Store
 
             /// <summary>Shape of its blocks; the position plane's depends on the node.</summary>
             public PlaneShape Shape;
+
+            /// <summary>The plane whose values these are, averaged over what a point stands for; -1 for values as they are. Both
+            /// have the same shape and types.</summary>
+            public int AverageOf = -1;
         }
 
         /// <param name="attributes">All attributes but X, Y, Z.</param>
         /// <param name="divisors">By attribute; null for 1 everywhere.</param>
-        public StoreLayout(PointSchema attributes, int[] divisors = null)
+        /// <param name="hasAverages">Colour and intensity are there averaged, too: after all others.</param>
+        public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false)
         {
             Attributes = attributes;
-            Columns = new StoredColumn[attributes.Count];
-            AttributeOfColumn = new int[attributes.Count];
+            // At most once more, the averages.
+            var stored = new StoredColumn[2 * attributes.Count];
+            var attributeOfColumn = new int[2 * attributes.Count];
             m_planes.Add(new Plane { Name = PositionName, Shape = new PlaneShape(3, 0) });
 
             var offsets = new int[attributes.Count];
@@ -60,8 +69,8 @@ namespace FastPoints.Store
                 });
                 foreach (int member in members)
                 {
-                    AttributeOfColumn[columns] = member;
-                    Columns[columns++] = new StoredColumn
+                    attributeOfColumn[columns] = member;
+                    stored[columns++] = new StoredColumn
                     {
                         Type = attributes[member].Type,
                         Divisor = divisors != null ? divisors[member] : 1,
@@ -76,8 +85,26 @@ namespace FastPoints.Store
                     attributes.IndexOf(AttributeNames.Blue));
             }
             for (int i = 0; i < attributes.Count; i++)
-                if (Array.IndexOf(AttributeOfColumn, i, 0, columns) < 0)
+                if (Array.IndexOf(attributeOfColumn, i, 0, columns) < 0)
                     AddPlane(attributes[i].Name, i);
+            int planes = m_planes.Count;
+            for (int p = 1; p < planes && hasAverages; p++)
+            {
+                var plane = m_planes[p];
+                var members = new int[plane.ColumnCount];
+                Array.Copy(attributeOfColumn, plane.FirstColumn, members, 0, members.Length);
+                bool isAveraged = plane.Name == ColorName || plane.Name == AttributeNames.Intensity;
+                foreach (int member in members)
+                    isAveraged &= CanAverage(attributes[member].Type);
+                if (!isAveraged)
+                    continue;
+                AddPlane(plane.Name + AverageSuffix, members);
+                m_planes[m_planes.Count - 1].AverageOf = p;
+            }
+            Array.Resize(ref stored, columns);
+            Array.Resize(ref attributeOfColumn, columns);
+            Columns = stored;
+            AttributeOfColumn = attributeOfColumn;
         }
 
         /// <summary>All attributes but the position, in the order of the source.</summary>
@@ -93,6 +120,12 @@ namespace FastPoints.Store
 
         /// <summary>Bytes of a record's attributes.</summary>
         public int AttributeBytes { get; }
+
+        static bool CanAverage(AttributeType type) =>
+            type == AttributeType.UInt8 || type == AttributeType.UInt16 || type == AttributeType.Float32;
+
+        /// <returns>The plane with the averages of another, or -1.</returns>
+        public int AverageOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);
 
         /// <returns>The plane of that name, or -1.</returns>
         public int PlaneOf(string name) => m_planes.FindIndex(p => p.Name == name);

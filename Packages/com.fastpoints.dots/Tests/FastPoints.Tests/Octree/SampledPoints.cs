@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Octree;
 using FastPoints.Points;
+using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -40,6 +41,12 @@ namespace FastPoints.Tests.Octree
             var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
             var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
             var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
+            var averaged = new AveragedColumns
+            {
+                Columns = new NativeArray<StoredColumn>(0, Allocator.Persistent),
+                AverageOfPoint = new NativeArray<int>(0, Allocator.Persistent),
+                Averages = new NativeList<PointAverage>(0, Allocator.Persistent),
+            };
             var record = (byte*)records.GetUnsafePtr();
             for (int i = 0; i < count; i++)
                 layout.SetPlace(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
@@ -72,6 +79,7 @@ namespace FastPoints.Tests.Octree
                     Tops = tops,
                     NodeOfPoint = nodeOfPoint,
                     Nodes = nodes,
+                    Averaged = averaged,
                     Scratch = scratch,
                     PointsPerSlice = pointsPerSlice,
                 };
@@ -82,6 +90,9 @@ namespace FastPoints.Tests.Octree
             result.Priority = priority.ToArray();
             result.NodeOfPoint = nodeOfPoint.ToArray();
             result.Nodes = nodes.AsArray().ToArray();
+            averaged.Columns.Dispose();
+            averaged.AverageOfPoint.Dispose();
+            averaged.Averages.Dispose();
             nodes.Dispose();
             tops.Dispose();
             nodeOfPoint.Dispose();

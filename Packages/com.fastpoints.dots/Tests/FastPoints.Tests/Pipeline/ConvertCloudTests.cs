@@ -9,6 +9,8 @@ using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Tests.Octree;
 using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
 
@@ -182,7 +184,7 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_OutlierFarAway_GrowsTheRootAndKeepsTheRest([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
+        public void Convert_OutlierFarAway_GrowsTheRootAndKeepsTheRest([Values] Sampler sampler)
         {
             // The outlier is not in the sample, and half the points are in a corner that it fools.
             var places = Uniform(60000, 2000);
@@ -220,7 +222,7 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
-        public void Convert_OneTwoSevenWorkers_WriteTheSameBytes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
+        public void Convert_OneTwoSevenWorkers_WriteTheSameBytes([Values] Sampler sampler)
         {
             var places = Uniform(120000, 3000);
             for (int i = 0; i < places.Length; i++)
@@ -261,6 +263,69 @@ namespace FastPoints.Tests.Pipeline
             Assert.That(second.Manifest.Checksum, Is.EqualTo(first.Manifest.Checksum));
             Assert.That(File.ReadAllBytes(Path.Combine(Target("b"), StoreFormat.UpperName)),
                 Is.EqualTo(File.ReadAllBytes(Path.Combine(Target("a"), StoreFormat.UpperName))));
+        }
+
+        [Test]
+        public void Convert_Poisson_KeepsTheSpacingInsideOfChunks()
+        {
+            // A slanted plane: a chunk's face along a plane would leave both sides without each other's samples.
+            var places = Uniform(300000, 100000);
+            for (int i = 0; i < places.Length; i++)
+                places[i].z = places[i].x / 3 + places[i].y / 5;
+            Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Poisson });
+            var verified = Verify(null);
+            int sampledLevels = 0;
+            foreach (var level in verified.Levels)
+            {
+                TestContext.WriteLine(level.Nodes + " nodes, " + level.SampledPoints + " of " + level.Points + " points sampled, " +
+                    level.MinDistance / level.Spacing + " spacings, " + level.NearAcrossChunks + " nearer across chunks");
+                if (level.SampledPoints == 0)
+                    continue;
+                sampledLevels++;
+                Assert.That(level.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
+                Assert.That(level.NearAcrossChunks, Is.LessThanOrEqualTo(0.1 * level.SampledPoints));
+            }
+            Assert.That(sampledLevels, Is.GreaterThan(1));
+        }
+
+        [Test]
+        public void Convert_Average_KeepsTheValuesAndAddsTheirMeans()
+        {
+            var places = Uniform(200000, 100000);
+            for (int i = 0; i < places.Length; i++)
+                places[i].z = 0;
+            var reader = MemoryReader.Of(places, s_centimetres);
+            Prove(reader, new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Average });
+            using (var folder = CloudFolder.Open(Target()))
+            using (var selection = new NodeSelection(folder))
+            {
+                Assert.That(folder.Layout.Planes[folder.Layout.Planes.Count - 1].Name, Does.EndWith(StoreLayout.AverageSuffix));
+                // Noise of the whole range of 16 bits: the values' deviation is that of one, the means' that of many.
+                Assert.That(Deviation(folder, selection, 10), Is.LessThan(0.6 * 65536 / math.sqrt(12.0)));
+                Assert.That(Deviation(folder, selection, 1000000), Is.EqualTo(65536 / math.sqrt(12.0)).Within(300));
+            }
+        }
+
+        /// <summary>Of the intensities of so many points from the root down.</summary>
+        static unsafe double Deviation(CloudFolder folder, NodeSelection selection, long budget)
+        {
+            selection.Choose(null, 0, 0, budget);
+            var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
+            using (var batch = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
+            {
+                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null));
+                var values = (ushort*)((byte*)batch.Bytes.GetUnsafeReadOnlyPtr() +
+                    batch.Column(schema.IndexOf(AttributeNames.Intensity)).OffsetBytes);
+                double sum = 0, squares = 0;
+                for (int i = 0; i < batch.Count; i++)
+                {
+                    sum += values[i];
+                    squares += (double)values[i] * values[i];
+                }
+                double mean = sum / batch.Count;
+                Assert.That(mean, Is.EqualTo(32768).Within(400));
+                return math.sqrt(squares / batch.Count - mean * mean);
+            }
         }
 
         [Test]
