@@ -60,6 +60,8 @@ namespace FastPoints.Cli
                 .Append(Convert.ToBase64String(png)).Append("\">\n<figcaption>").Append(Escape(caption)).Append("</figcaption></figure>\n");
         }
 
+        public void Chart(LineChart chart) => m_body.Append("<figure>\n").Append(chart.ToSvg()).Append("\n</figure>\n");
+
         public byte[] ToBytes() => Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture,
             $"<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{Escape(title)}</title>\n<style>\n{Style}\n</style>\n"
             + $"</head>\n<body>\n<h1>{Escape(title)}</h1>\n{m_body}</body>\n</html>\n"));

@@ -7,6 +7,7 @@ using System.Linq;
 using System.Text.Json;
 using FastPoints.Base;
 using FastPoints.Benchmarks;
+using FastPoints.Cli.Stability;
 
 namespace FastPoints.Cli.Verbs
 {
@@ -16,7 +17,8 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_names = new("NAME")
         {
             Arity = ArgumentArity.ZeroOrMore,
-            Description = "Workloads whose name contains this (default: all). --list names them.",
+            Description = "Workloads whose name contains this (default: all). --list names them. stability: extremes of input through every "
+                + "stage, with error, time, memory and outcome.",
         };
         readonly Option<string?> m_baseline = new("--baseline")
         {
@@ -52,12 +54,18 @@ namespace FastPoints.Cli.Verbs
         [
             ("./fastpoints bench", "all workloads"),
             ("./fastpoints bench las --json las.json", "those with las in their name"),
+            ("./fastpoints bench stability --points 1000000", "extremes of input, a million points each"),
             ("./fastpoints bench --baseline before.json", "compare with an earlier run"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)
         {
             var names = parsed.GetValue(m_names) ?? [];
+            if (names is ["stability"])
+            {
+                StabilityTable.Run(parsed.GetResult(m_points)?.Implicit == false ? parsed.GetValue(m_points) : StabilityTable.DefaultPoints, run);
+                return;
+            }
             var all = WorkloadList.All();
             var chosen = all.Where(w => names.Length == 0 || names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
             if (chosen.Count == 0)

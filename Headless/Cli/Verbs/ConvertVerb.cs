@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.IO;
 using System.Linq;
 using FastPoints.Files;
 using FastPoints.Octree;
@@ -40,6 +41,11 @@ namespace FastPoints.Cli.Verbs
             Description = "Attributes to keep beside the position (default: all).",
         };
 
+        readonly Option<bool> m_report = new("--report")
+        {
+            Description = "Also build with every sampler and several spacings, and write their errors beside their times into "
+                + "NAME-samplers/: CSV, SVG and report.html.",
+        };
         readonly SourceSettings m_source;
 
         public ConvertVerb() : base(new Command("convert", "Build the octree that is streamed from: every point, every attribute, "
@@ -50,6 +56,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_sampler);
             Command.Add(m_memory);
             Command.Add(m_attributes);
+            Command.Add(m_report);
             m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
@@ -59,6 +66,7 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints convert scan.las -o scan.fastpoints", "all attributes"),
             ("./fastpoints convert big.laz -o big.fastpoints --memory 300MiB", "in little memory; killed, the same line goes on"),
             ("./fastpoints convert *.las -o all.fastpoints --attributes Red,Green,Blue", "tiles as one cloud, colour only"),
+            ("./fastpoints convert scan.las -o scan.fastpoints --report", "what each sampler costs and gains"),
             ("./fastpoints convert tiles/ -o all.fastpoints", "all clouds in a folder as one"),
         ];
 
@@ -86,6 +94,11 @@ namespace FastPoints.Cli.Verbs
             run.WriteKeys = result.WriteKeys;
             run.Out.WriteLine(output + ": " + result.Describe());
             StageTable.Of(run.Progress).Write(run.Out, "  ");
+            if (!parsed.GetValue(m_report))
+                return;
+            string folder = Path.ChangeExtension(output, null) + "-samplers";
+            new SamplerReport(reader, folder, settings, run).Write();
+            run.Out.WriteLine(Path.Combine(folder, "report.html"));
         }
     }
 }

@@ -56,6 +56,27 @@ namespace FastPoints.Pipeline
 
         public string PathOf(int file) => file == UpperFile ? m_folder.UpperPath : m_folder.ChunkPath(file);
 
+        /// <summary>Chooses all nodes of some levels that have a spacing: no leaves.</summary>
+        /// <param name="first">Counted from the root.</param>
+        /// <param name="last">Included.</param>
+        /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
+        public void ChooseSampled(int first, int last)
+        {
+            m_nodesOfFile.Clear();
+            NodeCount = 0;
+            Points = 0;
+            for (int file = UpperFile; file < m_folder.Chunks.Length; file++)
+            {
+                var nodes = (file == UpperFile ? m_folder.Upper : Load(file)).Nodes;
+                for (int n = 0; n < nodes.Length; n++)
+                {
+                    int level = m_folder.Manifest.Root.SideLog2 - nodes[n].SideLog2;
+                    if (SpacingCheck.HasSpacing(nodes[n]) && level >= first && level <= last)
+                        Add(file, n, nodes[n].PointCount);
+                }
+            }
+        }
+
         /// <summary>Whether all that is below a chosen node is chosen too, so that its points stand for themselves alone.</summary>
         public bool IsRefined(int file, int node)
         {
