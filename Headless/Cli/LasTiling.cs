@@ -111,7 +111,7 @@ namespace FastPoints.Cli
 
         /// <summary>Counts, bounds, and where that which follows the points begins.</summary>
         /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
-        static long PatchHead(string source, byte[] head, long points, long total, int times, int recordBytes, long pointsAt, long shift)
+        internal static long PatchHead(string source, byte[] head, long points, long total, int times, int recordBytes, long pointsAt, long shift)
         {
             double scale = BitConverter.ToDouble(head, ScaleX);
             // A negative scale turns the axis around: the copies lie below.

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Scenes;
 
 namespace FastPoints.Cli.Verbs
@@ -37,7 +39,8 @@ namespace FastPoints.Cli.Verbs
         readonly Option<string?> m_tile = new("--tile")
         {
             HelpName = "FILE",
-            Description = "In place of a scan, repeat this LAS file's points side by side along x, shifted by whole grid steps.",
+            Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
+                + "steps; to .las, or from LAZ to .laz without decoding.",
         };
         readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
 
@@ -70,10 +73,8 @@ namespace FastPoints.Cli.Verbs
                 int times = parsed.GetValue(m_times);
                 if (times < 1)
                     throw new UsageException("--tile wants --times, at least 1");
-                if (!HasExtension(output, ".las"))
-                    throw new UsageException("--tile writes .las files: " + output);
                 run.Inputs.Add(tile);
-                written = LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+                written = Tile(tile, output, times, run);
             }
             else
             {
@@ -99,6 +100,35 @@ namespace FastPoints.Cli.Verbs
             };
             run.Out.WriteLine(output + ": " + Human.Count(written) + " points, " + Human.Bytes(bytes));
             StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        /// <returns>Points written.</returns>
+        static long Tile(string tile, string output, int times, CliRun run)
+        {
+            bool toLaz = HasExtension(output, ".laz");
+            if (!toLaz && !HasExtension(output, ".las"))
+                throw new UsageException("--tile writes .las and .laz files: " + output);
+            using var reader = PointReaders.Open(tile);
+            bool isPlain = reader.Info.Format == "LAS";
+            if (toLaz && !isPlain)
+                return LazTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+            if (toLaz)
+                throw new UsageException("--tile makes a .laz file of a .laz file only: " + tile);
+            if (isPlain)
+                return LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+            if (reader.Info.PointFormat < 0)
+                throw new PointCloudException(FailureCode.Unsupported, tile, -1, "only LAS and LAZ files are tiled, this is "
+                    + reader.Info.Format);
+            string unpacked = output + "." + Environment.ProcessId + ".las";
+            try
+            {
+                LasUnpacking.Write(reader, unpacked, run);
+                return LasTiling.Write(unpacked, output, times, run.Progress, run.Cancellation);
+            }
+            finally
+            {
+                File.Delete(unpacked);
+            }
         }
 
         static bool HasExtension(string path, string extension) =>

@@ -129,5 +129,19 @@ namespace FastPoints.HostTests.Cli
                 Assert.That(ulong.Parse(three.GetProperty("columnSums").GetProperty(unmoved).GetString()),
                     Is.EqualTo(unchecked(3 * ulong.Parse(one.GetProperty("columnSums").GetProperty(unmoved).GetString()))), unmoved);
         }
+
+        // Moved chunks and unpacked, tiled records are the same points.
+        [Test]
+        public void Tile_OfLaz_IsThatOfItsRecords()
+        {
+            Make("a.laz", "--points", "60000");
+            Make("b.laz", "--tile", m_scratch["a.laz"], "--times", "3");
+            Make("b.las", "--tile", m_scratch["a.laz"], "--times", "3");
+            var laz = Scan("b.laz");
+            Assert.That(laz.GetProperty("points").GetInt32(), Is.EqualTo(180_000));
+            Assert.That(laz.GetProperty("warnings").GetArrayLength(), Is.Zero);
+            foreach (string key in new[] { "pointsClaimed", "points", "columnSums", "bounds" })
+                Assert.That(laz.GetProperty(key).GetRawText(), Is.EqualTo(Scan("b.las").GetProperty(key).GetRawText()), key);
+        }
     }
 }
