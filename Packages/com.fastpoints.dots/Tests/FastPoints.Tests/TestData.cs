@@ -17,6 +17,9 @@ namespace FastPoints.Tests
         /// <summary>The data folder, or null where there is none.</summary>
         public static string Root { get; } = FindRoot();
 
+        /// <summary>The package's own folder, or null where the tests run without its sources.</summary>
+        public static string PackageRoot { get; } = FindPackage();
+
         /// <summary>The folder of small sample files, or null.</summary>
         public static string Samples => TryPath("data/samples", out string path) || TryPath("samples", out path) ? path : null;
 
@@ -49,13 +52,19 @@ namespace FastPoints.Tests
             string named = Environment.GetEnvironmentVariable(Variable);
             if (!string.IsNullOrEmpty(named))
                 return Directory.Exists(named) ? Path.GetFullPath(named) : null;
+            string package = FindPackage();
+            if (package == null)
+                return null;
+            string beside = Path.GetFullPath(Path.Combine(package, "..", "..", "..", "shared"));
+            return Directory.Exists(beside) ? beside : null;
+        }
+
+        static string FindPackage()
+        {
             foreach (string start in new List<string> { AppDomain.CurrentDomain.BaseDirectory, Directory.GetCurrentDirectory() })
                 for (var folder = new DirectoryInfo(start); folder != null; folder = folder.Parent)
                     if (Directory.Exists(Path.Combine(folder.FullName, PackageFolder)))
-                    {
-                        string beside = Path.GetFullPath(Path.Combine(folder.FullName, "..", "shared"));
-                        return Directory.Exists(beside) ? beside : null;
-                    }
+                        return Path.Combine(folder.FullName, PackageFolder);
             return null;
         }
     }

@@ -1,0 +1,198 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Collections;
+
+namespace FastPoints.Files.Tests
+{
+    /// <summary>
+    /// Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped bits, cuts,
+    /// insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more points than its
+    /// blocks say, or a <see cref="PointCloudException"/> of one line.
+    /// </summary>
+    /// <remarks>
+    /// The stress command, a million damaged clouds over all formats (about an hour of one core):
+    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only FormatMutationTests.Mutate_ManyTimes</c>. Without the variable it runs 20,000.
+    /// </remarks>
+    public class FormatMutationTests
+    {
+        const int Cases = 40;
+        const int SampleCases = 8;
+        const int LongCases = 20000;
+        const int MostPoints = 3000;
+        const int MostBlocks = 6;
+
+        static readonly string[] s_words =
+        {
+            "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "inf", "1e308", "1e-400", "x", "z",
+            ",", ";", "\t", "\r", "\n", " ", "\"", "#", ".", "-", "{", "}", "[", "]", "<", ">", "vertex", "property", "element", "",
+        };
+
+        static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
+
+        string m_folder;
+
+        [SetUp]
+        public void MakeFolder()
+        {
+            m_folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(m_folder);
+        }
+
+        [TearDown]
+        public void Delete() => Directory.Delete(m_folder, true);
+
+        [TestCaseSource(nameof(Fixtures))]
+        public void Mutate(FormatFixture fixture) => Mutate(fixture, fixture.IsSample ? SampleCases : Cases, 1, 1);
+
+        /// <summary>Most of the cases go to the small clouds: they are quick, and as much of a decoder as large ones.</summary>
+        [Test, Category("Long")]
+        public void Mutate_ManyTimes()
+        {
+            int cases = int.TryParse(Environment.GetEnvironmentVariable("FASTPOINTS_MUTATIONS"), out int count) ? count : LongCases;
+            var own = Fixtures().Where(f => !f.IsSample).ToList();
+            int whole = 0;
+            foreach (var fixture in own)
+                whole += Mutate(fixture, (cases + own.Count - 1) / own.Count, 7, 1);
+            foreach (var fixture in Fixtures().Where(f => f.IsSample))
+                try
+                {
+                    Mutate(fixture, cases / 1000, 9, 0);
+                }
+                catch (IgnoreException)
+                {
+                    // No samples here: the own ones are the count that was asked for.
+                }
+            TestContext.WriteLine(cases + " damaged clouds, " + whole + " of them read to their end");
+        }
+
+        /// <returns>Clouds that could be read.</returns>
+        int Mutate(FormatFixture fixture, int cases, int seed, int leastReadable)
+        {
+            foreach (string old in Directory.GetFiles(m_folder))
+                File.Delete(old);
+            string main = fixture.Write(m_folder);
+            var sound = Directory.GetFiles(m_folder).OrderBy(p => p, StringComparer.Ordinal)
+                .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
+            Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
+            var random = new Random(seed);
+            int readable = 0;
+            for (int i = 0; i < cases; i++)
+            {
+                var (path, bytes) = sound[random.Next(sound.Count)];
+                var damaged = Damage(bytes, random);
+                if (fixture.Seal != null && random.Next(2) == 0 && damaged.Length >= 1024)
+                {
+                    Array.Resize(ref damaged, damaged.Length / 1024 * 1024);
+                    fixture.Seal(damaged);
+                }
+                File.WriteAllBytes(path, damaged);
+                if (Reads(main, fixture + ", seed " + seed + ", case " + i))
+                    readable++;
+                if (sound.Count > 1)
+                    File.WriteAllBytes(path, bytes);
+            }
+            Assert.That(readable, Is.GreaterThanOrEqualTo(leastReadable), fixture.ToString());
+            return readable;
+        }
+
+        static byte[] Damage(byte[] sound, Random random)
+        {
+            var bytes = new List<byte>(sound);
+            // Half of it near the start, where most of what says what the rest is lies.
+            for (int change = random.Next(1, 4); change > 0 && bytes.Count > 0; change--)
+            {
+                int at = random.Next(2) == 0 ? random.Next(Math.Min(bytes.Count, 600)) : random.Next(bytes.Count);
+                int length = Math.Min(random.Next(1, 40), bytes.Count - at);
+                switch (random.Next(9))
+                {
+                    case 0:
+                        bytes[at] ^= (byte)(1 << random.Next(8));
+                        break;
+                    case 1:
+                        bytes[at] = (byte)random.Next(256);
+                        break;
+                    case 2:
+                        if (random.Next(3) == 0)
+                            bytes.RemoveRange(at, bytes.Count - at);
+                        break;
+                    case 3:
+                        bytes.RemoveRange(at, length);
+                        break;
+                    case 4:
+                        bytes.InsertRange(at, bytes.GetRange(at, length));
+                        break;
+                    case 5:
+                        bytes.InsertRange(at, Encoding.ASCII.GetBytes(s_words[random.Next(s_words.Length)]));
+                        break;
+                    case 6:
+                        ReplaceWord(bytes, at, s_words[random.Next(s_words.Length)]);
+                        break;
+                    default:
+                        byte extreme = (byte)(random.Next(2) * 255);
+                        int width = 1 << random.Next(4);
+                        for (int b = at; b < at + width && b < bytes.Count; b++)
+                            bytes[b] = b == at + width - 1 && random.Next(2) == 0 ? (byte)127 : extreme;
+                        break;
+                }
+            }
+            return bytes.ToArray();
+        }
+
+        static void ReplaceWord(List<byte> bytes, int at, string word)
+        {
+            int start = at, end = at;
+            while (start > 0 && bytes[start - 1] > ' ' && at - start < 20)
+                start--;
+            while (end < bytes.Count && bytes[end] > ' ' && end - at < 20)
+                end++;
+            bytes.RemoveRange(start, end - start);
+            bytes.InsertRange(start, Encoding.ASCII.GetBytes(word));
+        }
+
+        /// <returns>Whether there is a cloud; false for a failure that says what is wrong.</returns>
+        static bool Reads(string path, string story)
+        {
+            try
+            {
+                using (var reader = PointReaders.Open(path))
+                {
+                    if (!reader.BlocksAreKnown)
+                        WorkPump.RunToEnd(reader.FindBlocks());
+                    Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
+                    if (reader.BlockCount == 0)
+                        return true;
+                    int capacity = Math.Min(MostPoints, reader.MaxPointsPerBlock);
+                    using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
+                        for (int i = 0; i < Math.Min(MostBlocks, reader.BlockCount); i++)
+                        {
+                            int block = (int)((long)i * reader.BlockCount / Math.Min(MostBlocks, reader.BlockCount));
+                            int count = Math.Min(capacity, reader.PointsInBlock(block));
+                            read.Begin(new BlockRange(block, 0, count));
+                            read.Complete();
+                            Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                            if (read.Points.Count < count)
+                                Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                        }
+                    return true;
+                }
+            }
+            catch (PointCloudException failure)
+            {
+                Assert.That(failure.Message, Does.Not.Contain("\n"), story);
+                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed || failure.Code == FailureCode.NotFound, Is.True,
+                    story + ": " + failure.Message);
+                return false;
+            }
+            catch (Exception e) when (!(e is ResultStateException))
+            {
+                throw new AssertionException(story + ": " + e, e);
+            }
+        }
+    }
+}

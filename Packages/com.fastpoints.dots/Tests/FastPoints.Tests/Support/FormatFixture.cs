@@ -1,0 +1,146 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using FastPoints.Files;
+using FastPoints.Files.Tests;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>
+    /// A small cloud of one format, made by the tests themselves or a sample: what the manual's table of formats and the mutation
+    /// tests go over. A format that is new gets one here.
+    /// </summary>
+    public sealed class FormatFixture
+    {
+        /// <summary>As <see cref="SourceInfo.Format"/> says it.</summary>
+        public string Format { get; private set; }
+
+        public string Name { get; private set; }
+
+        /// <summary>Makes the bytes of the file; null for a sample.</summary>
+        Func<byte[]> m_make;
+
+        /// <summary>Below the samples: a file, or an index whose folder is the cloud; null for an own one.</summary>
+        string m_sample;
+        bool m_isFolder;
+
+        /// <summary>Done to a damaged file now and then, so that the damage gets past a checksum; or null.</summary>
+        public Action<byte[]> Seal { get; private set; }
+
+        public bool IsSample => m_sample != null;
+
+        public override string ToString() => Format + "_" + Name;
+
+        public static IReadOnlyList<FormatFixture> All { get; } = new[]
+        {
+            Own("LAS", "PointFormat1", () => Las(2, 1)),
+            Own("LAS", "PointFormat7", () => Las(4, 7)),
+            Own("LAS", "PointFormat10", () => Las(5, 10)),
+            Own("LAZ", "Pointwise", () => Laz(3, 2, LazTablePlace.AtOffset)),
+            Own("LAZ", "PointwiseV1", () => Laz(1, 1, LazTablePlace.Missing)),
+            Own("LAZ", "Layered", () => Laz(7, 3, LazTablePlace.AtFileEnd)),
+            Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTablePlace.AtOffset)),
+            Own("COPC", "TwoLevelsAPage", () => new CopcFileWriter { LevelsPerPage = 2, MaxNodePoints = 30 }
+                .Write(LazRecords.Make(7, 0, 400, 5))),
+            Own("PLY", "Ascii", () => Ply("ascii")),
+            Own("PLY", "LittleEndian", () => Ply("binary_little_endian")),
+            Own("PLY", "BigEndian", () => Ply("binary_big_endian")),
+            Own("XYZ", "Blanks", () => Text("", ' ')),
+            Own("XYZ", "Commas", () => Text("x,y,z,i,r,g,b\n", ',')),
+            Own("XYZ", "Semicolons", () => Text("# a scan\n", ';')),
+            Own("PTS", "Count", () => Text("200\n", ' ')),
+            Own("E57", "TwoScans", E57, E57FileWriter.Seal),
+            Sample("LAS", "las/extrabytes.las"),
+            Sample("LAZ", "laz/simple-laszip-compressor-version-1.2r0.laz"),
+            Sample("COPC", "copc/example.copc.laz"),
+            Sample("PLY", "ply/platonic_shelf_big_endian.ply"),
+            Sample("Potree", "potree/v2-autzen-brotli/metadata.json", true),
+            Sample("Potree", "potree/v2-mixedconifer-default/metadata.json", true),
+        };
+
+        /// <summary>Writes the cloud into an empty folder. A test that wants a sample which is not there is skipped.</summary>
+        /// <returns>What to open: the file, or its index.</returns>
+        public string Write(string folder)
+        {
+            if (m_sample == null)
+            {
+                string path = Path.Combine(folder, "cloud");
+                File.WriteAllBytes(path, m_make());
+                return path;
+            }
+            string from = TestData.SampleOrIgnore(m_sample), main = Path.Combine(folder, Path.GetFileName(from));
+            foreach (string file in m_isFolder ? Directory.GetFiles(Path.GetDirectoryName(from)) : new[] { from })
+                File.WriteAllBytes(Path.Combine(folder, Path.GetFileName(file)), File.ReadAllBytes(file));
+            return main;
+        }
+
+        static FormatFixture Own(string format, string name, Func<byte[]> make, Action<byte[]> seal = null) =>
+            new FormatFixture { Format = format, Name = name, m_make = make, Seal = seal };
+
+        static FormatFixture Sample(string format, string path, bool isFolder = false) => new FormatFixture
+        {
+            Format = format,
+            Name = path.Replace('/', '_').Replace('.', '_'),
+            m_sample = path,
+            m_isFolder = isFolder,
+        };
+
+        static byte[] Las(int minor, int pointFormat)
+        {
+            using (var file = new LasTestFile { Minor = minor, Format = pointFormat, ExtraBytes = 3 })
+                return file.RandomPoints(60, pointFormat).ToBytes();
+        }
+
+        static byte[] Laz(int pointFormat, int version, LazTablePlace table) => new LazFileWriter
+        {
+            PointFormat = pointFormat,
+            ItemVersion = version,
+            ExtraBytes = 2,
+            ChunkPoints = new[] { 40 },
+            TablePlace = table,
+        }.Write(LazRecords.Make(pointFormat, 2, 100, pointFormat));
+
+        static byte[] Ply(string format)
+        {
+            using (var file = PlyTestFile.WithHeader(format, "element vertex 20", "property float x", "property double y",
+                "property short z", "property uchar red", "property uchar green", "property uchar blue",
+                "element face 1", "property list uchar int i"))
+            {
+                for (int i = 0; i < 20; i++)
+                    if (format == "ascii")
+                        file.Text(i + ".5 " + i + "e-3 " + -i + " 1 2 3\n");
+                    else
+                        file.Values(format == "binary_big_endian", i + 0.5f, i * 1e-3, (short)-i, (byte)1, (byte)2, (byte)3);
+                return (format == "ascii" ? file.Text("3 0 1 2\n")
+                    : file.Values(format == "binary_big_endian", (byte)3, 0, 1, 2)).ToArray();
+            }
+        }
+
+        static byte[] Text(string head, char separator)
+        {
+            var text = new StringBuilder(head);
+            for (int i = 0; i < 200; i++)
+                text.Append(string.Join(separator.ToString(), new[] { 500000 + i + ".125", "-" + i + "e-2", i % 7 + ".5",
+                    (i * 300).ToString(), (i % 256).ToString(), "0", "255" })).Append(i % 5 == 0 ? "\r\n" : "\n");
+            return Encoding.ASCII.GetBytes(text.ToString());
+        }
+
+        static byte[] E57()
+        {
+            double[] reals = Enumerable.Range(0, 500).Select(i => i * 0.25).ToArray();
+            long[] longs = Enumerable.Range(0, 500).Select(i => i % 100L).ToArray();
+            var first = new E57TestScan(E57TestField.Scaled("cartesianX", 0, 1000, 0.01, 5, longs),
+                E57TestField.Scaled("cartesianY", -7, 100, 0.01, 0, longs), E57TestField.Scaled("cartesianZ", 0, 99, 0.01, 0, longs),
+                E57TestField.Integer("intensity", 0, 255, longs))
+            {
+                RecordsPerPacket = 200,
+                Xml = E57TestScan.Pose(1, 0, 0, 0, 1, 2, 3),
+            };
+            var second = new E57TestScan(E57TestField.Single("sphericalRange", reals),
+                E57TestField.Double("sphericalAzimuth", reals), E57TestField.Single("sphericalElevation", reals));
+            return new E57FileWriter(first, second).ToArray();
+        }
+    }
+}
