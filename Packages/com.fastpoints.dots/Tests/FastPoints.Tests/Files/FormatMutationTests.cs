@@ -11,13 +11,13 @@ using Unity.Collections;
 namespace FastPoints.Files.Tests
 {
     /// <summary>
-    /// Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped bits, cuts,
-    /// insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more points than its
-    /// blocks say, or a <see cref="PointCloudException"/> of one line.
+    /// Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped bits,
+    /// cuts, insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more points
+    /// than its blocks say, or a <see cref="PointCloudException"/> of one line.
     /// </summary>
     /// <remarks>
     /// The stress command, a million damaged clouds over all formats (about an hour of one core):
-    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only FormatMutationTests.Mutate_ManyTimes</c>. Without the variable it runs 20,000.
+    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000.
     /// </remarks>
     public class FormatMutationTests
     {
@@ -29,8 +29,9 @@ namespace FastPoints.Files.Tests
 
         static readonly string[] s_words =
         {
-            "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "inf", "1e308", "1e-400", "x", "z",
-            ",", ";", "\t", "\r", "\n", " ", "\"", "#", ".", "-", "{", "}", "[", "]", "<", ">", "vertex", "property", "element", "",
+            "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "inf", "1e308", "1e-400",
+            "x", "z", ",", ";", "\t", "\r", "\n", " ", "\"", "#", ".", "-", "{", "}", "[", "]", "<", ">", "vertex", "property",
+            "element", "",
         };
 
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
@@ -54,7 +55,8 @@ namespace FastPoints.Files.Tests
         [Test, Category("Long")]
         public void Mutate_ManyTimes()
         {
-            int cases = int.TryParse(Environment.GetEnvironmentVariable("FASTPOINTS_MUTATIONS"), out int count) ? count : LongCases;
+            string told = Environment.GetEnvironmentVariable("FASTPOINTS_MUTATIONS");
+            int cases = int.TryParse(told, out int count) ? count : LongCases;
             var own = Fixtures().Where(f => !f.IsSample).ToList();
             int whole = 0;
             foreach (var fixture in own)
@@ -74,17 +76,18 @@ namespace FastPoints.Files.Tests
         /// <returns>Clouds that could be read.</returns>
         int Mutate(FormatFixture fixture, int cases, int seed, int leastReadable)
         {
-            foreach (string old in Directory.GetFiles(m_folder))
-                File.Delete(old);
+            Directory.Delete(m_folder, true);
+            Directory.CreateDirectory(m_folder);
             string main = fixture.Write(m_folder);
-            var sound = Directory.GetFiles(m_folder).OrderBy(p => p, StringComparer.Ordinal)
+            var sound = Directory.GetFiles(m_folder, "*", SearchOption.AllDirectories).OrderBy(p => p, StringComparer.Ordinal)
                 .Select(p => (Path: p, Bytes: File.ReadAllBytes(p))).ToList();
             Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
             var random = new Random(seed);
             int readable = 0;
             for (int i = 0; i < cases; i++)
             {
-                var (path, bytes) = sound[random.Next(sound.Count)];
+                // Of many files every second time the index, which says what the others are.
+                var (path, bytes) = random.Next(2) == 0 ? sound.First(f => f.Path == main) : sound[random.Next(sound.Count)];
                 var damaged = Damage(bytes, random);
                 if (fixture.Seal != null && random.Next(2) == 0 && damaged.Length >= 1024)
                 {
@@ -176,7 +179,9 @@ namespace FastPoints.Files.Tests
                             read.Begin(new BlockRange(block, 0, count));
                             read.Complete();
                             Assert.That(read.Points.Count, Is.InRange(0, count), story);
-                            if (read.Points.Count < count)
+                            // The remarks of a text file are lines, and no points, and nothing is wrong with them.
+                            bool hasRemarks = reader is XyzReader;
+                            if (read.Points.Count < count && !hasRemarks)
                                 Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
                         }
                     return true;
@@ -185,8 +190,8 @@ namespace FastPoints.Files.Tests
             catch (PointCloudException failure)
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed || failure.Code == FailureCode.NotFound, Is.True,
-                    story + ": " + failure.Message);
+                bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed || failure.Code == FailureCode.NotFound;
+                Assert.That(isInput, Is.True, story + ": " + failure.Message);
                 return false;
             }
             catch (Exception e) when (!(e is ResultStateException))

@@ -12,11 +12,12 @@ namespace FastPoints.Files.Tests
     /// <summary>The manual's table "format, what is read, what is not, tested by" is true: what it names is there.</summary>
     public class FormatTableTests
     {
-        /// <summary>The cells of each row of the first table of formats.md; the test is skipped where the package lies without its
-        /// manual.</summary>
+        /// <summary>The cells of each row of the first table of formats.md; the test is skipped where the package lies without
+        /// its manual.</summary>
         static List<string[]> Rows()
         {
-            string path = TestData.PackageRoot == null ? null : Path.Combine(TestData.PackageRoot, "Documentation~", "formats.md");
+            string package = TestData.PackageRoot;
+            string path = package == null ? null : Path.Combine(package, "Documentation~", "formats.md");
             if (path == null || !File.Exists(path))
                 Assert.Ignore("the package's manual is not here");
             return File.ReadAllLines(path).SkipWhile(l => !l.StartsWith("| format |", StringComparison.Ordinal)).Skip(2)

@@ -57,6 +57,8 @@ namespace FastPoints.Tests.Support
             Sample("COPC", "copc/example.copc.laz"),
             Sample("PLY", "ply/platonic_shelf_big_endian.ply"),
             Sample("Potree", "potree/v2-autzen-brotli/metadata.json", true),
+            Sample("Potree", "potree/lion_takanawa/cloud.js", true),
+            Sample("Potree", "potree/lion_takanawa_laz/cloud.js", true),
             Sample("Potree", "potree/v2-mixedconifer-default/metadata.json", true),
         };
 
@@ -70,10 +72,14 @@ namespace FastPoints.Tests.Support
                 File.WriteAllBytes(path, m_make());
                 return path;
             }
-            string from = TestData.SampleOrIgnore(m_sample), main = Path.Combine(folder, Path.GetFileName(from));
-            foreach (string file in m_isFolder ? Directory.GetFiles(Path.GetDirectoryName(from)) : new[] { from })
-                File.WriteAllBytes(Path.Combine(folder, Path.GetFileName(file)), File.ReadAllBytes(file));
-            return main;
+            string from = TestData.SampleOrIgnore(m_sample), root = Path.GetDirectoryName(from);
+            foreach (string file in m_isFolder ? Directory.GetFiles(root, "*", SearchOption.AllDirectories) : new[] { from })
+            {
+                string to = Path.Combine(folder, file.Substring(root.Length + 1));
+                Directory.CreateDirectory(Path.GetDirectoryName(to));
+                File.WriteAllBytes(to, File.ReadAllBytes(file));
+            }
+            return Path.Combine(folder, Path.GetFileName(from));
         }
 
         static FormatFixture Own(string format, string name, Func<byte[]> make, Action<byte[]> seal = null) =>
@@ -132,7 +138,8 @@ namespace FastPoints.Tests.Support
             double[] reals = Enumerable.Range(0, 500).Select(i => i * 0.25).ToArray();
             long[] longs = Enumerable.Range(0, 500).Select(i => i % 100L).ToArray();
             var first = new E57TestScan(E57TestField.Scaled("cartesianX", 0, 1000, 0.01, 5, longs),
-                E57TestField.Scaled("cartesianY", -7, 100, 0.01, 0, longs), E57TestField.Scaled("cartesianZ", 0, 99, 0.01, 0, longs),
+                E57TestField.Scaled("cartesianY", -7, 100, 0.01, 0, longs),
+                E57TestField.Scaled("cartesianZ", 0, 99, 0.01, 0, longs),
                 E57TestField.Integer("intensity", 0, 255, longs))
             {
                 RecordsPerPacket = 200,
