@@ -142,7 +142,15 @@ namespace FastPoints.Files
             byte* scratch = (byte*)Scratch.GetUnsafePtr();
             byte* columns = (byte*)Columns.GetUnsafePtr();
             double* vectors = (double*)Vectors.GetUnsafePtr();
+            if (IsCopy(read))
+            {
+                int bytes = read.Bits / 8;
+                UnsafeUtility.MemCpy(columns + read.ColumnOffsetBytes, scratch, (long)count * bytes);
+                return 0;
+            }
             long firstBit = FirstRecord * read.Bits & 7;
+            bool canMisfit = read.Range != E57Bits.Mask(read.Bits);
+            long minimum = read.Kind == E57FieldKind.Integer ? read.Minimum : 0;
             int misfits = 0;
             for (int first = 0; first < count; first += TileValues)
             {
@@ -151,17 +159,19 @@ namespace FastPoints.Files
                     UnsafeUtility.MemClear(raw, tile * 8);
                 else
                     E57Bits.Unpack(scratch, firstBit + (long)first * read.Bits, read.Bits, tile, raw);
-                if (read.Kind == E57FieldKind.Integer)
-                    misfits += AddMinimum(raw, tile, read.Minimum, read.Range);
+                if (read.Kind == E57FieldKind.Integer && canMisfit)
+                    misfits += Limit(raw, tile, read.Range);
                 if (read.Target == E57Target.Integers)
                 {
-                    StoreIntegers((long*)raw, tile, read.Bias, columns + read.ColumnOffsetBytes, read.ColumnType, first);
+                    StoreIntegers((long*)raw, tile, minimum + read.Bias, columns + read.ColumnOffsetBytes, read.ColumnType,
+                        first);
                     continue;
                 }
                 if (read.Target == E57Target.Invalid && read.Kind == E57FieldKind.Integer)
                 {
                     for (int i = 0; i < tile; i++)
-                        drops[first + i] = raw[i] != 0 && drops[first + i] == 0 ? E57Drop.Invalid : drops[first + i];
+                        if ((long)raw[i] + minimum != 0 && drops[first + i] == 0)
+                            drops[first + i] = E57Drop.Invalid;
                     continue;
                 }
                 ToReals(raw, tile, read, reals);
@@ -172,7 +182,8 @@ namespace FastPoints.Files
                         break;
                     case E57Target.Invalid:
                         for (int i = 0; i < tile; i++)
-                            drops[first + i] = reals[i] != 0 && drops[first + i] == 0 ? E57Drop.Invalid : drops[first + i];
+                            if (reals[i] != 0 && drops[first + i] == 0)
+                                drops[first + i] = E57Drop.Invalid;
                         break;
                     case E57Target.Shares:
                         StoreShares(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
@@ -185,14 +196,25 @@ namespace FastPoints.Files
             return misfits;
         }
 
-        static int AddMinimum(ulong* raw, int count, long minimum, ulong range)
+        /// <summary>Whether the field's bytes are those of its column.</summary>
+        static bool IsCopy(in E57FieldRead read)
+        {
+            if (read.Bits != read.ColumnType.SizeOf() * 8)
+                return false;
+            if (read.Kind == E57FieldKind.Integer)
+                return read.Target == E57Target.Integers && read.Minimum + read.Bias == 0
+                    && read.Range == E57Bits.Mask(read.Bits);
+            return read.Target == E57Target.Reals && read.Factor == 1 && read.Addend == 0;
+        }
+
+        static int Limit(ulong* raw, int count, ulong range)
         {
             int misfits = 0;
             for (int i = 0; i < count; i++)
             {
                 ulong value = raw[i];
                 misfits += value > range ? 1 : 0;
-                raw[i] = (value > range ? range : value) + (ulong)minimum;
+                raw[i] = math.min(value, range);
             }
             return misfits;
         }
@@ -203,7 +225,7 @@ namespace FastPoints.Files
             if (read.Kind == E57FieldKind.Integer)
             {
                 for (int i = 0; i < count; i++)
-                    reals[i] = (long)raw[i] * factor + addend;
+                    reals[i] = ((long)raw[i] + read.Minimum) * factor + addend;
                 return;
             }
             if (read.Kind == E57FieldKind.Float32)

@@ -9,19 +9,26 @@ namespace FastPoints.Files
         /// <summary>Bytes behind the last value that may be loaded and not used.</summary>
         public const int PaddingBytes = 16;
 
+        /// <summary>The largest number of so many bits, 0 to 64.</summary>
+        public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;
+
         /// <param name="firstBit">Of the first value.</param>
         /// <param name="bits">1 to 64.</param>
         public static void Unpack(byte* bytes, long firstBit, int bits, int count, ulong* values)
         {
+            ulong mask = Mask(bits);
+            if ((firstBit & 7) == 0 && (bits == 8 || bits == 16 || bits == 32))
+            {
+                UnpackBytes(bytes + (firstBit >> 3), bits, count, values);
+                return;
+            }
             if (bits <= 57)
             {
-                ulong mask = (1UL << bits) - 1;
                 long at = firstBit;
                 for (int i = 0; i < count; i++, at += bits)
                     values[i] = *(ulong*)(bytes + (at >> 3)) >> (int)(at & 7) & mask;
                 return;
             }
-            ulong wideMask = bits == 64 ? ulong.MaxValue : (1UL << bits) - 1;
             for (int i = 0; i < count; i++)
             {
                 long at = firstBit + (long)i * bits;
@@ -30,8 +37,21 @@ namespace FastPoints.Files
                 ulong value = *(ulong*)p >> shift;
                 // Twice, since a shift by 64 is one by 0.
                 value |= (ulong)p[8] << (63 - shift) << 1;
-                values[i] = value & wideMask;
+                values[i] = value & mask;
             }
+        }
+
+        static void UnpackBytes(byte* bytes, int bits, int count, ulong* values)
+        {
+            if (bits == 8)
+                for (int i = 0; i < count; i++)
+                    values[i] = bytes[i];
+            else if (bits == 16)
+                for (int i = 0; i < count; i++)
+                    values[i] = ((ushort*)bytes)[i];
+            else
+                for (int i = 0; i < count; i++)
+                    values[i] = ((uint*)bytes)[i];
         }
 
         /// <summary>Bytes that so many values take from a bit on.</summary>

@@ -14,11 +14,14 @@ namespace FastPoints.Files
     static class E57XmlTree
     {
         public const int MaxBytes = 32 << 20;
-        const int MaxNodes = 400_000;
+
+        /// <summary>Elements and attributes: about 100 bytes each.</summary>
+        const int MaxItems = 1_000_000;
         const int MaxDepth = 64;
 
         /// <summary>Between two tags; the parser holds all attributes of a tag at once.</summary>
         const int MaxTagBytes = 1 << 20;
+        const int MaxTextChars = 1 << 20;
 
         /// <param name="xml">UTF-8.</param>
         /// <param name="offset">Where it starts in the file.</param>
@@ -52,15 +55,17 @@ namespace FastPoints.Files
             var open = new Stack<E57Node>();
             var leafText = new StringBuilder();
             E57Node root = null;
-            int nodes = 0;
+            int items = 0;
             while (reader.Read())
             {
                 switch (reader.NodeType)
                 {
                     case XmlNodeType.Element:
-                        if (++nodes > MaxNodes || open.Count == MaxDepth)
+                        items += 1 + reader.AttributeCount;
+                        if (items > MaxItems || open.Count == MaxDepth)
                             throw PointCloudException.Wanted(FailureCode.Unsupported, path, offset, "the XML section",
-                                "at most " + MaxNodes + " elements, nested at most " + MaxDepth + " deep", "more");
+                                "at most " + MaxItems + " elements and attributes, nested at most " + MaxDepth + " deep",
+                                "more");
                         var node = new E57Node(reader.Name, reader.LineNumber);
                         bool isEmpty = reader.IsEmptyElement;
                         while (reader.MoveToNextAttribute())
@@ -80,6 +85,9 @@ namespace FastPoints.Files
                         break;
                     case XmlNodeType.Text:
                     case XmlNodeType.CDATA:
+                        if (leafText.Length + reader.Value.Length > MaxTextChars)
+                            throw PointCloudException.Wanted(FailureCode.Unsupported, path, offset, "text of the XML section",
+                                "at most " + MaxTextChars + " characters", "more");
                         leafText.Append(reader.Value);
                         break;
                 }

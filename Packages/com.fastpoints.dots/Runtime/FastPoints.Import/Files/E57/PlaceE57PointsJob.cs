@@ -120,22 +120,24 @@ namespace FastPoints.Files
             if (oddities.Invalid + oddities.Damaged == 0)
                 return;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            for (int c = 0; c < ColumnTable.Length; c++)
+            for (int first = 0, kept = 0; first < result.Points;)
             {
-                byte* column = columns + ColumnTable[c].OffsetBytes;
-                int bytes = ColumnTable[c].Type.SizeOf();
-                int kept = 0;
-                for (int i = 0; i < result.Points; i++)
-                {
-                    if (drops[i] != 0)
-                        continue;
-                    for (int b = 0; b < bytes; b++)
-                        column[(long)kept * bytes + b] = column[(long)i * bytes + b];
-                    kept++;
-                }
+                int end = first;
+                while (end < result.Points && drops[end] == 0)
+                    end++;
+                if (kept < first && end > first)
+                    for (int c = 0; c < ColumnTable.Length; c++)
+                        Move(columns + ColumnTable[c].OffsetBytes, ColumnTable[c].Type.SizeOf(), first, kept, end - first);
+                kept += end - first;
+                first = end;
+                while (first < result.Points && drops[first] != 0)
+                    first++;
             }
             result.Points -= oddities.Invalid + oddities.Damaged;
         }
+
+        static void Move(byte* column, int bytes, long from, long to, long count) =>
+            UnsafeUtility.MemMove(column + to * bytes, column + from * bytes, count * bytes);
 
         void CountPages(ref E57Oddities oddities)
         {

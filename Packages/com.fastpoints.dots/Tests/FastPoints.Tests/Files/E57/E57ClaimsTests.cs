@@ -282,9 +282,15 @@ namespace FastPoints.Files.Tests
                 "<!DOCTYPE lolz [<!ENTITY a \"lol\"><!ENTITY b \"&a;&a;&a;&a;\">]>\n<e57Root");
             string External(string xml) => xml.Replace("<e57Root", "<!DOCTYPE x SYSTEM \"file:///etc/passwd\">\n<e57Root");
             string Deep(string xml) => xml.Replace("</e57Root>", Repeated("<a>", 100000));
-            string Wide(string xml) => xml.Replace("</e57Root>", Repeated("<a/>", 500000) + "</e57Root>");
+            string Wide(string xml) => xml.Replace("</e57Root>", Repeated("<a/>", 1100000) + "</e57Root>");
             string Attributes(string xml) => xml.Replace("<data3D", "<data3D" +
                 string.Concat(Enumerable.Range(0, 200000).Select(i => " a" + i + "=\"\"")));
+            string Tag(int tag) =>
+                "<b" + string.Concat(Enumerable.Range(tag * 600, 600).Select(i => " a" + i + "=\"\"")) + "/>";
+            string ManyAttributes(string xml) =>
+                xml.Replace("</e57Root>", string.Concat(Enumerable.Range(0, 2000).Select(Tag)) + "</e57Root>");
+            string LongText(string xml) =>
+                xml.Replace("</e57Root>", "<a><![CDATA[" + Repeated("<text ", 300000) + "]]></a></e57Root>");
             string Open(string xml) => xml.Replace("</e57Root>", "");
             string Entity(string xml) => xml.Replace("</e57Root>", "<a>&b;</a></e57Root>");
             string Other(string xml) => "<html/>";
@@ -292,7 +298,7 @@ namespace FastPoints.Files.Tests
             string Binary(string xml) => "\u0001\u0002<";
             foreach (var edit in new Func<string, string>[]
             {
-                Billion, External, Deep, Wide, Attributes, Open, Entity, Other, Nothing, Binary,
+                Billion, External, Deep, Wide, Attributes, ManyAttributes, LongText, Open, Entity, Other, Nothing, Binary,
             })
             {
                 var watch = System.Diagnostics.Stopwatch.StartNew();
