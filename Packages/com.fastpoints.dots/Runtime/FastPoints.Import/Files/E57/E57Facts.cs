@@ -11,6 +11,7 @@ namespace FastPoints.Files
         const int MaxWholeScans = 50;
         const int MaxScans = 1000;
         const int MaxImages = 50;
+        const int MaxFieldsLeftOut = 20;
 
         // Sensor, weather and times, as the standard names them.
         static readonly string[] s_texts =
@@ -79,8 +80,11 @@ namespace FastPoints.Files
                 info.Fact("colors", "scaled to 0 to 65,535 by their limits");
             if (info.Schema.Has(AttributeNames.ReturnNumber))
                 info.Fact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
-            foreach (string field in schema.LeftOut)
-                info.Warn(-1, "field " + E57Text.OneLine(field) + " is left out: another attribute has its name");
+            for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsLeftOut; i++)
+                info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, or " +
+                    "there are more than " + E57Scan.MaxFields);
+            if (schema.LeftOut.Count > MaxFieldsLeftOut)
+                info.Warn(-1, E57Text.Of(schema.LeftOut.Count) + " fields are left out");
             TellMissing(scans, info);
             info.HasBoundsClaimed = scans.Count > 0;
             foreach (var scan in scans)
@@ -97,20 +101,19 @@ namespace FastPoints.Files
         /// <summary>One attribute of some scans only is 0 in the points of the others.</summary>
         static void TellMissing(List<E57Scan> scans, SourceInfo info)
         {
+            var scansWith = new Dictionary<string, int>();
+            foreach (var scan in scans)
+                foreach (var field in scan.Fields)
+                {
+                    string attribute = E57Names.AttributeOf(field.Name);
+                    scansWith.TryGetValue(attribute, out int count);
+                    scansWith[attribute] = count + 1;
+                }
+            int told = 0;
             foreach (var attribute in info.Schema)
-            {
-                int with = 0;
-                foreach (var scan in scans)
-                    foreach (var field in scan.Fields)
-                        if (E57Names.AttributeOf(field.Name) == attribute.Name)
-                        {
-                            with++;
-                            break;
-                        }
-                if (with > 0 && with < scans.Count)
+                if (scansWith.TryGetValue(attribute.Name, out int with) && with < scans.Count && told++ < MaxFieldsLeftOut)
                     info.Warn(-1, attribute.Name + " is there in " + with + " of " + scans.Count +
                         " scans: it is 0 in the points of the others");
-            }
         }
 
         static void TellPose(E57Scan scan, SourceInfo info)

@@ -27,6 +27,8 @@ namespace FastPoints.Files
         /// <summary>Records that take no bytes at all prove nothing about how many there are.</summary>
         const ulong MostRecordsWithoutBits = 65536;
 
+        const int MostScansTold = 20;
+
         readonly Crc32C m_crc;
         FileHandle m_file;
         readonly E57Schema m_schema;
@@ -146,13 +148,11 @@ namespace FastPoints.Files
             long points = 0;
             foreach (var section in m_sections)
             {
-                if (section.Scan.RecordsClaimed == 0)
-                    continue;
-                if (section.Scan.RecordBits == 0)
+                if (section.Scan.RecordsClaimed > 0 && section.Scan.RecordBits == 0)
                 {
                     TakeWithoutBits(section);
                 }
-                else
+                else if (section.Scan.RecordsClaimed > 0)
                 {
                     using (var walk = new E57Walk(this, section))
                     using (var steps = walk.Run())
@@ -181,7 +181,7 @@ namespace FastPoints.Files
         }
 
         internal List<E57FieldRead> ReadsOf(E57Section section, PointBatch batch) =>
-            m_schema.ReadsOf(m_sections.IndexOf(section), batch);
+            m_schema.ReadsOf(section.Index, batch);
 
         internal E57Section SectionOf(int block)
         {
@@ -196,8 +196,6 @@ namespace FastPoints.Files
                 else
                     high = middle;
             }
-            while (m_sections[low].BlockCount == 0)
-                low--;
             return m_sections[low];
         }
 
@@ -245,7 +243,7 @@ namespace FastPoints.Files
             var sections = new List<E57Section>();
             var data = root.Child("data3D");
             PointCloudException first = null;
-            int count = data?.Children.Count ?? 0;
+            int count = data?.Children.Count ?? 0, leftOut = 0;
             for (int i = 0; i < count; i++)
             {
                 var scan = E57Scan.Read(data.Children[i], i, out string problem, out string remark);
@@ -259,12 +257,17 @@ namespace FastPoints.Files
                 E57Facts.TellScan(data.Children[i], scan, info);
                 if (problem == null)
                 {
+                    section.Index = sections.Count;
                     sections.Add(section);
                     continue;
                 }
                 first = first ?? new PointCloudException(FailureCode.BadInput, info.Path, offset, scan.Label + ": " + problem);
-                info.Warn(offset, scan.Label + " is left out: " + problem);
+                leftOut++;
+                if (leftOut <= MostScansTold)
+                    info.Warn(offset, scan.Label + " is left out: " + problem);
             }
+            if (leftOut > MostScansTold)
+                info.Warn(-1, E57Text.Of(leftOut) + " of " + E57Text.Of(count) + " scans are left out");
             if (sections.Count == 0 && first != null)
                 throw first;
             return sections;

@@ -64,7 +64,7 @@ namespace FastPoints.Files
         /// <summary>For people.</summary>
         public string PositionSummary { get; private set; }
 
-        /// <summary>Fields whose names are those of other attributes, and so cannot be had.</summary>
+        /// <summary>Fields whose names are those of other attributes, or that are too many to be had.</summary>
         public List<string> LeftOut { get; } = new List<string>();
 
         /// <summary>Whether positions pass through rows of doubles.</summary>
@@ -209,7 +209,8 @@ namespace FastPoints.Files
                     if (field.Kind == E57FieldKind.String || isPosition || !known.Add(field.Name))
                         continue;
                     string attribute = E57Names.AttributeOf(field.Name);
-                    if (attribute.Length == 1 && "XYZ".Contains(attribute) || m_fieldOf.ContainsKey(attribute))
+                    if (attribute.Length == 1 && "XYZ".Contains(attribute) || m_fieldOf.ContainsKey(attribute) ||
+                        names.Count == E57Scan.MaxFields)
                     {
                         LeftOut.Add(field.Name);
                         continue;

@@ -35,6 +35,9 @@ namespace FastPoints.Files
         /// <summary>Records that are there; by the walk.</summary>
         public long Records;
 
+        /// <summary>Its place among the scans that are read.</summary>
+        public int Index;
+
         /// <summary>Of all the file's blocks and points.</summary>
         public int FirstBlock;
         public long FirstPoint;

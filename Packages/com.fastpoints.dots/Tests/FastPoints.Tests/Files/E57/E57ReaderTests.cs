@@ -264,6 +264,28 @@ namespace FastPoints.Files.Tests
         }
 
         [Test]
+        public void Read_ManyScansSomeEmpty_GivesEachItsPoints()
+        {
+            var scans = Enumerable.Range(0, 60).Select(i => Floats(i % 3 == 1 ? 0 : 5 + i, i * 1000)).ToArray();
+            var contents = E57Contents.Read(File(scans));
+            Assert.That(contents.Blocks, Is.EqualTo(40));
+            Assert.That(contents.Column<float>("X"),
+                Is.EqualTo(scans.SelectMany(scan => scan.Fields[0].Reals).Select(v => (float)v)));
+        }
+
+        [Test]
+        public void Read_MoreFieldsThanCanBeHad_LeavesSomeOut()
+        {
+            var scans = Enumerable.Range(0, 4).Select(s => Floats(2)).ToArray();
+            for (int i = 0; i < 400; i++)
+                scans[i / 100].Fields.Add(E57TestField.Integer("f" + i, 0, 9, i % 10, 1));
+            var contents = E57Contents.Read(File(scans));
+            Assert.That(contents.Info.Schema.Count, Is.EqualTo(3 + 250 + 1));
+            Assert.That(contents.HasWarning("150 fields are left out"));
+            Assert.That(contents.Info.Schema.Has("f249"));
+        }
+
+        [Test]
         public void Read_RangeBeyondInt32_IsShiftedAndStillExact()
         {
             long high = 3_000_000_000;
