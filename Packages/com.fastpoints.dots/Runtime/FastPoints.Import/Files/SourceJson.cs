@@ -33,7 +33,14 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file.</summary>
         public long FileBytes { get; }
 
-        public IEnumerable<string> Names => m_members.Keys;
+        public IEnumerable<string> Names
+        {
+            get
+            {
+                foreach (string name in m_members.Keys)
+                    yield return OneLine(name);
+            }
+        }
 
         /// <summary>Whether the first bytes of a file look like a JSON object, a byte order mark in front or not.</summary>
         public static bool Is(byte[] head)
@@ -77,11 +84,11 @@ namespace FastPoints.Files
 
         public SourceJson Object(string name) => ToObject(Member(name), name);
 
-        /// <summary>A member that must be text.</summary>
-        public string Text(string name) => Member(name) as string ?? throw Bad(name, "text");
+        /// <summary>A member that must be text. Control characters become blanks: it is shown to people as one line.</summary>
+        public string Text(string name) => Member(name) is string text ? OneLine(text) : throw Bad(name, "text");
 
         /// <summary>Text, or what stands in where there is none.</summary>
-        public string Text(string name, string otherwise) => Member(name) as string ?? otherwise;
+        public string Text(string name, string otherwise) => Member(name) is string text ? OneLine(text) : otherwise;
 
         /// <summary>A member that must be a finite number.</summary>
         public double Number(string name) => ToNumber(Member(name), name);
@@ -170,12 +177,22 @@ namespace FastPoints.Files
             return double.IsNaN(number) || double.IsInfinity(number) ? throw Bad(name, "a finite number") : number;
         }
 
+        /// <summary>Text without control characters, for messages and names.</summary>
+        public static string OneLine(string text)
+        {
+            char[] line = text.ToCharArray();
+            for (int i = 0; i < line.Length; i++)
+                if (char.IsControl(line[i]))
+                    line[i] = ' ';
+            return new string(line);
+        }
+
         static string Shown(object value)
         {
             switch (value)
             {
                 case null: return "null";
-                case string text: return "\"" + text + "\"";
+                case string text: return "\"" + OneLine(text) + "\"";
                 case bool flag: return flag ? "true" : "false";
                 case List<object> list: return "a list of " + list.Count.ToString(CultureInfo.InvariantCulture);
                 case Dictionary<string, object> _: return "an object";

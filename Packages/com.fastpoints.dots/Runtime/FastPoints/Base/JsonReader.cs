@@ -247,6 +247,8 @@ namespace FastPoints.Base
 
         FormatException Bad(string wanted) =>
             new FormatException(string.Format(CultureInfo.InvariantCulture, "at character {0}: wanted {1}, got {2}", m_at, wanted,
-                m_at < m_text.Length ? "'" + m_text[m_at] + "'" : "the end"));
+                m_at >= m_text.Length ? "the end"
+                    : char.IsControl(m_text[m_at]) ? "U+" + ((int)m_text[m_at]).ToString("X4", CultureInfo.InvariantCulture)
+                    : "'" + m_text[m_at] + "'"));
     }
 }

@@ -95,7 +95,7 @@ namespace FastPoints.Files
             }
             foreach (object item in list)
             {
-                string name = item as string ?? throw json.Bad("pointAttributes", "names");
+                string name = SourceJson.OneLine(item as string ?? throw json.Bad("pointAttributes", "names"));
                 if (s_named.TryGetValue(name, out var known))
                 {
                     Attributes.Add(PotreeAttribute.Make(name, known.Type, known.Bytes, null, null, out _));

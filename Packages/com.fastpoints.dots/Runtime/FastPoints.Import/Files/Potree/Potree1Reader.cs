@@ -176,6 +176,7 @@ namespace FastPoints.Files
             m_pages.Dequeue();
             if (!ReadRecords(m_files.HierarchyPathOf(m_page.Level, m_page.Cell)))
                 return true;
+            Tree.PageCount++;
             int mask = m_records.UInt8(0, "child mask");
             if (m_page.Level == 0)
                 Add(0, default, m_records.UInt32(1, "points"));
@@ -290,7 +291,8 @@ namespace FastPoints.Files
                 {
                     var header = LasHeader.Read(source);
                     long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
-                    return (long)Math.Min(header.PointsClaimed, (ulong)Math.Min(most, MaxNodePoints));
+                    most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
+                    return (long)Math.Min(header.PointsClaimed, (ulong)most);
                 }
             }
             catch (PointCloudException e)

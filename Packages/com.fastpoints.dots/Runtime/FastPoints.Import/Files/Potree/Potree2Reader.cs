@@ -36,6 +36,9 @@ namespace FastPoints.Files
         /// <summary>More points than Brotli packs into a byte, whatever they are: 20,000 equal points take some 60 bytes.</summary>
         const int MaxPointsPerByte = 1000;
 
+        /// <summary>Of a node's Brotli stream, which a slot holds whole.</summary>
+        const long MaxStreamBytes = 1 << 27;
+
         /// <summary>A page that has not been read, and the node at its root.</summary>
         struct Page
         {
@@ -180,6 +183,7 @@ namespace FastPoints.Files
             if (m_pages.Peek().Level >= levels)
                 return false;
             var page = m_pages.Dequeue();
+            Tree.PageCount++;
             m_pageOffset = page.Offset;
             m_pageEnd = page.Offset + page.Bytes;
             m_records = new ByteReader(Array.Empty<byte>(), m_hierarchy.Path, page.Offset);
@@ -288,10 +292,12 @@ namespace FastPoints.Files
             if (IsBrotli)
             {
                 bool isCut = bytes > room - offset;
-                if (isCut || points > bytes * MaxPointsPerByte || points > MaxNodePoints)
+                long most = Math.Min(Math.Min(MaxNodePoints, MaxNodeBytes / m_layout.RecordBytes),
+                    bytes > MaxStreamBytes ? 0 : bytes * MaxPointsPerByte);
+                if (isCut || points > most)
                     points = 0;
                 return points > 0 ? null : story + (isCut ? Text(room - offset) + " bytes before the end of the file"
-                    : "room for " + Text(Math.Min(MaxNodePoints, bytes * MaxPointsPerByte)));
+                    : "room for " + Text(most));
             }
             points = Math.Min(points, Math.Min(bytes, room - offset) / m_layout.RecordBytes);
             return points == claimed ? null : story + "room for " + Text(points);

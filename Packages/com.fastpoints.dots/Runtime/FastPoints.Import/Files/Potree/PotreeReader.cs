@@ -32,6 +32,12 @@ namespace FastPoints.Files
         /// <summary>Points of a node that cannot.</summary>
         internal const int MaxNodePoints = 1 << 22;
 
+        /// <summary>Columns of a node that cannot: what a slot takes, whatever a file claims.</summary>
+        internal const int MaxNodeBytes = 1 << 27;
+
+        /// <summary>Records of a block that can.</summary>
+        const int MaxBlockBytes = 1 << 26;
+
         /// <summary>Of reading pages without a break.</summary>
         const double StepMs = 3;
 
@@ -113,7 +119,7 @@ namespace FastPoints.Files
                 m_tree.Add(node);
                 return;
             }
-            long most = bytesPerPoint > 0 ? MaxBlockPoints : points;
+            long most = bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points;
             for (long first = 0; first < points; first += most)
             {
                 int count = (int)Math.Min(most, points - first);

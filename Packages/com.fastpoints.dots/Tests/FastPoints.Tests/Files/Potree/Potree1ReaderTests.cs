@@ -52,7 +52,9 @@ namespace FastPoints.Files.Tests
                 case "PointSourceId": return PotreeCheck.Bits(point, "SOURCE_ID", 0, 2);
                 case "GpsTime": return PotreeCheck.Bits(point, "GPS_TIME", 0, 8);
                 case "SPACING": return PotreeCheck.Bits(point, "SPACING", 0, 4);
-                case "NormalX": case "NormalY": case "NormalZ":
+                case "NormalX":
+                case "NormalY":
+                case "NormalZ":
                     var normal = PotreeNormals.FromOctahedron(PotreeTestCloud.ByteOf(point, "NORMAL_OCT16", 0),
                         PotreeTestCloud.ByteOf(point, "NORMAL_OCT16", 1));
                     return (uint)BitConverter.SingleToInt32Bits(normal[column[6] - 'X']);
