@@ -27,8 +27,8 @@ namespace FastPoints.Cli
         public required ColorMode Mode { get; init; }
         public required IReadOnlyList<string> Assumptions { get; init; }
 
-        /// <summary>Against the reference, where it was measured.</summary>
-        public ImageError? Error { get; set; }
+        /// <summary>Errors over time, where they were measured.</summary>
+        public ErrorStep? Error { get; set; }
 
         public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)
         {
@@ -69,13 +69,7 @@ namespace FastPoints.Cli
                 json.WriteEndObject();
             }
             json.WriteEndArray();
-            if (Error is not { } error)
-                return;
-            json.WriteStartObject("error");
-            json.WriteReal("psnr", error.Psnr);
-            json.WriteReal("ssim", error.Ssim);
-            json.WriteReal("uncovered", error.Uncovered);
-            json.WriteEndObject();
+            Error?.WriteKeys(json);
         }
     }
 }

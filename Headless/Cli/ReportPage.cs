@@ -16,6 +16,8 @@ namespace FastPoints.Cli
             td, th { padding: .15rem .9rem .15rem 0; text-align: right; font-weight: normal; white-space: pre-wrap; vertical-align: top; }
             th { color: #666; } td:first-child, th:first-child { text-align: left; } table.facts td { text-align: left; }
             table.facts td:first-child { color: #666; white-space: nowrap; } img { max-width: 100%; border: 1px solid #ddd; }
+            .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; } .row figure { margin: 0; }
+            .row svg { width: 100%; height: auto; } .wide { overflow-x: auto; } .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
             .warning { color: #8a4b00; } figcaption { color: #666; } figure { margin: 1rem 0; }
             @media (prefers-color-scheme: dark) { body { color: #ddd; background: #181818; } h2, img { border-color: #444; }
               th, figcaption, table.facts td:first-child { color: #999; } .warning { color: #f0b060; } }
@@ -37,6 +39,32 @@ namespace FastPoints.Cli
             foreach (var (name, value) in facts)
                 m_body.Append("<tr><td>").Append(Escape(name)).Append("</td><td>").Append(Escape(value)).Append("</td></tr>\n");
             m_body.Append("</table>\n");
+        }
+
+        /// <summary>As <see cref="Table"/>, in smaller print; scrolls where the page is too narrow for it.</summary>
+        public void WideTable(TextTable table)
+        {
+            m_body.Append("<div class=\"wide\">\n");
+            Table(table);
+            m_body.Append("</div>\n");
+        }
+
+        /// <summary>Charts side by side, as many as fit.</summary>
+        public void Charts(IEnumerable<LineChart> charts)
+        {
+            m_body.Append("<div class=\"row\">\n");
+            foreach (var chart in charts)
+                m_body.Append("<figure>").Append(chart.ToSvg()).Append("</figure>\n");
+            m_body.Append("</div>\n");
+        }
+
+        /// <summary>Pictures side by side, as many as fit.</summary>
+        public void Pictures(IEnumerable<(byte[] Png, string Caption)> pictures)
+        {
+            m_body.Append("<div class=\"row\">\n");
+            foreach (var (png, caption) in pictures)
+                Picture(png, caption);
+            m_body.Append("</div>\n");
         }
 
         public void Table(TextTable table)

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using FastPoints.Files;
-using FastPoints.Picture;
 using FastPoints.Pipeline;
 
 namespace FastPoints.Cli.Verbs
@@ -32,7 +31,13 @@ namespace FastPoints.Cli.Verbs
         };
         readonly Option<bool> m_report = new("--report")
         {
-            Description = "Measure the error: the picture of the sample against that of a sample from a full scan.",
+            Description = "Measure the error over time, of this and of other ways to sample, against all points: distances, bare cells, "
+                + "evenness, pictures. Writes a page with charts, and a table. Reads the file some dozen times.",
+        };
+        readonly Option<string?> m_out = new("--out")
+        {
+            HelpName = "DIR",
+            Description = "Where --report goes (default: ./NAME-preview-report).",
         };
         readonly PictureSettings m_picture;
 
@@ -46,6 +51,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_exact);
             Command.Add(m_quick);
             Command.Add(m_report);
+            Command.Add(m_out);
             m_picture = new PictureSettings(Command);
             m_source = new SourceSettings(Command);
             AddCommonOptions();
@@ -70,32 +76,33 @@ namespace FastPoints.Cli.Verbs
                 Quick = parsed.GetValue(m_quick),
                 Picture = m_picture.Read(parsed),
             };
+            string? outFolder = parsed.GetValue(m_out);
+            if (outFolder != null && !parsed.GetValue(m_report))
+                throw new UsageException("--out belongs to --report");
             run.Inputs.AddRange(files);
-            using var reader = PointReaders.Open(files, m_source.Read(parsed));
+            var source = m_source.Read(parsed);
+            using var reader = PointReaders.Open(files, source);
             run.Warn(reader.Info);
             var result = PreviewStep.Run(reader, options, run);
             string output = parsed.GetRequiredValue(m_output);
             OutputFile.Write(output, result.Png);
-            if (parsed.GetValue(m_report))
-                result.Error = Compare(reader, options, result, run);
             run.WriteKeys = json => result.WriteKeys(json);
+            if (parsed.GetValue(m_report))
+            {
+                result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);
+                ErrorReport.Write(outFolder ?? CloudName.Of(files[0]) + "-preview-report", result.Error, reader.Info);
+            }
 
             run.Out.WriteLine(output + ": " + result.Describe());
             if (result.Error is { } error)
-                run.Out.WriteLine("error against a full scan: PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
-                    + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+            {
+                run.Out.WriteLine();
+                error.ToTable().Write(run.Out, "  ");
+                run.Out.WriteLine();
+                run.Out.WriteLine(error.Page);
+                return;
+            }
             StageTable.Of(run.Progress).Write(run.Out, "  ");
-        }
-
-        /// <summary>The same camera and colours over as many points, chosen by the reference sampler.</summary>
-        static ImageError Compare(PointReader reader, PreviewOptions options, PreviewStep preview, CliRun run)
-        {
-            options.Picture.Camera = preview.Camera;
-            options.Picture.Color = preview.Mode;
-            using var exact = new PreviewCloud(reader, new PreviewOptions { Points = options.Points, Exact = true, Picture = options.Picture });
-            run.Progress.Group = "full scan";
-            run.Pump(exact.Run(run.Progress));
-            return ImageError.Compare(preview.Image, exact.Image, options.Picture.Background);
         }
     }
 }

@@ -108,10 +108,36 @@ namespace FastPoints.HostTests.Cli
         public void Preview_HasItsKeysAndAPicture()
         {
             string png = m_scratch["preview.png"];
-            var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90", "--report");
+            var json = Summary("preview", "preview", m_demo, "-o", png, "--size", "160x90");
             HasPreviewKeys(json);
-            HasKey(json.GetProperty("error"), "ssim", JsonValueKind.Number);
             Assert.That(File.ReadAllBytes(png).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+        }
+
+        [Test]
+        public void PreviewReport_WritesErrorsOverTime()
+        {
+            string folder = m_scratch["errors"];
+            var json = Summary("preview", "preview", m_demo, "-o", m_scratch["p.png"], "--size", "160x90", "--report", "--out", folder);
+            HasPreviewKeys(json);
+            var error = json.GetProperty("error");
+            foreach (string key in new[]
+                { "psnr", "ssim", "uncovered", "rms", "hausdorff95", "hausdorff99", "uncoveredCells64", "uncoveredCells128",
+                    "uncoveredCells256", "shareVariation", "bias", "biasByChance" })
+                HasKey(error, key, JsonValueKind.Number, JsonValueKind.Null);
+            Assert.That(error.GetProperty("rms").GetDouble(), Is.Zero, "the sample is the whole");
+            Assert.That(error.GetProperty("uncoveredCells256").GetDouble(), Is.Zero);
+            Assert.That(error.GetProperty("found").GetInt32(), Is.EqualTo(3000));
+            foreach (var curve in error.GetProperty("curves").EnumerateArray())
+            {
+                Assert.That(curve.GetProperty("waves").GetArrayLength(), Is.GreaterThan(0), curve.GetProperty("name").GetString());
+                foreach (var wave in curve.GetProperty("waves").EnumerateArray())
+                    Assert.That(wave.GetProperty("found").GetInt32(), Is.EqualTo(wave.GetProperty("lookedUp").GetInt32()));
+            }
+            Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
+            Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("<svg").And.Contain("data:image/png"));
+            string[] table = File.ReadAllLines(Path.Combine(folder, "errors.csv"));
+            Assert.That(table.Select(l => l.Split(',').Length), Is.All.EqualTo(table[0].Split(',').Length));
+            Assert.That(File.Exists(Path.Combine(folder, "rms.svg")), Is.True);
         }
 
         static void HasPreviewKeys(JsonElement json)

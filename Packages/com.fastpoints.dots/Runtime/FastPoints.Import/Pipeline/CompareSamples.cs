@@ -24,8 +24,8 @@ namespace FastPoints.Pipeline
         /// <summary>Points of each sample that are looked up in the full cloud.</summary>
         public const int LookedUpPerSample = 4096;
 
-        /// <summary>Size of the three views.</summary>
-        public const int ViewWidthPx = 640, ViewHeightPx = 360;
+        /// <summary>Usual size of the three views.</summary>
+        public const int DefaultWidthPx = 640, DefaultHeightPx = 360;
 
         /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
         const uint QuerySeed = 0x9E3779B9;
@@ -46,11 +46,20 @@ namespace FastPoints.Pipeline
         ErrorGrid m_grid;
 
         /// <param name="options">Colours, background and up axis of the views.</param>
-        public CompareSamples(PointReader reader, PictureOptions options)
+        /// <param name="widthPx">Of a view.</param>
+        /// <param name="heightPx">Of a view.</param>
+        public CompareSamples(PointReader reader, PictureOptions options, int widthPx = DefaultWidthPx,
+            int heightPx = DefaultHeightPx)
         {
             m_reader = reader;
             m_options = options;
+            WidthPx = widthPx;
+            HeightPx = heightPx;
         }
+
+        /// <summary>Size of the three views.</summary>
+        public int WidthPx { get; }
+        public int HeightPx { get; }
 
         /// <summary>Where nearly all of the full cloud is: see <see cref="DisplayRanges.Robust"/>.</summary>
         public BoundsGeo Bounds => m_grid.Bounds;
@@ -125,7 +134,7 @@ namespace FastPoints.Pipeline
 
             progress?.Begin("reference");
             m_cloud = new CellOccupancy(Allocator.Persistent);
-            using (var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud))
+            using (var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx))
             {
                 using (var sizes = pass.ChooseSizes(sample.Points, m_pointCount))
                     while (sizes.MoveNext())
@@ -270,7 +279,7 @@ namespace FastPoints.Pipeline
             var plan = m_plans[view];
             if (plan.WantsAutoSize)
                 plan.SizePx = PointSizing.MinPx;
-            using (var canvas = new PictureCanvas(ViewWidthPx, ViewHeightPx, Allocator.Persistent))
+            using (var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent))
             {
                 canvas.UsePalette(plan.Mode);
                 using (var size = SamplePicture.ChooseSize(canvas, points, plan, points.Count))
@@ -333,8 +342,8 @@ namespace FastPoints.Pipeline
 
         PictureOptions OptionsFor(ViewDirection view) => new PictureOptions
         {
-            WidthPx = ViewWidthPx,
-            HeightPx = ViewHeightPx,
+            WidthPx = WidthPx,
+            HeightPx = HeightPx,
             View = view,
             FovDegrees = m_options.FovDegrees,
             UpAxis = m_options.UpAxis,

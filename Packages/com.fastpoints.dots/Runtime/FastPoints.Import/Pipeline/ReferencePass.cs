@@ -21,9 +21,10 @@ namespace FastPoints.Pipeline
         readonly CellOccupancy m_cloud;
         readonly CellOccupancy[] m_cellsOfSlot;
 
-        /// <param name="plans">Of each view; all of the size in <see cref="CompareSamples"/>.</param>
+        /// <param name="plans">Of each view; all of one size.</param>
         /// <param name="cloud">What is counted into.</param>
-        public ReferencePass(PointReader reader, ErrorGrid grid, PicturePlan[] plans, CellOccupancy cloud)
+        public ReferencePass(PointReader reader, ErrorGrid grid, PicturePlan[] plans, CellOccupancy cloud, int widthPx,
+            int heightPx)
         {
             m_reader = reader;
             m_wanted = SampleSchema.Of(reader.Info);
@@ -34,8 +35,7 @@ namespace FastPoints.Pipeline
             m_canvases = new PictureCanvas[plans.Length];
             for (int view = 0; view < plans.Length; view++)
             {
-                m_canvases[view] = new PictureCanvas(CompareSamples.ViewWidthPx, CompareSamples.ViewHeightPx,
-                    Allocator.Persistent);
+                m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
                 m_canvases[view].UsePalette(plans[view].Mode);
             }
         }

@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Pipeline
         static SampleError[] Measure(double3[] cloud, params double3[][] samples)
         {
             using var reader = Reader(cloud);
-            using var comparison = new CompareSamples(reader, new PictureOptions());
+            using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
             WorkPump.RunToEnd(comparison.Prepare(new StageProgress()));
             var errors = new SampleError[samples.Length];
             for (int i = 0; i < samples.Length; i++)
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Pipeline
             var sample = cloud.Take(100).ToArray();
             var error = Measure(cloud, sample)[0];
             using var reader = Reader(cloud);
-            using var comparison = new CompareSamples(reader, new PictureOptions());
+            using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
             WorkPump.RunToEnd(comparison.Prepare(null));
             double unit = math.length(comparison.Bounds.Size);
             var distances = cloud.Select(p => sample.Min(s => math.distance(s, p)) / unit).OrderBy(d => d).ToArray();
@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Pipeline
             var cloud = Positions(5000, 8);
             var alone = Measure(cloud, cloud.Take(700).ToArray())[0];
             using var reader = Reader(cloud);
-            using var comparison = new CompareSamples(reader, new PictureOptions());
+            using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
             WorkPump.RunToEnd(comparison.Prepare(null));
             var error = new SampleError();
             WorkPump.RunToEnd(comparison.Measure(reader.Points, 700, reader.Info.Transform, null, error));
@@ -173,7 +173,7 @@ namespace FastPoints.Tests.Pipeline
         public void Cancelled_FreesWhatItHolds([Values(1, 4, 9, 14)] int steps)
         {
             using var reader = Reader(Positions(20_000, 1));
-            using var comparison = new CompareSamples(reader, new PictureOptions());
+            using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
             var work = comparison.Prepare(null);
             for (int step = 0; step < steps; step++)
                 Assert.That(work.MoveNext(), Is.True);

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+using FastPoints.Points;
+using FastPoints.Preview;
+
+namespace FastPoints.Cli
+{
+    /// <summary>Ways of sampling a source, each timed from the open call: ours, and those that it is compared with.</summary>
+    public sealed class SampleTakers(Func<PointReader> open, PreviewOptions options, CliRun run)
+    {
+        /// <summary>Runs of what is quick, of which the fastest counts: it takes so little that anything else on the machine
+        /// shows.</summary>
+        const int RunsOfQuick = 3;
+
+        /// <summary>What takes longer is run once.</summary>
+        const double QuickSeconds = 1;
+
+        /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
+        const int MostSinglePoints = 20_000;
+
+        /// <summary>Whether the source is sampled in waves, or only ever scanned.</summary>
+        public static bool HasWaves(PointReader reader) => reader.HasRunReads || !reader.HasFixedStride;
+
+        /// <summary>The product's own sample, in its waves.</summary>
+        public TakenSample Ours() => Timed((reader, opened) =>
+        {
+            using var sampler = PreviewSampler.Create(reader, options.Points, options.Seed);
+            run.Pump(sampler.Run(0, run.Progress));
+            var waves = new List<SampleWave>();
+            foreach (var wave in sampler.Waves)
+                waves.Add(new SampleWave { Points = wave.Points, Seconds = opened + wave.Seconds, BytesRead = wave.BytesRead });
+            return new TakenSample(sampler.TakeSample().Points, reader.Info.Transform, waves);
+        });
+
+        /// <summary>One hashed point of each stratum, by a scan of all points: the reference.</summary>
+        public TakenSample FullScan(int points) => Timed((reader, opened) =>
+        {
+            var watch = Stopwatch.StartNew();
+            using var sampler = new UniformSampler(reader, points, options.Seed);
+            run.Pump(sampler.Run(0, run.Progress));
+            double seconds = opened + watch.Elapsed.TotalSeconds;
+            var sample = sampler.TakeSample();
+            return OneWave(sample.Points, reader, seconds, sample.BytesRead);
+        });
+
+        public TakenSample EveryNth(int points) => Timed((reader, opened) => Ranges(reader, opened,
+            reader.HasFixedStride && points <= MostSinglePoints && points <= reader.PointCount
+                ? RangeSampler.Single(reader, points)
+                : RangeSampler.Whole(reader), points));
+
+        public TakenSample First(int points) =>
+            Timed((reader, opened) => Ranges(reader, opened, RangeSampler.First(reader, points), points));
+
+        /// <summary>Regular choices from a share of each block.</summary>
+        public TakenSample Beginnings(double share, int points) =>
+            Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
+
+        TakenSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
+        {
+            var watch = Stopwatch.StartNew();
+            using var sampler = new RangeSampler(reader, ranges, points);
+            run.Pump(sampler.Run(run.Progress));
+            return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+        }
+
+        static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead) => new(points,
+            reader.Info.Transform, [new SampleWave { Points = points.Count, Seconds = seconds, BytesRead = bytesRead }]);
+
+        /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
+        TakenSample Timed(Func<PointReader, double, TakenSample> take)
+        {
+            TakenSample? best = null;
+            for (int i = 0; i < RunsOfQuick; i++)
+            {
+                // What earlier samples left behind is not to be collected within this one's time.
+                GC.Collect();
+                var watch = Stopwatch.StartNew();
+                using var reader = open();
+                if (!reader.BlocksAreKnown)
+                    run.Pump(reader.FindBlocks());
+                var taken = take(reader, watch.Elapsed.TotalSeconds);
+                if (best == null || taken.Seconds < best.Seconds)
+                {
+                    best?.Dispose();
+                    best = taken;
+                }
+                else
+                {
+                    taken.Dispose();
+                }
+                if (best.Seconds > QuickSeconds)
+                    break;
+            }
+            return best!;
+        }
+    }
+}
