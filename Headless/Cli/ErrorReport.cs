@@ -112,9 +112,9 @@ namespace FastPoints.Cli
             yield return ("bias", "Largest relative deviation of the share sampled of a region (an eighth of the edge, with "
                 + "at least a thousandth of the points) from that of all; beside it what chance would exceed in one sample of "
                 + "two.");
-            yield return ("views", "Top, front and iso, the same camera and colours for all, sizes of points as each sample "
-                + "asks for; PSNR of the mean squared error, mean SSIM, mean share of the pixels left bare; against all "
-                + "points, and against a full scan's sample of as many points.");
+            yield return ("views", "Top, front and iso, half the size of the picture, the same camera and colours for all, "
+                + "sizes of points as each sample asks for; PSNR of the mean squared error, mean SSIM, mean share of the "
+                + "pixels left bare; against all points, and against a full scan's sample of as many points.");
         }
 
         static string LookedUp(ErrorStep step)

@@ -49,7 +49,9 @@ namespace FastPoints.Cli
         public static ErrorStep Run(Func<PointReader> open, PreviewOptions options, CliRun run)
         {
             using var reader = open();
-            using var comparison = new CompareSamples(reader, options.Picture);
+            // Half the size of the picture: many views are drawn and compared.
+            using var comparison = new CompareSamples(reader, options.Picture, (options.Picture.WidthPx + 1) / 2,
+                (options.Picture.HeightPx + 1) / 2);
             var takers = new SampleTakers(open, options, run);
             var step = new ErrorStep(run, comparison, takers);
             run.Progress.Group = "error";
