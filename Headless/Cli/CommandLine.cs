@@ -19,6 +19,7 @@ namespace FastPoints.Cli
         public static int Run(IReadOnlyList<string> args, TextWriter output, TextWriter error, bool errorIsTerminal,
             CancellationToken cancellation)
         {
+            ZstandardDecompressor.Register();
             var verbs = AllVerbs();
             var root = verbs[0].Command;
             foreach (var verb in verbs.Skip(1))

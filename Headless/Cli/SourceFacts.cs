@@ -13,6 +13,8 @@ namespace FastPoints.Cli
     {
         const int NameWidth = 22;
 
+        TreeFacts? m_tree;
+
         /// <summary>What the scan of all points found, or null without one.</summary>
         public CloudSummary? Found { get; set; }
 
@@ -46,19 +48,28 @@ namespace FastPoints.Cli
                 foreach (var line in BoundsLines("bounds (found)", Found.Bounds))
                     yield return line;
             yield return ("crs", Info.Crs.Summary ?? "unknown");
-            if (reader.Tree is { } tree)
-                yield return ("octree", Human.Count(tree.NodeCount) + " nodes on " + tree.LevelCount + " levels"
-                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints()) + " of them without points"
-                    + (tree.PageCount > 0 ? ", " + Human.Count(tree.PageCount) + " pages of hierarchy" : ""));
+            TakeTree();
+            if (m_tree is { } tree)
+                yield return ("octree", Human.Count(tree.Nodes) + " nodes on " + tree.Levels.Count + " levels"
+                    + (tree.IsWhole ? "" : " so far") + ", " + Human.Count(tree.NodesWithoutPoints) + " of them without points"
+                    + (tree.Pages > 0 ? ", " + Human.Count(tree.Pages) + " pages of hierarchy" : ""));
+        }
+
+        /// <summary>Keeps what is known of the source's own octree: the summary is written when the source is closed.</summary>
+        void TakeTree()
+        {
+            if (reader.Tree != null)
+                m_tree ??= TreeFacts.Of(reader.Tree);
         }
 
         /// <summary>The source's own octree level by level, or null where it has none.</summary>
         public TextTable? Levels()
         {
-            if (reader.Tree is not { } tree)
+            TakeTree();
+            if (m_tree is not { } tree)
                 return null;
             var table = new TextTable("level", "nodes", "points", "most in a node", "spacing");
-            foreach (var level in TreeLevel.Of(tree))
+            foreach (var level in tree.Levels)
                 table.Add(level.Level.ToString(CultureInfo.InvariantCulture), Human.Count(level.Nodes), Human.Count(level.Points),
                     Human.Count(level.MostPoints), level.Spacing.ToString("G4", CultureInfo.InvariantCulture));
             return table;
@@ -118,18 +129,18 @@ namespace FastPoints.Cli
 
         void WriteTree(Utf8JsonWriter json)
         {
-            if (reader.Tree is not { } tree)
+            if (m_tree is not { } tree)
             {
                 json.WriteNull("tree");
                 return;
             }
             json.WriteStartObject("tree");
-            json.WriteNumber("nodes", tree.NodeCount);
-            json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints());
+            json.WriteNumber("nodes", tree.Nodes);
+            json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints);
             json.WriteBoolean("isWhole", tree.IsWhole);
-            json.WriteNumber("pages", tree.PageCount);
+            json.WriteNumber("pages", tree.Pages);
             json.WriteStartArray("levels");
-            foreach (var level in TreeLevel.Of(tree))
+            foreach (var level in tree.Levels)
             {
                 json.WriteStartObject();
                 json.WriteNumber("level", level.Level);

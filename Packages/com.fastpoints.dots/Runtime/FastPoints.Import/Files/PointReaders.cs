@@ -111,7 +111,7 @@ namespace FastPoints.Files
             if (index.Has("octreeDir") || index.Has("pointAttributes"))
                 return Potree1Reader.Open(index);
             if (index.Has("hierarchyType") || index.IsList("schema") && index.Has("dataType"))
-                throw new PointCloudException(FailureCode.Unsupported, index.Path, 0, "an Entwine octree (EPT) is not read yet");
+                return EptReader.Open(index);
             if (index.IsText("format") && index.Text("format") == "fastpoints")
                 throw new PointCloudException(FailureCode.Unsupported, index.Path, 0,
                     "this is a converted cloud already, not a source: draw it, or convert what it was made from");

@@ -21,7 +21,8 @@ namespace FastPoints.Points
         public const string Withheld = "Withheld";
         public const string Overlap = "Overlap";
         public const string ScannerChannel = "ScannerChannel";
-        /// <summary>Whole degrees (int8) in point formats 0 to 5, steps of 0.006 degrees (int16) in 6 to 10.</summary>
+        /// <summary>Whole degrees (int8) in point formats 0 to 5, steps of 0.006 degrees (int16) in 6 to 10;
+        /// degrees (float) in EPT.</summary>
         public const string ScanAngle = "ScanAngle";
         public const string UserData = "UserData";
         public const string PointSourceId = "PointSourceId";

@@ -42,7 +42,6 @@ namespace FastPoints.Files.Tests
             Directory.Delete(m_path);
         }
 
-        [TestCase("ept.json", "{\"dataType\":\"binary\",\"schema\":[]}", "Entwine")]
         [TestCase("cloud.json", "{\"format\":\"fastpoints\",\"version\":1}", "converted cloud already")]
         public void Open_FolderOrIndexOfAnotherKind_NamesWhatItIs(string name, string content, string story)
         {

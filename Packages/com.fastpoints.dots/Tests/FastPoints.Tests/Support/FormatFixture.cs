@@ -56,6 +56,8 @@ namespace FastPoints.Tests.Support
             Sample("LAZ", "laz/simple-laszip-compressor-version-1.2r0.laz"),
             Sample("COPC", "copc/example.copc.laz"),
             Sample("PLY", "ply/platonic_shelf_big_endian.ply"),
+            Sample("EPT", "ept/bcbf/ept.json", true),
+            Sample("EPT", "ept/1.2-with-color/ept.json", true),
             Sample("Potree", "potree/v2-autzen-brotli/metadata.json", true),
             Sample("Potree", "potree/lion_takanawa/cloud.js", true),
             Sample("Potree", "potree/lion_takanawa_laz/cloud.js", true),

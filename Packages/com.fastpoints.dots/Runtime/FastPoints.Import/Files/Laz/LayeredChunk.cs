@@ -111,12 +111,21 @@ namespace FastPoints.Files
         /// <param name="bytes">Of the chunk, as told.</param>
         public static bool IsThere(LayeredChunk* chunk, byte* input, long inputBytes, long points, long bytes)
         {
+            long end = BytesOf(chunk, input, inputBytes, out long pointsInChunk);
+            return end == 0 || pointsInChunk == points || end == bytes;
+        }
+
+        /// <summary>Bytes of the chunk by its own header, and its points; 0 where the header is not all there.</summary>
+        public static long BytesOf(LayeredChunk* chunk, byte* input, long inputBytes, out long points)
+        {
+            points = 0;
             long end = LazLayer.ChunkHeaderBytes(chunk->m_recordBytes, chunk->m_layerCount);
-            if (inputBytes < end || *(uint*)(input + chunk->m_recordBytes) == points)
-                return true;
+            if (inputBytes < end)
+                return 0;
+            points = *(uint*)(input + chunk->m_recordBytes);
             for (int i = 0; i < chunk->m_layerCount; i++)
                 end += *(uint*)(input + chunk->m_recordBytes + 4 + 4 * i);
-            return end == bytes;
+            return end;
         }
 
         /// <summary>Starts at a chunk's first byte.</summary>

@@ -31,7 +31,7 @@ namespace FastPoints.Files
         readonly LasFile m_las;
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
-        readonly FileHandle m_file;
+        FileHandle m_file;
         bool m_isOpen;
         int m_maxPointsPerBlock;
 
@@ -43,8 +43,7 @@ namespace FastPoints.Files
             Source = source;
             Format = format;
             Info = las.Info;
-            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
-            m_isOpen = true;
+            OpenFile();
         }
 
         public LasHeader Header => m_las.Header;
@@ -59,7 +58,14 @@ namespace FastPoints.Files
 
         internal LasRecordLayout Layout => m_las.Layout;
 
-        internal ref readonly FileHandle File => ref m_file;
+        internal ref readonly FileHandle File
+        {
+            get
+            {
+                OpenFile();
+                return ref m_file;
+            }
+        }
 
         /// <summary>Chunks of more points become several blocks.</summary>
         internal int LongChunkPoints { get; }
@@ -131,7 +137,17 @@ namespace FastPoints.Files
                     + ": the others are not in the file");
         }
 
-        public override void Dispose()
+        public override void Dispose() => CloseFile();
+
+        void OpenFile()
+        {
+            if (m_isOpen)
+                return;
+            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
+            m_isOpen = true;
+        }
+
+        public override void CloseFile()
         {
             if (!m_isOpen)
                 return;

@@ -33,7 +33,10 @@ namespace FastPoints.Files
         /// <summary>More extra bytes in a point than any file has: a decoder's state takes 1.6 KB for each.</summary>
         public const int MaxExtraBytes = 4096;
 
-        const int FixedBytes = 34;
+        /// <summary>Byte of the VLR's data at which the number of items stands; they follow it.</summary>
+        public const int ItemsAt = 32;
+
+        const int FixedBytes = ItemsAt + 2;
         const int ItemBytes = 6;
 
         public LazCompressor Compressor;
@@ -100,6 +103,21 @@ namespace FastPoints.Files
             format.Layers = format.IsLayered ? LazLayer.Of(format.Items) : new LazLayer[0];
             CheckItems(format, las, at + 32);
             return format;
+        }
+
+        /// <summary>The VLR's bytes from <see cref="ItemsAt"/> on.</summary>
+        internal byte[] ItemBytesOfVlr()
+        {
+            var bytes = new byte[FixedBytes - ItemsAt + Items.Length * ItemBytes];
+            LasHeader.Put(bytes, 0, 2, (ulong)Items.Length);
+            for (int i = 0; i < Items.Length; i++)
+            {
+                int at = FixedBytes - ItemsAt + i * ItemBytes;
+                LasHeader.Put(bytes, at, 2, (ulong)Items[i].Type);
+                LasHeader.Put(bytes, at + 2, 2, (ulong)Items[i].Bytes);
+                LasHeader.Put(bytes, at + 4, 2, (ulong)Items[i].Version);
+            }
+            return bytes;
         }
 
         /// <summary>All of it as lines for people.</summary>

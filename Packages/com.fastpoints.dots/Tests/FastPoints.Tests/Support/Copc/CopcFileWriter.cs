@@ -49,10 +49,8 @@ namespace FastPoints.Tests.Support
 
         public byte[] Write(IReadOnlyList<byte[]> records)
         {
-            Nodes.Clear();
             Pages.Clear();
-            var (min, edgeBits) = Cube(records);
-            MakeNodes(records, min, edgeBits);
+            var (min, edgeBits) = Split(records);
             var ordered = new List<byte[]>(records.Count);
             var counts = new List<int>();
             foreach (var node in Nodes)
@@ -81,7 +79,16 @@ namespace FastPoints.Tests.Support
             return bytes;
         }
 
-        /// <summary>The cube's corner, and its edge as a power of two; grid units.</summary>
+        /// <summary>Makes the nodes; for other formats too whose records start with X, Y, Z as int32.</summary>
+        /// <returns>The cube's corner, and its edge as a power of two; grid units.</returns>
+        public (long[] Min, int EdgeBits) Split(IReadOnlyList<byte[]> records)
+        {
+            Nodes.Clear();
+            var (min, edgeBits) = Cube(records);
+            MakeNodes(records, min, edgeBits);
+            return (min, edgeBits);
+        }
+
         static (long[] Min, int EdgeBits) Cube(IReadOnlyList<byte[]> records)
         {
             var min = new[] { long.MaxValue, long.MaxValue, long.MaxValue };

@@ -1,0 +1,49 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>A slice of records in the schema's layout to columns.</summary>
+    [BurstCompile]
+    unsafe struct DecodeEptJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Records;
+
+        /// <summary>How the records came about; broken: they are none.</summary>
+        [ReadOnly] public NativeReference<DecompressState> State;
+
+        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<DecodeResult> Result;
+        public int RecordBytes;
+
+        /// <summary>First of the slice among the records.</summary>
+        public int FirstRecord;
+
+        /// <summary>First point of the slice, counted from the range's.</summary>
+        public int First;
+        public int Count;
+
+        public void Execute()
+        {
+            var result = First == 0 ? default : Result.Value;
+            if (State.Value.IsBroken)
+            {
+                if (result.Error == 0)
+                {
+                    result.Error = EptError.Broken;
+                    result.ErrorOffset = State.Value.Consumed;
+                }
+            }
+            else
+            {
+                LasRecords.ToColumns((byte*)Records.GetUnsafeReadOnlyPtr() + (long)FirstRecord * RecordBytes, RecordBytes, Count,
+                    (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(), First);
+                result.Points = First + Count;
+            }
+            Result.Value = result;
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using System.Globalization;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>One entry of a hierarchy page: <c>"level-x-y-z": points</c>.</summary>
+    public struct EptEntry
+    {
+        /// <summary>The point count that stands for "a page of its own".</summary>
+        public const long PageCount = -1;
+
+        /// <summary>Deeper nodes have no cell that an int holds.</summary>
+        public const int MaxLevel = 30;
+
+        /// <summary>-1 where the key is none.</summary>
+        public int Level;
+        public int3 Cell;
+        public long Points;
+
+        /// <summary>Byte of the key in its page.</summary>
+        public int At;
+
+        public bool IsPage => Points == PageCount;
+
+        public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
+
+        public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
+
+        public string Name => NameOf(Level, Cell);
+
+        /// <summary>What the node's files are called, without their endings.</summary>
+        public static string NameOf(int level, int3 cell) =>
+            Text(level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
+
+        static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,235 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with what its file can hold: missing
+    /// pages and files are holes, and warnings.
+    /// </summary>
+    sealed class EptHierarchy : IDisposable
+    {
+        const string HierarchyFolder = "ept-hierarchy";
+
+        /// <summary>A page of more bytes is no page; writers begin new ones long before.</summary>
+        const int MaxPageBytes = 64 << 20;
+
+        /// <summary>Of a page that a job parses: about a millisecond.</summary>
+        const int SliceBytes = 128 << 10;
+
+        /// <summary>More nodes than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
+        const int MaxNodes = 1 << 21;
+
+        /// <summary>A compressed node is read whole.</summary>
+        const long MaxCompressedBytes = 1L << 28;
+
+        /// <summary>No zstandard frame makes more of a byte: a block of 128 KiB takes 4.</summary>
+        const long MaxZstandardRatio = 1 << 15;
+
+        /// <summary>Of looking for nodes' files without a break.</summary>
+        const double StepMs = 3;
+
+        readonly EptReader m_reader;
+        readonly EptIndex m_index;
+        readonly SourceTree m_tree;
+        readonly Queue<int3>[] m_pagesOfLevel = new Queue<int3>[EptEntry.MaxLevel + 1];
+        readonly HashSet<int4> m_pages = new HashSet<int4>();
+        readonly HashSet<int4> m_nodes = new HashSet<int4>();
+        readonly Stopwatch m_stepWatch = new Stopwatch();
+        NativeList<EptEntry> m_entries;
+        bool m_isFull;
+
+        public EptHierarchy(EptReader reader, EptIndex index, SourceTree tree)
+        {
+            m_reader = reader;
+            m_index = index;
+            m_tree = tree;
+            m_entries = new NativeList<EptEntry>(64, Allocator.Persistent);
+            for (int level = 0; level < m_pagesOfLevel.Length; level++)
+                m_pagesOfLevel[level] = new Queue<int3>();
+            m_pagesOfLevel[0].Enqueue(default);
+            m_pages.Add(default);
+        }
+
+        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels.</summary>
+        public IEnumerator<JobHandle> Read(int levels)
+        {
+            for (int level = 0; level < Math.Min(levels, m_pagesOfLevel.Length); level++)
+            {
+                var pages = m_pagesOfLevel[level];
+                while (pages.Count > 0)
+                {
+                    // Given up between two yields, this begins the page again; nodes that it had added are known by their keys.
+                    string path = Path.Combine(m_index.Folder, HierarchyFolder, EptEntry.NameOf(level, pages.Peek()) + ".json");
+                    using (var parsing = Parse(path, level, pages.Peek()))
+                        while (parsing.MoveNext())
+                            yield return parsing.Current;
+                    using (var adding = Add(path))
+                        while (adding.MoveNext())
+                            yield return adding.Current;
+                    pages.Dequeue();
+                    m_tree.PageCount++;
+                }
+            }
+        }
+
+        public void Dispose()
+        {
+            if (m_entries.IsCreated)
+                m_entries.Dispose();
+        }
+
+        /// <summary>A page's entries into <see cref="m_entries"/>; none for one that is not there.</summary>
+        IEnumerator<JobHandle> Parse(string path, int level, int3 cell)
+        {
+            m_entries.Clear();
+            var file = new FileInfo(path);
+            string problem = null;
+            if (!file.Exists)
+                problem = "there is no " + Path.GetFileName(path);
+            else if (file.Length > MaxPageBytes)
+                problem = "it has " + Text(file.Length) + " bytes, wanted at most " + Text(MaxPageBytes);
+            if (problem != null)
+            {
+                m_reader.Findings.Tell("the page of the hierarchy that begins with it cannot be read",
+                    EptEntry.NameOf(level, cell), problem);
+                yield break;
+            }
+            m_reader.Info.FileBytes += file.Length;
+            using (var read = new NativeFileRead(path, default, file.Length, Allocator.Persistent))
+            using (var state = new NativeReference<EptPageState>(Allocator.Persistent))
+            {
+                JobHandle parsed = default;
+                try
+                {
+                    yield return read.Begin(Path.GetFullPath(path), 0, (int)file.Length);
+                    read.End();
+                    var parse = new ParseEptPageJob
+                    {
+                        Text = read.Buffer,
+                        TextBytes = (int)file.Length,
+                        SliceBytes = SliceBytes,
+                        State = state,
+                        Entries = m_entries,
+                    };
+                    do
+                    {
+                        parsed = parse.Schedule();
+                        yield return parsed;
+                        parsed.Complete();
+                    }
+                    while (!state.Value.IsDone && !state.Value.IsBroken);
+                }
+                finally
+                {
+                    parsed.Complete();
+                }
+                if (state.Value.IsBroken)
+                    m_reader.Findings.Tell("the page of the hierarchy that begins with it is broken",
+                        EptEntry.NameOf(level, cell), "the first " + Text(state.Value.Entries) + " entries are read", state.Value.At, path);
+            }
+        }
+
+        /// <summary>The nodes of a page, level by level: a parent comes before its children.</summary>
+        IEnumerator<JobHandle> Add(string path)
+        {
+            int first = int.MaxValue, last = -1;
+            for (int i = 0; i < m_entries.Length; i++)
+            {
+                int level = m_entries[i].Level;
+                if (!m_entries[i].HasKey)
+                {
+                    m_reader.Findings.Tell("an entry of the hierarchy is none", "?", null, m_entries[i].At, path);
+                    continue;
+                }
+                first = Math.Min(first, level);
+                last = Math.Max(last, level);
+            }
+            m_stepWatch.Restart();
+            for (int level = first; level <= last; level++)
+                for (int i = 0; i < m_entries.Length; i++)
+                {
+                    if (m_entries[i].Level != level || !m_entries[i].HasKey)
+                        continue;
+                    Add(m_entries[i], path);
+                    if (m_stepWatch.Elapsed.TotalMilliseconds < StepMs)
+                        continue;
+                    yield return default;
+                    m_stepWatch.Restart();
+                }
+        }
+
+        void Add(EptEntry entry, string path)
+        {
+            if (entry.IsPage)
+            {
+                if (m_pages.Add(entry.Key))
+                    m_pagesOfLevel[entry.Level].Enqueue(entry.Cell);
+                else
+                    m_reader.Findings.Tell("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
+                return;
+            }
+            if (m_tree.NodeCount >= MaxNodes)
+            {
+                if (!m_isFull)
+                    m_reader.Info.Warn(-1, "the hierarchy has more than " + Text(MaxNodes) + " nodes: the others are left out");
+                m_isFull = true;
+                return;
+            }
+            if (!m_nodes.Add(entry.Key))
+                m_reader.Findings.Tell("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
+            else if (entry.Points < 0)
+                m_reader.Findings.Tell("has a number of points that is none", entry.Name, Text(entry.Points), entry.At, path);
+            else
+                AddNode(entry);
+        }
+
+        void AddNode(EptEntry entry)
+        {
+            if (entry.Points == 0)
+            {
+                m_reader.AddNode(entry, 0, 0);
+                return;
+            }
+            string path = m_reader.PathOf(entry.Level, entry.Cell);
+            var file = new FileInfo(path);
+            if (!file.Exists || file.Length == 0)
+            {
+                m_reader.Findings.Tell("its file is " + (file.Exists ? "empty" : "missing") + ": its points are left out",
+                    entry.Name, Text(entry.Points) + " points", -1, path);
+                m_reader.AddNode(entry, 0, 0);
+                return;
+            }
+            long bytes = file.Length;
+            m_reader.Info.FileBytes += bytes;
+            long points = Math.Min(entry.Points, MostPoints(bytes));
+            if (points < entry.Points)
+                m_reader.Findings.Tell("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
+                    + Text(entry.Points) + ", got room for " + Text(points) + " in " + Text(bytes) + " bytes", -1, path);
+            else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
+                m_reader.Findings.Tell("its file holds more than the points that the hierarchy claims", entry.Name,
+                    "wanted " + Text(points * m_index.RecordBytes) + " bytes, got " + Text(bytes), -1, path);
+            m_reader.AddNode(entry, points, bytes);
+        }
+
+        /// <summary>Points that so many bytes of a node's file can hold.</summary>
+        long MostPoints(long bytes)
+        {
+            if (m_index.DataType == EptDataType.Binary)
+                return bytes / m_index.RecordBytes;
+            if (bytes > MaxCompressedBytes)
+                return 0;
+            return m_index.DataType == EptDataType.Laszip
+                ? LazChunk.MaxPoints(bytes) : bytes * MaxZstandardRatio / m_index.RecordBytes;
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+    }
+}

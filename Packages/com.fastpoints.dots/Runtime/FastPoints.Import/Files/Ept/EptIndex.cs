@@ -1,0 +1,213 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>What ept.json says: the octree's cube, how nodes are kept, and what a record of a point is.</summary>
+    sealed class EptIndex
+    {
+        /// <summary>Longer records than any cloud has.</summary>
+        const int MaxRecordBytes = 1 << 14;
+
+        const int UsualSpan = 128;
+
+        static readonly string[] s_axes = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+
+        // The names of PDAL's dimensions, where the field's usual names are others.
+        static readonly Dictionary<string, string> s_columnNames = new Dictionary<string, string>
+        {
+            { "ScanAngleRank", AttributeNames.ScanAngle }, { "Infrared", AttributeNames.NearInfrared },
+            { "ScanChannel", AttributeNames.ScannerChannel },
+        };
+
+        readonly Dictionary<string, LasField> m_fields = new Dictionary<string, LasField>();
+
+        public SourceInfo Info { get; private set; }
+        public BoundsGeo Cube { get; private set; }
+
+        /// <summary>Of the root's points, CRS units.</summary>
+        public double Spacing { get; private set; }
+        public EptDataType DataType { get; private set; }
+
+        /// <summary>Bytes of a point by the schema.</summary>
+        public int RecordBytes { get; private set; }
+
+        /// <summary>Where ept.json lies.</summary>
+        public string Folder { get; private set; }
+
+        /// <exception cref="PointCloudException">A member is missing or of another type, or names a kind of data that is not
+        /// known.</exception>
+        public static EptIndex Read(SourceJson json)
+        {
+            var info = new SourceInfo
+            {
+                Path = json.Path,
+                FileBytes = json.FileBytes,
+                Format = "EPT",
+                Version = json.Text("version", "0.0.0"),
+                PointsClaimed = (ulong)Math.Max(0, json.Whole("points", 0)),
+            };
+            var index = new EptIndex
+            {
+                Info = info,
+                Folder = Path.GetDirectoryName(Path.GetFullPath(json.Path)),
+                DataType = ReadDataType(json),
+            };
+            string hierarchy = json.Text("hierarchyType", "json");
+            if (hierarchy != "json")
+                throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "hierarchyType", "json", hierarchy);
+            bool isKnown = info.Version.StartsWith("0.", StringComparison.Ordinal)
+                || info.Version.StartsWith("1.", StringComparison.Ordinal);
+            if (!isKnown)
+                info.Warn(-1, "version: wanted 0 or 1, got " + info.Version + ": read all the same");
+            index.ReadCube(json);
+            index.ReadSchema(json);
+            ReadCrs(json, info);
+            info.Fact("data type", json.Text("dataType"));
+            info.Fact("span", Text(json.Number("span", 0)));
+            info.Fact("spacing", Text(index.Spacing));
+            info.Fact("schema bytes a point", index.RecordBytes.ToString(CultureInfo.InvariantCulture));
+            return index;
+        }
+
+        /// <summary>Where a column's value lies in a record.</summary>
+        /// <exception cref="ArgumentException">The records have no such attribute, or have it in another type.</exception>
+        public LasField FieldOf(PointAttribute column) =>
+            m_fields.TryGetValue(column.Name, out var field) && field.Type == column.Type
+                ? field
+                : throw new ArgumentException("the cloud has no attribute " + column);
+
+        static EptDataType ReadDataType(SourceJson json)
+        {
+            string name = json.Text("dataType");
+            switch (name)
+            {
+                case "binary":
+                    return EptDataType.Binary;
+                case "zstandard":
+                    return EptDataType.Zstandard;
+                case "laszip":
+                    return EptDataType.Laszip;
+                default:
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "dataType",
+                        "binary, laszip or zstandard", name);
+            }
+        }
+
+        void ReadCube(SourceJson json)
+        {
+            Cube = Box(json.Numbers("bounds", 6));
+            if (Cube.IsEmpty)
+                throw json.Bad("bounds", "a box");
+            double span = json.Number("span", UsualSpan);
+            if (!(span >= 1))
+            {
+                Info.Warn(-1, "span: wanted at least 1, got " + Text(span) + ": taken as " + UsualSpan);
+                span = UsualSpan;
+            }
+            Spacing = Cube.Size.x / span;
+            if (!json.IsNumbers("boundsConforming", 6))
+                return;
+            Info.BoundsClaimed = Box(json.Numbers("boundsConforming", 6));
+            Info.HasBoundsClaimed = !Info.BoundsClaimed.IsEmpty;
+        }
+
+        static BoundsGeo Box(double[] n) => new BoundsGeo(new double3(n[0], n[1], n[2]), new double3(n[3], n[4], n[5]));
+
+        void ReadSchema(SourceJson json)
+        {
+            var columns = new List<PointAttribute>();
+            var transform = PositionTransform.Identity;
+            long bytes = 0;
+            foreach (var dimension in json.Objects("schema"))
+            {
+                var type = ReadType(dimension);
+                double scale = dimension.Number("scale", 1), offset = dimension.Number("offset", 0);
+                if (scale == 0)
+                {
+                    Info.Warn(-1, "scale of " + dimension.Text("name") + ": wanted a number that is not 0, got 0: read as 1");
+                    scale = 1;
+                }
+                string name = dimension.Text("name");
+                int axis = Array.IndexOf(s_axes, name);
+                if (axis >= 0 && !m_fields.ContainsKey(name))
+                {
+                    // Positions keep theirs in the cloud's transform.
+                    transform.Scale[axis] = scale;
+                    transform.Offset[axis] = offset;
+                    scale = 1;
+                    offset = 0;
+                }
+                name = s_columnNames.TryGetValue(name, out string usual) ? usual : name;
+                string unique = name;
+                for (int number = 2; m_fields.ContainsKey(unique); number++)
+                    unique = name + " (" + number.ToString(CultureInfo.InvariantCulture) + ")";
+                m_fields.Add(unique, new LasField(unique, type, (int)bytes, scale, offset));
+                columns.Add(new PointAttribute(unique, type, scale, offset));
+                bytes += type.SizeOf();
+                if (bytes > MaxRecordBytes)
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "bytes of a point",
+                        "at most " + MaxRecordBytes.ToString(CultureInfo.InvariantCulture), bytes);
+            }
+            foreach (string axis in s_axes)
+                if (!m_fields.ContainsKey(axis))
+                    throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "schema", "X, Y and Z", "no " + axis);
+            RecordBytes = (int)bytes;
+            Info.Transform = transform;
+            Info.Schema = new PointSchema(columns);
+            Info.RecordBytes = DataType == EptDataType.Binary ? RecordBytes : 0;
+        }
+
+        static AttributeType ReadType(SourceJson dimension)
+        {
+            string type = dimension.Text("type");
+            long size = dimension.Whole("size");
+            if (type == "float" || type == "floating")
+                switch (size)
+                {
+                    case 4:
+                        return AttributeType.Float32;
+                    case 8:
+                        return AttributeType.Float64;
+                    default:
+                        throw dimension.Bad("size", "4 or 8 for a float");
+                }
+            bool isSigned = type == "signed";
+            if (!isSigned && type != "unsigned")
+                throw dimension.Bad("type", "signed, unsigned or float");
+            switch (size)
+            {
+                case 1:
+                    return isSigned ? AttributeType.Int8 : AttributeType.UInt8;
+                case 2:
+                    return isSigned ? AttributeType.Int16 : AttributeType.UInt16;
+                case 4:
+                    return isSigned ? AttributeType.Int32 : AttributeType.UInt32;
+                case 8:
+                    return isSigned ? AttributeType.Int64 : AttributeType.UInt64;
+                default:
+                    throw dimension.Bad("size", "1, 2, 4 or 8");
+            }
+        }
+
+        static void ReadCrs(SourceJson json, SourceInfo info)
+        {
+            if (!json.IsObject("srs"))
+                return;
+            var srs = json.Object("srs");
+            string wkt = srs.Text("wkt", "");
+            if (wkt.Length > 0 && !WktCoordinateSystem.Read(wkt, info.Crs))
+                info.Warn(-1, "the CRS is no well-known text: left out");
+            if (!info.Crs.IsKnown && srs.Text("authority", "") == "EPSG"
+                && int.TryParse(srs.Text("horizontal", ""), NumberStyles.None, CultureInfo.InvariantCulture, out int code))
+                info.Crs.Epsg = code;
+        }
+
+        static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+    }
+}

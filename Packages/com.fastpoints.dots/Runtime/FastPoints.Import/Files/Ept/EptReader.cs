@@ -1,0 +1,212 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Reads Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records,
+    /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.
+    /// </summary>
+    /// <remarks>
+    /// A node's file is opened for its range and closed behind it. A node of more points than a slot should hold becomes several
+    /// blocks; of compressed ones each decodes its file from the start.
+    /// </remarks>
+    public sealed class EptReader : PointReader
+    {
+        const string DataFolder = "ept-data";
+        const int MaxBlockPoints = 1 << 20;
+        const int MaxBlockBytes = 32 << 20;
+
+        readonly EptIndex m_index;
+        readonly SourceTree m_tree;
+        readonly EptHierarchy m_hierarchy;
+        readonly List<EptBlock> m_blocks = new List<EptBlock>();
+        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly int m_blockPoints;
+        long m_pointCount;
+        int m_maxPointsPerBlock;
+
+        EptReader(EptIndex index, LasFile las, LazFormat laz)
+        {
+            m_index = index;
+            Info = index.Info;
+            Las = las;
+            Laz = laz;
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, las?.Header.RecordBytes ?? index.RecordBytes);
+            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
+            Findings = new PotreeFindings(Info);
+            m_tree = new SourceTree(index.Cube, index.Spacing, Allocator.Persistent);
+            m_hierarchy = new EptHierarchy(this, index, m_tree);
+        }
+
+        /// <summary>Reads ept.json and, where nodes are LAZ, the header of one.</summary>
+        /// <exception cref="PointCloudException">The index is not sound, or names data that are not known; no node's LAZ file can
+        /// be read.</exception>
+        internal static EptReader Open(SourceJson json)
+        {
+            var index = EptIndex.Read(json);
+            if (index.DataType != EptDataType.Laszip)
+                return new EptReader(index, null, null);
+            // Nodes have scale and offset of their own, which ept.json may give differently: they count.
+            using (var source = FileSource.Open(AnyNode(index)))
+            {
+                var las = LasFile.Read(source);
+                if (!las.Header.IsCompressed)
+                    throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, LasHeader.At.PointFormat,
+                        "a node of an EPT of data type laszip", "LAZ", "LAS");
+                var format = LazFormat.Read(las);
+                if (format.Compressor == LazCompressor.None)
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
+                        "LASzip compressor", "1 to 3", 0);
+                index.Info.Schema = las.Info.Schema;
+                index.Info.Transform = las.Info.Transform;
+                index.Info.PointFormat = las.Header.PointFormat;
+                if (!index.Info.Crs.IsKnown)
+                    index.Info.Crs = las.Info.Crs;
+                format.Tell(index.Info);
+                return new EptReader(index, las, format);
+            }
+        }
+
+        /// <summary>The root's file, or any other where it is missing.</summary>
+        static string AnyNode(EptIndex index)
+        {
+            string folder = Path.Combine(index.Folder, DataFolder);
+            string root = Path.Combine(folder, "0-0-0-0.laz");
+            if (File.Exists(root) || !Directory.Exists(folder))
+                return root;
+            foreach (string path in Directory.EnumerateFiles(folder, "*.laz"))
+                return path;
+            return root;
+        }
+
+        public override SourceTree Tree => m_tree;
+
+        public override bool BlocksAreKnown => m_tree.IsWhole;
+
+        public override int BlockCount => m_blocks.Count;
+
+        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+
+        public override bool HasFixedStride => m_index.DataType == EptDataType.Binary;
+
+        internal EptIndex Index => m_index;
+
+        /// <summary>Of the nodes, where they are LAZ; null otherwise.</summary>
+        internal LasFile Las { get; }
+        internal LazFormat Laz { get; }
+
+        internal PotreeFindings Findings { get; }
+
+        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
+
+        public override int PointsInBlock(int block) => Block(block).Points;
+
+        public override long BytesOfRange(BlockRange range)
+        {
+            var block = Block(range.Block);
+            double share = HasFixedStride ? range.Count : m_index.DataType == EptDataType.Laszip ? block.NodePoints
+                : block.FirstInNode + range.First + range.Count;
+            return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
+        }
+
+        public override IEnumerator<JobHandle> FindLevels(int levels) => m_hierarchy.Read(Math.Max(1, levels));
+
+        public override IEnumerator<JobHandle> FindBlocks()
+        {
+            if (m_tree.IsWhole)
+                yield break;
+            using (var pages = m_hierarchy.Read(int.MaxValue))
+                while (pages.MoveNext())
+                    yield return pages.Current;
+            string found = "ept.json claims " + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture)
+                + " points, the nodes that are there hold " + m_pointCount.ToString(CultureInfo.InvariantCulture);
+            if (m_pointCount == 0 && Info.PointsClaimed > 0)
+                throw new PointCloudException(FailureCode.Truncated, Info.Path, -1, found);
+            if ((ulong)m_pointCount != Info.PointsClaimed)
+                Info.Warn(-1, found);
+            Info.PointsReadable = m_pointCount;
+            m_tree.IsWhole = true;
+        }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
+        {
+            switch (m_index.DataType)
+            {
+                case EptDataType.Laszip:
+                    return new EptLazRead(this, wanted, capacity, allocator);
+                case EptDataType.Zstandard:
+                    if (Decompressors.Zstandard == null)
+                        throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
+                            + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
+                            + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
+                            + "translate to LAZ)");
+                    return new EptZstandardRead(this, wanted, capacity, allocator);
+                default:
+                    return new EptRecordRead(this, wanted, capacity, allocator);
+            }
+        }
+
+        /// <summary>Adds a node and its blocks.</summary>
+        /// <param name="points">That can be read.</param>
+        internal void AddNode(EptEntry entry, long points, long fileBytes)
+        {
+            var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
+            if (points == 0)
+                m_tree.Add(node);
+            for (long first = 0; first < points; first += m_blockPoints)
+            {
+                int count = (int)Math.Min(m_blockPoints, points - first);
+                node.Block = m_blocks.Count;
+                node.PointCount = count;
+                m_blocks.Add(new EptBlock
+                {
+                    Level = entry.Level,
+                    Cell = entry.Cell,
+                    FirstPoint = m_pointCount,
+                    FirstInNode = first,
+                    Points = count,
+                    NodePoints = points,
+                    FileBytes = fileBytes,
+                });
+                m_tree.Add(node);
+                m_pointCount += count;
+                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
+            }
+        }
+
+        internal EptBlock Block(int block)
+        {
+            if ((uint)block >= (uint)m_blocks.Count)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
+            return m_blocks[block];
+        }
+
+        internal string PathOf(int level, Unity.Mathematics.int3 cell)
+        {
+            string ending = m_index.DataType == EptDataType.Binary ? ".bin"
+                : m_index.DataType == EptDataType.Laszip ? ".laz" : ".zst";
+            return Path.Combine(m_index.Folder, DataFolder, EptEntry.NameOf(level, cell) + ending);
+        }
+
+        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
+        internal void TellBroken(int block, string what, string detail, long byteOffset)
+        {
+            var of = Block(block);
+            if (m_toldBlocks.Add(block))
+                Findings.Tell(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of.Level, of.Cell));
+        }
+
+        public override void Dispose()
+        {
+            m_hierarchy.Dispose();
+            m_tree.Dispose();
+        }
+    }
+}

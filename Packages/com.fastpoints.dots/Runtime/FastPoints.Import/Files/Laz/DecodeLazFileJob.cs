@@ -1,0 +1,178 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// A slice of a whole LAZ file in memory, header and all: the nodes of octrees that keep each in a file of its own. A chain of
+    /// these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
+    /// </summary>
+    [BurstCompile]
+    unsafe struct DecodeLazFileJob : IJob
+    {
+        /// <summary>The file, with <see cref="RangeCode.PaddingBytes"/> behind it.</summary>
+        [ReadOnly] public NativeArray<byte> Input;
+
+        public int InputBytes;
+
+        /// <summary>Scale and offset as the header must have them: six doubles.</summary>
+        [ReadOnly] public NativeArray<byte> Transform;
+
+        /// <summary>The LASzip VLR's list of items, from their number on, as it must be.</summary>
+        [ReadOnly] public NativeArray<byte> Items;
+
+        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured.</summary>
+        public NativeArray<byte> Decoder;
+
+        /// <summary>Records of a tile.</summary>
+        public NativeArray<byte> Tile;
+
+        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        public NativeArray<byte> Columns;
+        public NativeReference<LazFileState> State;
+        public NativeReference<DecodeResult> Result;
+
+        public LazCompressor Compressor;
+        public int PointFormat;
+        public int RecordBytes;
+        public int TilePoints;
+
+        /// <summary>First point of the slice, counted from the file's start; 0 starts the file.</summary>
+        public long First;
+        public int Count;
+
+        /// <summary>Points in front of the range, which are decoded because the others follow from them, and not kept.</summary>
+        public long Skip;
+
+        bool IsLayered => Compressor == LazCompressor.LayeredChunked;
+
+        public void Execute()
+        {
+            byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
+            var result = First == 0 ? default : Result.Value;
+            var state = First == 0 ? default : State.Value;
+            if (First == 0 && !ReadHeader(input, ref state))
+                result.Error = LazError.NoChunk;
+            int done = 0;
+            while (done < Count && result.Error == LazError.None)
+            {
+                if (state.ChunkDone == state.ChunkPoints && !StartChunk(input, ref state))
+                {
+                    Stop(ref result, state.ChunkOffset);
+                    break;
+                }
+                long left = state.ChunkPoints - state.ChunkDone;
+                int wanted = Count - done < TilePoints ? Count - done : TilePoints;
+                wanted = left < wanted ? (int)left : wanted;
+                int got = Decode(input, state, wanted);
+                Keep(First + done, got, ref result);
+                done += got;
+                state.ChunkDone += got;
+                if (got < wanted)
+                    Stop(ref result, state.ChunkOffset);
+                else if (state.ChunkDone == state.ChunkPoints)
+                    state.ChunkOffset = IsLayered ? state.ChunkEnd : state.ChunkOffset + Pointwise->InputOffset;
+            }
+            State.Value = state;
+            Result.Value = result;
+        }
+
+        LayeredChunk* Layered => (LayeredChunk*)Decoder.GetUnsafePtr();
+
+        PointwiseChunk* Pointwise => (PointwiseChunk*)Decoder.GetUnsafePtr();
+
+        int Decode(byte* input, in LazFileState state, int count)
+        {
+            byte* chunk = input + state.ChunkOffset;
+            byte* tile = (byte*)Tile.GetUnsafePtr();
+            return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
+                : PointwiseChunk.Decode(Pointwise, chunk, InputBytes - state.ChunkOffset, tile, count);
+        }
+
+        /// <summary>The tile's points to the columns, but for those in front of the range.</summary>
+        void Keep(long first, int count, ref DecodeResult result)
+        {
+            int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
+            if (count <= skipped)
+                return;
+            LasRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
+                (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
+                (int)(first + skipped - Skip));
+            result.Points = (int)(first + count - Skip);
+        }
+
+        static void Stop(ref DecodeResult result, long offset)
+        {
+            result.Error = LazError.Short;
+            result.ErrorOffset = offset;
+        }
+
+        /// <returns>Whether there is a chunk.</returns>
+        bool StartChunk(byte* input, ref LazFileState state)
+        {
+            long room = InputBytes - state.ChunkOffset;
+            if (room < RecordBytes)
+                return false;
+            state.ChunkDone = 0;
+            state.ChunkPoints = state.PointsOfChunks > 0 ? state.PointsOfChunks : state.PointsInFile;
+            if (!IsLayered)
+            {
+                PointwiseChunk.Start(Pointwise);
+                return state.ChunkPoints > 0;
+            }
+            byte* chunk = input + state.ChunkOffset;
+            LayeredChunk.Start(Layered, chunk, room, true, state.ChunkPoints);
+            long bytes = LayeredChunk.BytesOf(Layered, chunk, room, out long points);
+            if (points > 0)
+                state.ChunkPoints = points;
+            state.ChunkEnd = state.ChunkOffset + bytes;
+            return bytes > 0 && state.ChunkPoints > 0;
+        }
+
+        /// <returns>Whether the file is what the reader's nodes are.</returns>
+        bool ReadHeader(byte* input, ref LazFileState state)
+        {
+            if (InputBytes < LasHeader.LeastBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
+                return false;
+            const int CompressionBits = 0xC0;
+            if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
+                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0
+                || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes
+                || UnsafeUtility.MemCmp(input + LasHeader.At.Scale, Transform.GetUnsafeReadOnlyPtr(), Transform.Length) != 0)
+                return false;
+            long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
+            state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);
+            if (state.PointsInFile == 0 && headerBytes >= LasHeader.At.ByReturn && InputBytes >= LasHeader.At.ByReturn)
+                state.PointsInFile = *(long*)(input + LasHeader.At.Count);
+            state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
+                + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
+            return ReadVlrs(input, headerBytes > LasHeader.LeastBytes ? headerBytes : LasHeader.LeastBytes, ref state);
+        }
+
+        /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder is made for.</returns>
+        bool ReadVlrs(byte* input, long at, ref LazFileState state)
+        {
+            const int UserId = 2, LastOfUserId = UserId + 13;
+            long end = state.ChunkOffset < InputBytes ? state.ChunkOffset : InputBytes;
+            for (uint i = *(uint*)(input + LasHeader.At.VlrCount); i > 0 && at + LasVlr.HeaderBytes <= end; i--)
+            {
+                byte* vlr = input + at;
+                long bytes = *(ushort*)(vlr + 20);
+                byte* data = vlr + LasVlr.HeaderBytes;
+                at += LasVlr.HeaderBytes + bytes;
+                // "laszip encoded" is the only user id that begins and ends so and has this record id.
+                bool isLaszip = *(ushort*)(vlr + 18) == LazFormat.RecordId && vlr[UserId] == 'l' && vlr[LastOfUserId] == 'd';
+                if (!isLaszip || at > end || bytes < LazFormat.ItemsAt + Items.Length)
+                    continue;
+                uint chunkPoints = *(uint*)(data + 12);
+                state.PointsOfChunks = Compressor == LazCompressor.Pointwise || chunkPoints == LazFormat.VariableChunkPoints
+                    ? 0 : chunkPoints;
+                return *(ushort*)data == (int)Compressor && *(ushort*)(data + 2) == 0
+                    && UnsafeUtility.MemCmp(data + LazFormat.ItemsAt, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
+            }
+            return false;
+        }
+    }
+}

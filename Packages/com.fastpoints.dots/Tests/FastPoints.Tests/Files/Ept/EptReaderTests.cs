@@ -1,0 +1,450 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Tests.Support;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+using Random = System.Random;
+
+namespace FastPoints.Files.Tests
+{
+    /// <summary>Octrees of the tests' own writer, in each data type: every node's points, holes, and indexes that lie.</summary>
+    public class EptReaderTests
+    {
+        static readonly (string, string, int)[] s_dimensions =
+        {
+            ("Intensity", "unsigned", 2), ("ScanAngleRank", "float", 4), ("GpsTime", "float", 8), ("Red", "unsigned", 2),
+            ("Green", "unsigned", 2), ("Blue", "unsigned", 2), ("Odd", "signed", 1), ("Big", "unsigned", 8), ("Low", "signed", 8),
+        };
+
+        [SetUp]
+        public void Register() => Decompressors.Zstandard = () => new StoredZstandard();
+
+        [TearDown]
+        public void Forget() => Decompressors.Zstandard = null;
+
+        static EptFolder Make(EptDataType type, int points = 1500, int levelsPerPage = 99, int format = 3, int maxNodePoints = 100)
+        {
+            if (type == EptDataType.Laszip)
+                return new EptFolder(type, LazRecords.Make(format, 4, points, 21), new (string, string, int)[0], format, maxNodePoints,
+                    levelsPerPage);
+            var random = new Random(points);
+            var records = new List<byte[]>();
+            for (int i = 0; i < points; i++)
+            {
+                var record = new byte[12 + s_dimensions.Sum(dimension => dimension.Item3)];
+                random.NextBytes(record);
+                for (int axis = 0; axis < 3; axis++)
+                    BitConverter.GetBytes(random.Next(-100000, 100000) >> random.Next(8)).CopyTo(record, 4 * axis);
+                records.Add(record);
+            }
+            return new EptFolder(type, records, s_dimensions, 0, maxNodePoints, levelsPerPage);
+        }
+
+        [TestCase(EptDataType.Binary, 99, 0)]
+        [TestCase(EptDataType.Binary, 1, 0)]
+        [TestCase(EptDataType.Zstandard, 2, 0)]
+        [TestCase(EptDataType.Laszip, 99, 3)]
+        [TestCase(EptDataType.Laszip, 1, 0)]
+        [TestCase(EptDataType.Laszip, 2, 7)]
+        public void Read_EachNode_HasItsPoints(EptDataType type, int levelsPerPage, int format)
+        {
+            using (var folder = Make(type, 1500, levelsPerPage, format))
+            using (var reader = Open(folder.Path))
+            {
+                Assert.That(reader.Info.Format, Is.EqualTo("EPT"));
+                Assert.That(reader.PointCount, Is.EqualTo(1500));
+                Assert.That(reader.Info.PointsReadable, Is.EqualTo(1500));
+                Assert.That(reader.Tree.NodeCount, Is.EqualTo(folder.Nodes.Count));
+                Assert.That(reader.Tree.PageCount, Is.EqualTo(folder.Pages.Count));
+                CheckNodes(reader, folder, 3, false);
+                Assert.That(reader.Info.Warnings, Is.Empty);
+            }
+        }
+
+        [TestCase(EptDataType.Binary, 1)]
+        [TestCase(EptDataType.Zstandard, 4)]
+        [TestCase(EptDataType.Laszip, 4)]
+        public void Read_AnyNumberOfWorkersInReverse_IsTheSame(EptDataType type, int workers)
+        {
+            using (new WorkerCount(workers))
+            using (var folder = Make(type))
+            using (var reader = Open(folder.IndexPath))
+                CheckNodes(reader, folder, workers, true);
+        }
+
+        [TestCase(EptDataType.Binary)]
+        [TestCase(EptDataType.Zstandard)]
+        [TestCase(EptDataType.Laszip)]
+        public void Read_AnySelectionAndRange_IsTheSameAsTheWhole(EptDataType type)
+        {
+            using (var folder = Make(type, 2500, 99, 7, 20000))
+            using (var reader = Open(folder.Path))
+            {
+                var schema = reader.Info.Schema;
+                using (var whole = reader.CreateRead(schema, 2500, Allocator.Persistent))
+                {
+                    whole.Begin(new BlockRange(0, 0, 2500));
+                    whole.Complete();
+                    for (int i = 0; i < schema.Count; i++)
+                    {
+                        var wanted = schema.Select(schema[i].Name, schema[(i * 5 + 2) % schema.Count].Name);
+                        CheckRange(reader, wanted, whole.Points, 97 * i % 2000, 1 + 61 * i % 500);
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void FindLevels_Few_ReadsOnlyTheirPages()
+        {
+            using (var folder = Make(EptDataType.Binary, 2000, 1, 0, 50))
+            using (var reader = PointReaders.Open(folder.Path))
+            {
+                Assert.That(reader.BlocksAreKnown, Is.False);
+                for (int level = 1; level <= folder.Nodes.Max(node => node.Level) + 1; level++)
+                {
+                    WorkPump.RunToEnd(reader.FindLevels(level));
+                    Assert.That(reader.Tree.NodeCount, Is.EqualTo(folder.Nodes.Count(node => node.Level < level)));
+                }
+                Assert.That(reader.BlocksAreKnown, Is.False);
+                WorkPump.RunToEnd(reader.FindBlocks());
+                CheckNodes(reader, folder, 2, false);
+            }
+        }
+
+        [TestCase(EptDataType.Binary)]
+        [TestCase(EptDataType.Laszip)]
+        public void Node_Missing_IsAHoleAndAWarning(EptDataType type)
+        {
+            using (var folder = Make(type))
+            {
+                File.Delete(folder.DataPath(EptFolder.NameOf(folder.Nodes[2])));
+                File.WriteAllBytes(folder.DataPath(EptFolder.NameOf(folder.Nodes[3])), new byte[0]);
+                if (type == EptDataType.Laszip)
+                    File.Delete(folder.DataPath("0-0-0-0"));
+                int lost = folder.Nodes[2].Records.Count + folder.Nodes[3].Records.Count
+                    + (type == EptDataType.Laszip ? folder.Nodes[0].Records.Count : 0);
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.EqualTo(1500 - lost));
+                    CheckWarned(reader, "file is missing");
+                    CheckWarned(reader, "file is empty");
+                    CheckWarned(reader, "claims 1500 points");
+                    Assert.That(reader.Tree.NodesWithoutPoints(), Is.GreaterThanOrEqualTo(2));
+                }
+            }
+        }
+
+        [TestCase(EptDataType.Binary, "cannot hold")]
+        [TestCase(EptDataType.Zstandard, "zstandard stream is broken")]
+        [TestCase(EptDataType.Laszip, "breaks off")]
+        public void Node_Cut_GivesWhatItHoldsAndSaysSo(EptDataType type, string story)
+        {
+            using (var folder = Make(type))
+            {
+                string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
+                var bytes = File.ReadAllBytes(path);
+                File.WriteAllBytes(path, bytes.Take(bytes.Length * 3 / 5).ToArray());
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.InRange(1400, 1499));
+                    CheckWarned(reader, story);
+                }
+            }
+        }
+
+        [Test]
+        public void Node_Longer_IsTold()
+        {
+            using (var folder = Make(EptDataType.Binary))
+            {
+                string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
+                File.WriteAllBytes(path, File.ReadAllBytes(path).Concat(new byte[500]).ToArray());
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.EqualTo(1500));
+                    CheckWarned(reader, "more than the points");
+                }
+            }
+        }
+
+        [TestCase(LasHeader.At.Offset)]
+        [TestCase(LasHeader.At.Scale)]
+        [TestCase(LasHeader.At.RecordBytes)]
+        [TestCase(LasHeader.At.PointFormat)]
+        [TestCase(0)]
+        public void LazNode_OfAnotherKind_IsAHole(int at)
+        {
+            using (var folder = Make(EptDataType.Laszip))
+            {
+                string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
+                var bytes = File.ReadAllBytes(path);
+                bytes[at] ^= 1;
+                File.WriteAllBytes(path, bytes);
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.EqualTo(1500 - folder.Nodes[1].Records.Count));
+                    CheckWarned(reader, "not what the other nodes' are");
+                }
+            }
+        }
+
+        [Test]
+        public void LazNode_WithMorePointsThanClaimed_IsTold()
+        {
+            using (var folder = Make(EptDataType.Laszip))
+            {
+                string page = File.ReadAllText(folder.PagePath("0-0-0-0"));
+                File.WriteAllText(folder.PagePath("0-0-0-0"), page.Replace("\"0-0-0-0\": 100", "\"0-0-0-0\": 90"));
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.EqualTo(1490));
+                    CheckWarned(reader, "another number of points");
+                }
+            }
+        }
+
+        [TestCase("{", "broken")]
+        [TestCase("", "broken")]
+        [TestCase("[1, 2]", "broken")]
+        [TestCase("{ \"0-0-0-0\": 100 ", "broken")]
+        [TestCase("{ \"0-0-0-0\": 1e2 }", "broken")]
+        [TestCase("{ \"0-0-0-0\": 100, \"1-2-0-0\": 5 }", "an entry of the hierarchy is none")]
+        [TestCase("{ \"0-0-0-0\": 100, \"99-0-0-0\": 5, \"x\": 3 }", "an entry of the hierarchy is none")]
+        [TestCase("{ \"0-0-0-0\": 100, \"0-0-0-0\": 100 }", "twice")]
+        [TestCase("{ \"0-0-0-0\": -1 }", "named twice")]
+        [TestCase("{ \"0-0-0-0\": -7 }", "none")]
+        [TestCase("{ \"0-0-0-0\": 100, \"1-0-0-0\": -1, \"1-0-0-1\": -1 }", "cannot be read")]
+        [TestCase("{ \"0-0-0-0\": 99999999999999999999 }", "cannot hold")]
+        [TestCase("\uFEFF { \"0-0-0-0\" : 100 , }", "claims 1500 points")]
+        public void Page_Odd_IsToldAndTheRestIsRead(string page, string story)
+        {
+            using (var folder = Make(EptDataType.Binary))
+            {
+                File.WriteAllText(folder.PagePath("0-0-0-0"), page);
+                try
+                {
+                    using (var reader = Open(folder.Path))
+                    {
+                        Assert.That(Count(reader), Is.EqualTo(100));
+                        CheckWarned(reader, story);
+                    }
+                }
+                catch (PointCloudException failure)
+                {
+                    Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
+                    Assert.That(failure.Message, Does.Contain("the nodes that are there hold 0"));
+                }
+            }
+        }
+
+        [Test]
+        public void Page_Missing_IsAHole()
+        {
+            using (var folder = Make(EptDataType.Binary, 1500, 1))
+            {
+                File.Delete(folder.PagePath(folder.Pages.First(page => page[0] == '1')));
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.InRange(100, 1499));
+                    CheckWarned(reader, "the page of the hierarchy");
+                }
+            }
+        }
+
+        [TestCase("\"json\"", "\"gzip\"", FailureCode.Unsupported, "hierarchyType")]
+        [TestCase("\"binary\"", "\"quantized\"", FailureCode.Unsupported, "dataType")]
+        [TestCase("\"name\": \"X\"", "\"name\": \"U\"", FailureCode.BadInput, "no X")]
+        [TestCase("\"size\": 8", "\"size\": 3", FailureCode.BadInput, "size")]
+        [TestCase("\"type\": \"float\"", "\"type\": \"complex\"", FailureCode.BadInput, "type")]
+        [TestCase("\"bounds\": [", "\"bounds\": [1, ", FailureCode.BadInput, "bounds")]
+        [TestCase("\"points\": 1500", "\"points\": \"many\"", FailureCode.BadInput, "points")]
+        public void Index_Wrong_NamesTheMember(string part, string wrong, FailureCode code, string story)
+        {
+            using (var folder = Make(EptDataType.Binary))
+            {
+                File.WriteAllText(folder.IndexPath, folder.Index.Replace(part, wrong));
+                var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(folder.Path).Dispose());
+                Assert.That(failure.Code, Is.EqualTo(code));
+                Assert.That(failure.Message, Does.Contain(story).And.Contain("ept.json").And.Not.Contain("\n"));
+            }
+        }
+
+        [Test]
+        public void Schema_WithoutScale_KeepsTheIntegers()
+        {
+            using (var folder = Make(EptDataType.Binary))
+            {
+                File.WriteAllText(folder.IndexPath, folder.Index.Replace(", \"scale\": 0.01, \"offset\": 0", "")
+                    .Replace("\"Odd\", \"type\": \"signed\"", "\"Odd\", \"scale\": 0.5, \"offset\": 3, \"type\": \"signed\""));
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(1, 1, 1)));
+                    var odd = reader.Info.Schema[reader.Info.Schema.IndexOf("Odd")];
+                    Assert.That((odd.Scale, odd.Offset), Is.EqualTo((0.5, 3.0)));
+                    CheckNodes(reader, folder, 2, false);
+                }
+            }
+        }
+
+        [Test]
+        public void CreateRead_ZstandardWithoutADecompressor_SaysWhatIsMissing()
+        {
+            Decompressors.Zstandard = null;
+            using (var folder = Make(EptDataType.Zstandard))
+            using (var reader = Open(folder.Path))
+            {
+                Assert.That(reader.PointCount, Is.EqualTo(1500));
+                var failure = Assert.Throws<PointCloudException>(() => reader.CreateRead(reader.Info.Schema, 10, Allocator.Persistent));
+                Assert.That(failure.Code, Is.EqualTo(FailureCode.Unsupported));
+                Assert.That(failure.Message, Does.Contain("Decompressors.Zstandard").And.Contain("convert"));
+            }
+        }
+
+        [Test]
+        public void CreateRead_AttributeThatIsNotThere_IsRefused()
+        {
+            foreach (EptDataType type in Enum.GetValues(typeof(EptDataType)))
+                using (var folder = Make(type))
+                using (var reader = Open(folder.Path))
+                {
+                    var wanted = new PointSchema(new[] { new PointAttribute("Nothing", AttributeType.UInt16) });
+                    Assert.That(() => reader.CreateRead(wanted, 10, Allocator.Persistent), Throws.ArgumentException);
+                }
+        }
+
+        /// <summary>Flipped and cut bytes in ept.json, pages and nodes: a failure of one line, or no more points than before.</summary>
+        [TestCase(EptDataType.Binary)]
+        [TestCase(EptDataType.Zstandard)]
+        [TestCase(EptDataType.Laszip)]
+        public void Mutation_OfAnyFile_EndsInALineOrAResult(EptDataType type)
+        {
+            var random = new Random((int)type + 1);
+            using (var folder = Make(type, 400, 1, 7, 60))
+            {
+                var files = Directory.GetFiles(folder.Path, "*", SearchOption.AllDirectories);
+                for (int i = 0; i < 150; i++)
+                {
+                    string file = random.Next(3) == 0 ? folder.IndexPath : files[random.Next(files.Length)];
+                    var sound = File.ReadAllBytes(file);
+                    File.WriteAllBytes(file, Damage(sound, random));
+                    try
+                    {
+                        using (var reader = Open(folder.Path))
+                            Assert.That(Count(reader), Is.LessThanOrEqualTo(400), "case " + i);
+                    }
+                    catch (PointCloudException failure)
+                    {
+                        Assert.That(failure.Message, Does.Not.Contain("\n"), "case " + i);
+                        Assert.That(failure.IsBadInput, Is.True, "case " + i + ": " + failure.Message);
+                    }
+                    File.WriteAllBytes(file, sound);
+                }
+            }
+        }
+
+        static byte[] Damage(byte[] sound, Random random)
+        {
+            var bytes = (byte[])sound.Clone();
+            if (random.Next(4) == 0)
+                Array.Resize(ref bytes, random.Next(bytes.Length));
+            for (int i = random.Next(1, 6); i > 0 && bytes.Length > 0; i--)
+                bytes[random.Next(bytes.Length)] = random.Next(2) == 0 ? (byte)random.Next(256) : (byte)random.Next('0', '9' + 1);
+            return bytes;
+        }
+
+        internal static PointReader Open(string path)
+        {
+            var reader = PointReaders.Open(path);
+            try
+            {
+                WorkPump.RunToEnd(reader.FindBlocks());
+                return reader;
+            }
+            catch
+            {
+                reader.Dispose();
+                throw;
+            }
+        }
+
+        static long Count(PointReader reader) => ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+
+        static void CheckWarned(PointReader reader, string story) =>
+            Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.Some.Contains(story));
+
+        /// <summary>Each node's columns against its records.</summary>
+        static unsafe void CheckNodes(PointReader reader, EptFolder folder, int slots, bool isReversed)
+        {
+            var nodes = folder.Nodes.ToDictionary(node => new int4(node.Cell, node.Level));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes.Count));
+            var order = Enumerable.Range(0, reader.Tree.NodeCount).Where(i => reader.Tree[i].Block >= 0).ToList();
+            if (isReversed)
+                order.Reverse();
+            var reads = new BlockRead[slots];
+            for (int i = 0; i < slots; i++)
+                reads[i] = reader.CreateRead(reader.Info.Schema, reader.MaxPointsPerBlock, Allocator.Persistent);
+            for (int i = 0; i < order.Count + slots; i++)
+            {
+                var read = reads[i % slots];
+                if (i >= slots && i - slots < order.Count)
+                {
+                    var node = reader.Tree[order[i - slots]];
+                    read.Complete();
+                    var records = nodes[new int4(node.Cell, node.Level)].Records;
+                    Assert.That(read.Points.Count, Is.EqualTo(records.Count));
+                    var fields = new LasField[reader.Info.Schema.Count];
+                    var columns = new PointColumn[fields.Length];
+                    int at = 0;
+                    for (int k = 0; k < fields.Length; k++)
+                    {
+                        var attribute = reader.Info.Schema[k];
+                        if (folder.DataType != EptDataType.Laszip)
+                            fields[k] = new LasField(attribute.Name, attribute.Type, at);
+                        at += attribute.Type.SizeOf();
+                        columns[k] = read.Points.Column(k);
+                    }
+                    var copies = folder.DataType == EptDataType.Laszip
+                        ? LasCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))), read.Points)
+                        : LasCopyPlan.Make(fields, columns);
+                    var got = new byte[records.Count * folder.RecordBytes];
+                    fixed (byte* first = got)
+                    fixed (LasFieldCopy* plan = copies)
+                        LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, records.Count, plan, copies.Length,
+                            first, folder.RecordBytes);
+                    Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes), Is.Null);
+                }
+                if (i < order.Count)
+                {
+                    int block = reader.Tree[order[i]].Block;
+                    read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                }
+            }
+            foreach (var read in reads)
+                read.Dispose();
+        }
+
+        static void CheckRange(PointReader reader, PointSchema wanted, PointBatch whole, int first, int count)
+        {
+            using (var part = reader.CreateRead(wanted, count, Allocator.Persistent))
+            {
+                part.Begin(new BlockRange(0, first, count));
+                part.Complete();
+                Assert.That(part.Points.Count, Is.EqualTo(count));
+                for (int i = 0; i < wanted.Count; i++)
+                {
+                    int size = wanted[i].Type.SizeOf();
+                    int from = whole.Column(whole.Schema.IndexOf(wanted[i].Name)).OffsetBytes + first * size;
+                    Assert.That(part.Points.Bytes.GetSubArray(part.Points.Column(i).OffsetBytes, count * size).ToArray(),
+                        Is.EqualTo(whole.Bytes.GetSubArray(from, count * size).ToArray()), wanted[i].ToString());
+                }
+            }
+        }
+    }
+}
