@@ -45,6 +45,11 @@ namespace FastPoints.Cli
             json.WriteInteger("levelCount", Result.LevelCount);
             json.WriteInteger("bytesOnDisk", Result.BytesOnDisk);
             json.WriteInteger("temporaryBytesPeak", Result.TemporaryBytesPeak);
+            json.WriteStartObject("sliceMs");
+            json.WriteReal("p50", Result.SliceMs[0]);
+            json.WriteReal("p99", Result.SliceMs[1]);
+            json.WriteReal("max", Result.SliceMs[2]);
+            json.WriteEndObject();
             json.WriteString("checksum", manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
             json.WriteStartObject("bytesPerPoint");
             foreach (var (name, bytes) in Result.PlaneNames.Zip(Result.BytesOfPlane))

@@ -30,7 +30,16 @@ namespace FastPoints.Octree
         /// <summary>Out: full pages to be written, none twice.</summary>
         public NativeList<DetachedPages> Detached;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             var records = (byte*)Records.GetUnsafeReadOnlyPtr();
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();

@@ -35,6 +35,7 @@ namespace FastPoints.Octree
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
         PoissonScratch m_poisson;
+        SliceTimes m_slices;
         int m_capacity;
 
         public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId, Sampler sampler,
@@ -48,6 +49,7 @@ namespace FastPoints.Octree
             m_sizes = sizes;
             if (sampler != Sampler.Random)
                 m_poisson = new PoissonScratch(Allocator.Persistent);
+            m_slices = new SliceTimes(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
             m_averages = new NativeList<PointAverage>(16, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
@@ -79,6 +81,9 @@ namespace FastPoints.Octree
         /// <summary>Sum of the hashes of the points that went through.</summary>
         public ulong Checksum => m_checksum.Value;
 
+        /// <summary>Of the jobs so far; whoever takes them in empties them.</summary>
+        public SliceTimes Slices => m_slices;
+
         /// <summary>Bytes by plane of the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
@@ -92,6 +97,7 @@ namespace FastPoints.Octree
             Reserve(count);
             var ordered = new OrderChunkJob
             {
+                Slices = m_slices,
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
@@ -101,6 +107,7 @@ namespace FastPoints.Octree
             }.Schedule();
             var gathered = new GatherRecordsJob
             {
+                Slices = m_slices,
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
@@ -129,6 +136,7 @@ namespace FastPoints.Octree
             Reserve(count);
             var prepared = new PrepareUpperJob
             {
+                Slices = m_slices,
                 Count = count,
                 Layout = layout,
                 Corner = m_rootCorner,
@@ -150,6 +158,7 @@ namespace FastPoints.Octree
             m_tops.Dispose();
             m_averages.Dispose();
             m_checksum.Dispose();
+            m_slices.Dispose();
             m_bytesOfPlane.Dispose();
             if (m_sampler != Sampler.Random)
                 m_poisson.Dispose();
@@ -167,6 +176,7 @@ namespace FastPoints.Octree
             {
                 return new SampleRandomJob
                 {
+                    Slices = m_slices,
                     Count = count,
                     RootSideLog2 = cube.SideLog2,
                     Sizes = m_sizes,
@@ -180,6 +190,7 @@ namespace FastPoints.Octree
             m_poisson.Now.Value = default;
             var job = new SamplePoissonJob
             {
+                Slices = m_slices,
                 Count = count,
                 RootSideLog2 = cube.SideLog2,
                 Sizes = m_sizes,
@@ -208,6 +219,7 @@ namespace FastPoints.Octree
         {
             return new WriteNodesJob
             {
+                Slices = m_slices,
                 Count = count,
                 Layout = layout,
                 Corner = corner,

@@ -26,7 +26,16 @@ namespace FastPoints.Octree
         /// <summary>Sum of the hashes.</summary>
         public NativeReference<ulong> Checksum;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             var pageTable = (RecordPages.Page**)UnsafeUtility.Malloc((long)Pages.PageCount * sizeof(void*), 16, Allocator.Temp);
             int pageCount = 0;

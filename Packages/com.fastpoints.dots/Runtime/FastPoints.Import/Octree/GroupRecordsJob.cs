@@ -15,7 +15,7 @@ namespace FastPoints.Octree
     [BurstCompile]
     public unsafe struct GroupRecordsJob : IJob
     {
-        const int Run = 256;
+        const int RunPoints = 256;
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
@@ -39,7 +39,16 @@ namespace FastPoints.Octree
         public NativeReference<PointFindings> Findings;
         public NativeArray<AttributeFindings> Attributes;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             int count = Decoded.Value.Points;
             var findings = Findings.Value;
@@ -78,14 +87,14 @@ namespace FastPoints.Octree
         void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointFindings findings)
         {
             UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
-            long* x = stackalloc long[Run];
-            long* y = stackalloc long[Run];
-            long* z = stackalloc long[Run];
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
             int outside = FirstOfChunk.Length - 2;
             Grid3 min = findings.Min, max = findings.Max;
-            for (int done = 0; done < count; done += Run)
+            for (int done = 0; done < count; done += RunPoints)
             {
-                int run = math.min(Run, count - done);
+                int run = math.min(RunPoints, count - done);
                 LoadRun(bytes, done, run, x, y, z, ref findings.WorstLossSteps);
                 for (int i = 0; i < run; i++)
                 {
@@ -134,14 +143,14 @@ namespace FastPoints.Octree
 
         void WritePlaces(byte* bytes, int count, int* placeOfPoint, byte* records)
         {
-            long* x = stackalloc long[Run];
-            long* y = stackalloc long[Run];
-            long* z = stackalloc long[Run];
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
             double ignored = 0;
             long stride = Layout.StrideBytes;
-            for (int done = 0; done < count; done += Run)
+            for (int done = 0; done < count; done += RunPoints)
             {
-                int run = math.min(Run, count - done);
+                int run = math.min(RunPoints, count - done);
                 LoadRun(bytes, done, run, x, y, z, ref ignored);
                 for (int i = 0; i < run; i++)
                     if (placeOfPoint[done + i] >= 0)

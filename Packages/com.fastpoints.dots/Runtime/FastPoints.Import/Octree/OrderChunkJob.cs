@@ -38,7 +38,16 @@ namespace FastPoints.Octree
         /// <summary>Out: numbers of the records, in order.</summary>
         public NativeArray<uint> Order;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             int count = (int)Pages.Count;
             int levels = math.min(Cube.SideLog2, Morton.BitsPerAxis);

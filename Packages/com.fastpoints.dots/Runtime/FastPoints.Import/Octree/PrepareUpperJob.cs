@@ -17,7 +17,16 @@ namespace FastPoints.Octree
         public NativeArray<byte> CommonCubeLog2;
         public NativeArray<uint> Priority;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), Count, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
                 (uint*)Priority.GetUnsafePtr());

@@ -86,7 +86,16 @@ namespace FastPoints.Octree
             Nodes = Nodes,
         };
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             m_now = Scratch.Now.Value;
             m_nodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();

@@ -33,7 +33,16 @@ namespace FastPoints.Octree
         /// <summary>Out, in breadth-first order but for nodes whose parent was passed over.</summary>
         public NativeList<NodeDraft> Nodes;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             Nodes.Clear();
             if (Count == 0)

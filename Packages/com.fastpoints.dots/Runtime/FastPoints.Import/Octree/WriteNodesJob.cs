@@ -71,7 +71,16 @@ namespace FastPoints.Octree
         int m_nodeCount;
         PlanePacker m_packer;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             File.Clear();
             Table.Clear();

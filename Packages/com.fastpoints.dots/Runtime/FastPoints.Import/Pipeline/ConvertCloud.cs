@@ -32,6 +32,7 @@ namespace FastPoints.Pipeline
         readonly CloudManifest m_manifest = new CloudManifest();
 
         readonly PointSchema m_attributes;
+        readonly SliceTimes m_slices;
         GridChoice m_grid;
         MemoryPlan m_plan;
         NativeReference<PagePool> m_pool;
@@ -54,6 +55,7 @@ namespace FastPoints.Pipeline
             m_target = target;
             m_attributes = ChooseAttributes();
             m_folder = new CloudFolderWriter(target);
+            m_slices = new SliceTimes(Allocator.Persistent);
         }
 
         /// <summary>Work for a pump: converts. The target is there, whole, when the work has ended; nothing is there when it was
@@ -105,6 +107,7 @@ namespace FastPoints.Pipeline
             m_scatter?.Dispose();
             m_map?.Dispose();
             m_files?.Dispose();
+            m_slices.Dispose();
             if (m_pool.IsCreated)
             {
                 var pool = m_pool.Value;
@@ -228,7 +231,7 @@ namespace FastPoints.Pipeline
             m_journal = new BuildJournal { Identity = m_identity };
             m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool,
                 m_plan.IsStored ? m_files = new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null, m_plan, m_points,
-                    m_progress);
+                    m_slices, m_progress);
             m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2);
             string text = m_folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
@@ -546,7 +549,7 @@ namespace FastPoints.Pipeline
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
                 m_manifest.CloudId,
-                m_folder, m_settings.Sampler, sizes, m_settings.SecondsPerGeneration);
+                m_folder, m_settings.Sampler, sizes, m_settings.SecondsPerGeneration, m_slices);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))
                 while (work.MoveNext())
@@ -595,6 +598,7 @@ namespace FastPoints.Pipeline
                 TemporaryBytesPeak = m_files == null ? 0 : m_files.PeakBytes,
                 PointsPerChunk = m_plan.PointsPerChunk,
                 Note = m_note,
+                SliceMs = new[] { m_slices.QuantileMs(0.5), m_slices.QuantileMs(0.99), m_slices.QuantileMs(1) },
                 BytesOfPlane = m_journal.BytesOfPlane,
                 PlaneNames = new string[m_journal.BytesOfPlane.Length],
             };

@@ -45,6 +45,7 @@ namespace FastPoints.Pipeline
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
         readonly double m_secondsPerGeneration;
+        readonly SliceTimes m_slices;
         readonly List<Slot> m_slots = new List<Slot>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
@@ -58,7 +59,7 @@ namespace FastPoints.Pipeline
         /// <param name="files">Where their records are; null where they are in memory.</param>
         public OctreeBuild(ChunkSet chunks, NativeReference<PagePool> pool, RecordFiles files, MemoryPlan plan,
             RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
-            Sampler sampler, NodeSizes sizes, double secondsPerGeneration)
+            Sampler sampler, NodeSizes sizes, double secondsPerGeneration, SliceTimes slices)
         {
             m_chunks = chunks;
             m_pool = pool;
@@ -72,6 +73,7 @@ namespace FastPoints.Pipeline
             m_sampler = sampler;
             m_sizes = sizes;
             m_secondsPerGeneration = secondsPerGeneration;
+            m_slices = slices;
             m_results = new ChunkResult[chunks.Chunks.Count];
             m_topRecords = new NativeArray<byte>[m_results.Length];
             BytesOfPlane = new long[store.Layout.Planes.Count];
@@ -106,7 +108,7 @@ namespace FastPoints.Pipeline
                 for (int p = 0; p < BytesOfPlane.Length; p++)
                     BytesOfPlane[p] += result.BytesOfPlane[p];
             }
-            m_merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes);
+            m_merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes, m_slices);
             using (var upper = m_merge.Run(m_results, m_topRecords, m_plan.PointsPerChunk, manifest, progress))
                 while (upper.MoveNext())
                     yield return upper.Current;
@@ -256,7 +258,7 @@ namespace FastPoints.Pipeline
                 manifest.Points += m_results[i].TopPoints + m_results[i].Record.PointCount;
                 manifest.Checksum += m_results[i].Checksum;
             }
-            using (var merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes))
+            using (var merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes, m_slices))
             using (var work = merge.Run(finished, m_topRecords, m_plan.PointsPerChunk, manifest, null))
                 while (work.MoveNext())
                     yield return work.Current;
@@ -299,6 +301,7 @@ namespace FastPoints.Pipeline
         {
             var indexer = slot.Indexer;
             var result = Describe(indexer);
+            m_slices.Take(indexer.Slices);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
             var pool = m_pool.Value;

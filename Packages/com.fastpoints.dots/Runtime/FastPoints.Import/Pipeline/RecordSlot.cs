@@ -27,6 +27,7 @@ namespace FastPoints.Pipeline
                 NativeArrayOptions.UninitializedMemory);
             FirstOfChunk = new NativeArray<int>(map.Chunks.Length + 2, Allocator.Persistent);
             Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
+            Slices = new SliceTimes(Allocator.Persistent);
             Detached = new NativeList<DetachedPages>(8, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             var findings = new AttributeFindings[attributes.Count];
@@ -57,6 +58,9 @@ namespace FastPoints.Pipeline
         public NativeReference<PointFindings> Findings { get; }
         public NativeArray<AttributeFindings> Attributes { get; }
 
+        /// <summary>Of this slot's jobs.</summary>
+        public SliceTimes Slices { get; }
+
         /// <summary>Of the last block: pages that are to be written.</summary>
         public NativeList<DetachedPages> Detached { get; }
 
@@ -65,6 +69,7 @@ namespace FastPoints.Pipeline
             var batch = read.Points;
             return new GroupRecordsJob
             {
+                Slices = Slices,
                 Columns = batch.Bytes,
                 Decoded = read.Result,
                 X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
@@ -107,6 +112,7 @@ namespace FastPoints.Pipeline
             FirstOfChunk.Dispose();
             Findings.Dispose();
             Detached.Dispose();
+            Slices.Dispose();
             Attributes.Dispose();
             m_fields.Dispose();
             m_chunkOfPoint.Dispose();

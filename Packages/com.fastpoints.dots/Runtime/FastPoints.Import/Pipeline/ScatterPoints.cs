@@ -20,6 +20,7 @@ namespace FastPoints.Pipeline
         readonly RecordFiles m_files;
         readonly MemoryPlan m_plan;
         readonly StageProgress m_progress;
+        readonly SliceTimes m_slices;
         readonly long m_allPoints;
         readonly List<RecordSlot> m_slots = new List<RecordSlot>();
         NativeArray<RecordPages> m_chunks;
@@ -33,8 +34,9 @@ namespace FastPoints.Pipeline
         /// <param name="pool">Of all pages; whoever owns it frees them.</param>
         /// <param name="files">By chunk: where its pages go; null where all stay in memory.</param>
         /// <param name="allPoints">Of all sources, to show how far it is.</param>
+        /// <param name="slices">Takes in how long the jobs ran.</param>
         public ScatterPoints(PointSchema attributes, RecordLayout layout, PartitionMap map, NativeReference<PagePool> pool,
-            RecordFiles files, MemoryPlan plan, long allPoints, StageProgress progress)
+            RecordFiles files, MemoryPlan plan, long allPoints, SliceTimes slices, StageProgress progress)
         {
             m_attributes = attributes;
             m_layout = layout;
@@ -44,6 +46,7 @@ namespace FastPoints.Pipeline
             m_plan = plan;
             m_allPoints = allPoints;
             m_progress = progress;
+            m_slices = slices;
             m_chunks = new NativeArray<RecordPages>(map.Chunks.Length + 1, Allocator.Persistent);
             m_pagesDetached = new NativeReference<long>(Allocator.Persistent);
             Attributes = new AttributeFindings[attributes.Count];
@@ -96,6 +99,7 @@ namespace FastPoints.Pipeline
                 MostPages = m_plan.MostPages,
                 PagesDetached = m_pagesDetached,
                 Detached = s.Detached,
+                Slices = s.Slices,
             }.Schedule(JobHandle.CombineDependencies(grouped, m_lastAppend));
             return m_lastAppend;
         }
@@ -152,7 +156,10 @@ namespace FastPoints.Pipeline
         public void EndSource()
         {
             foreach (var slot in m_slots)
+            {
+                m_slices.Take(slot.Slices);
                 slot.Dispose();
+            }
             m_slots.Clear();
         }
 

@@ -26,6 +26,7 @@ namespace FastPoints.Pipeline
         readonly CloudFolderWriter m_folder;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
+        readonly SliceTimes m_slices;
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
         readonly List<UpperItem> m_items = new List<UpperItem>();
         ChunkIndexer m_indexer;
@@ -35,7 +36,7 @@ namespace FastPoints.Pipeline
         long m_upperPoints;
 
         public UpperMerge(RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
-            Sampler sampler, NodeSizes sizes)
+            Sampler sampler, NodeSizes sizes, SliceTimes slices)
         {
             m_records = records;
             m_store = store;
@@ -44,6 +45,7 @@ namespace FastPoints.Pipeline
             m_folder = folder;
             m_sampler = sampler;
             m_sizes = sizes;
+            m_slices = slices;
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
@@ -172,6 +174,7 @@ namespace FastPoints.Pipeline
                 m_indexer.BeginUpper(records, tops, cube, isRoot);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
+                m_slices.Take(m_indexer.Slices);
 
                 var region = TakeRegion();
                 bool hasNodes = region.NodeCount > 0;

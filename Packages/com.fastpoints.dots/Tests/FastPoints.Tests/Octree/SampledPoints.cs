@@ -40,6 +40,7 @@ namespace FastPoints.Tests.Octree
             var priority = new NativeArray<uint>(count, Allocator.Persistent);
             var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
             var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            var slices = new SliceTimes(Allocator.Persistent);
             var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
             var averaged = new AveragedColumns
             {
@@ -63,6 +64,7 @@ namespace FastPoints.Tests.Octree
                     Tops = tops,
                     NodeOfPoint = nodeOfPoint,
                     Nodes = nodes,
+                    Slices = slices,
                 }.Schedule().Complete();
             }
             else
@@ -80,6 +82,7 @@ namespace FastPoints.Tests.Octree
                     NodeOfPoint = nodeOfPoint,
                     Nodes = nodes,
                     Averaged = averaged,
+                    Slices = slices,
                     Scratch = scratch,
                     PointsPerSlice = pointsPerSlice,
                 };
@@ -94,6 +97,7 @@ namespace FastPoints.Tests.Octree
             averaged.AverageOfPoint.Dispose();
             averaged.Averages.Dispose();
             nodes.Dispose();
+            slices.Dispose();
             tops.Dispose();
             nodeOfPoint.Dispose();
             priority.Dispose();

@@ -113,6 +113,7 @@ namespace FastPoints.Tests.Pipeline
                 JobsUtility.JobWorkerCount = math.min(workers, JobsUtility.JobWorkerMaximumCount);
                 var made = Convert(Uneven(), "w" + workers, InFiles());
                 Assert.That(made.TemporaryBytesPeak, Is.GreaterThan(0));
+                Assert.That(made.SliceMs, Is.Ordered.And.All.GreaterThan(0));
                 AssertSame(Files("w" + workers), wanted);
             }
             Prove(Uneven(), "memory");

@@ -1,0 +1,22 @@
+using System.Diagnostics;
+
+namespace Unity.Profiling.LowLevel.Unsafe
+{
+    /// <summary>The clock that jobs may read.</summary>
+    public static class ProfilerUnsafeUtility
+    {
+        public struct TimestampConversionRatio
+        {
+            public long Numerator;
+            public long Denominator;
+        }
+
+        public static long Timestamp => Stopwatch.GetTimestamp();
+
+        public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
+        {
+            Numerator = 1000000000,
+            Denominator = Stopwatch.Frequency,
+        };
+    }
+}
