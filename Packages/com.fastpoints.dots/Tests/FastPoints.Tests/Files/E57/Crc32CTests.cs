@@ -31,7 +31,7 @@ namespace FastPoints.Files.Tests
         [Test]
         public void Of_AnyLength_IsThatOfABitAtATime()
         {
-            var bytes = new byte[1100];
+            var bytes = new byte[1400];
             new System.Random(3).NextBytes(bytes);
             using (var crc = new Crc32C(Allocator.Temp))
                 for (int count = 0; count < 1000; count += 37)
