@@ -9,7 +9,7 @@ namespace FastPoints.Preview
 {
     /// <summary>Short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for
     /// which.</summary>
-    /// <remarks>What is measured on the way (how long a read takes) only decides which gaps between runs are read along.</remarks>
+    /// <remarks>How long the first wave's reads take only decides which gaps between runs are read along.</remarks>
     sealed class RunSampler : PreviewSampler
     {
         /// <summary>Requests in flight: enough for a solid state disk to work at depth.</summary>
@@ -34,8 +34,7 @@ namespace FastPoints.Preview
         NativeReference<int> m_nextPlace;
         NativeList<PointRun> m_runs;
         int m_endRank;
-        long m_stretches;
-        double m_readSeconds;
+        int m_gapBytes = MinGapBytes;
 
         public RunSampler(PointReader reader, int wanted, uint seed)
             : this(reader, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed))
@@ -104,6 +103,8 @@ namespace FastPoints.Preview
             var runs = m_runs.AsArray();
             int slots = m_reads.Length;
             int most = Math.Max(MinRunsPerRequest, Math.Min(MaxRunsPerRequest, runs.Length / (2 * slots)));
+            bool isFirstWave = m_endRank == 0;
+            long stretches = 0;
             double begun = Seconds;
             int next = 0;
             long request = 0, completed = 0;
@@ -115,16 +116,17 @@ namespace FastPoints.Preview
                     yield return oldest.Decoded;
                     oldest.Complete();
                     BytesRead += oldest.BytesRead;
-                    m_stretches += oldest.Stretches;
+                    stretches += oldest.Stretches;
                     Report(progress);
                     continue;
                 }
-                double perStretch = m_stretches == 0 ? 0 : (m_readSeconds + Seconds - begun) / m_stretches;
-                int gap = (int)Math.Max(MinGapBytes, Math.Min(MaxGapBytes, perStretch * BytesPerSecondOfGaps));
-                next += m_reads[request++ % slots].Begin(runs, next, most, gap);
+                next += m_reads[request++ % slots].Begin(runs, next, most, m_gapBytes);
                 JobHandle.ScheduleBatchedJobs();
             }
-            m_readSeconds += Seconds - begun;
+            // From the first wave, whose runs lie far apart: with gaps read along a stretch takes longer for its bytes.
+            if (isFirstWave)
+                m_gapBytes = (int)Math.Max(MinGapBytes,
+                    Math.Min(MaxGapBytes, (Seconds - begun) / stretches * BytesPerSecondOfGaps));
         }
 
         private protected override void Free()
