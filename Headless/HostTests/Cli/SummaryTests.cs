@@ -184,7 +184,7 @@ namespace FastPoints.HostTests.Cli
             {
                 foreach (string number in new[] { "level", "nodes", "points" })
                     HasKey(level, number, JsonValueKind.Number);
-                // A level whose nodes have a point each has no distance.
+                // Leaves keep all their points: a level of leaves alone has no distance to keep.
                 HasKey(level, "minDistance", JsonValueKind.Number, JsonValueKind.Null);
             }
             HasPictureKeys(Summary("picture", "picture", cloud, "-o", m_scratch["cloud.png"], "--size", "160x90"), JsonValueKind.Number);

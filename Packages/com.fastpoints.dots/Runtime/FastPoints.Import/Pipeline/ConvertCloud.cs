@@ -192,7 +192,7 @@ namespace FastPoints.Pipeline
             m_pool = new NativeReference<PagePool>(new PagePool(stride, m_points / RecordPages.RecordsPerPage),
                 Allocator.Persistent);
 
-            var cube = FirstCube();
+            var cube = FirstCube.Of(m_readers, m_sampleFindings, m_grid);
             int levels = PartitionMap.LevelsFor(cube.SideLog2, PartitionMap.MaxLevels);
             var counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
             var job = default(JobHandle);
@@ -299,63 +299,6 @@ namespace FastPoints.Pipeline
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^
                     ContentHash.Of(m_map.ChunkOfCell.GetUnsafeReadOnlyPtr(), m_map.ChunkOfCell.Length * sizeof(int));
-        }
-
-        /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be
-        /// anything.</summary>
-        GridCube FirstCube()
-        {
-            const double believed = 4;
-            var min = PointFindings.None.Min;
-            var max = PointFindings.None.Max;
-            for (int i = 0; i < m_samples.Count; i++)
-            {
-                var found = m_sampleFindings[i];
-                if (!math.all(found.Min <= found.Max))
-                    continue;
-                // A negative scale turns the box around.
-                var a = ToGrid(i, found.Min);
-                var b = ToGrid(i, found.Max);
-                min = Grid3.Min(min, Grid3.Min(a, b));
-                max = Grid3.Max(max, Grid3.Max(a, b));
-            }
-            if (min.X > max.X)
-                return RootCube.Around(default, default);
-            const long limit = SourceGrid.Limit - 1;
-            min = Grid3.Max(min, new Grid3(-limit, -limit, -limit));
-            max = Grid3.Min(max, new Grid3(limit, limit, limit));
-
-            var extent = m_grid.Grid.Step * math.max(1.0, (double)math.max(max.X - min.X, math.max(max.Y - min.Y,
-                max.Z - min.Z)));
-            double sampled = math.cmax(extent);
-            foreach (var reader in m_readers)
-            {
-                var claim = reader.Info.BoundsClaimed;
-                if (!reader.Info.HasBoundsClaimed || claim.IsEmpty || !claim.IsFinite)
-                    continue;
-                var low = math.round((claim.Min - m_grid.Grid.Origin) / m_grid.Grid.Step);
-                var high = math.round((claim.Max - m_grid.Grid.Origin) / m_grid.Grid.Step);
-                if (!math.all(math.abs(low) < limit) || !math.all(math.abs(high) < limit) ||
-                    math.cmax(claim.Size) > believed * sampled)
-                    continue;
-                var lowGrid = new Grid3((long)low.x, (long)low.y, (long)low.z);
-                var highGrid = new Grid3((long)high.x, (long)high.y, (long)high.z);
-                var allMin = Grid3.Min(min, lowGrid);
-                var allMax = Grid3.Max(max, highGrid);
-                var size = (allMax - allMin);
-                if (math.cmax(m_grid.Grid.Step * new double3(size.X, size.Y, size.Z)) > believed * sampled)
-                    continue;
-                min = allMin;
-                max = allMax;
-            }
-            return RootCube.Around(min, max);
-        }
-
-        Grid3 ToGrid(int source, double3 stored)
-        {
-            var grid = m_grid.Sources[source];
-            return new Grid3(SourceGrid.ToGrid(grid.X, stored.x), SourceGrid.ToGrid(grid.Y, stored.y),
-                SourceGrid.ToGrid(grid.Z, stored.z));
         }
 
         IEnumerator<JobHandle> Distribute()

@@ -157,14 +157,15 @@ namespace FastPoints.Tests.Pipeline
                 count.Current.Complete();
             var random = new System.Random(4);
             int continued = 0;
-            for (int attempt = 0; attempt < 3; attempt++)
+            for (int attempt = 0; attempt < 6; attempt++)
             {
                 string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
                 var work = ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, null);
-                int stop = (int)((attempt + random.NextDouble()) / 3 * steps);
+                int stop = (int)((attempt + random.NextDouble()) / 6 * steps);
                 for (int i = 0; i < stop && work.MoveNext(); i++)
                     work.Current.Complete();
-                // What a kill would leave: the folder as it is now, and a file that nobody closed.
+                // What a kill would leave: the folder as it is now, and a file that nobody closed. The writer thread has no end to
+                // wait for here: it is given time, so that no file is renamed while it is copied.
                 Thread.Sleep(30);
                 bool isWhole = Directory.Exists(Target(name));
                 if (!isWhole)
@@ -183,7 +184,7 @@ namespace FastPoints.Tests.Pipeline
                 continued += made.Note != null && made.Note.StartsWith("continued") ? 1 : 0;
                 AssertSame(Files(name), wanted);
             }
-            Assert.That(continued, Is.GreaterThan(0));
+            Assert.That(continued, Is.GreaterThan(2));
         }
 
         [Test]
@@ -212,6 +213,7 @@ namespace FastPoints.Tests.Pipeline
                 work.Current.Complete();
                 tops = Directory.GetFiles(Path.Combine(part, BuildFiles.TopFolderName), "*.bin").Length;
             }
+            // As above: no file is to be renamed while it is copied.
             Thread.Sleep(30);
             Copy(part, part + "-kept");
             work.Dispose();

@@ -233,7 +233,7 @@ namespace FastPoints.Files.Tests
         {
             public override void Start() => throw new PlatformNotSupportedException("not on this platform");
             public override bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written) =>
-                throw new NotImplementedException();
+                throw new AssertionException("asked to decode although it could not start");
             public override void Dispose()
             {
             }

@@ -1,0 +1,103 @@
+using System.Runtime.CompilerServices;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Octree
+{
+    /// <summary>The samples that <see cref="SamplePoissonJob"/> has taken, in cells of twice the spacing, hashed.</summary>
+    unsafe struct PoissonGrid
+    {
+        // Spacings beyond this many bits are compared in units of 2^-30 of them, so that squares fit a long.
+        const int ExactBits = 30;
+
+        [NativeDisableUnsafePtrRestriction] public readonly int* Heads;
+        readonly int m_hashShift;
+
+        // log2 of the spacing, the bits of distances that are dropped, and the square of what is left of the spacing.
+        readonly int m_cell;
+        readonly int m_dropped;
+        readonly long m_nearSq;
+
+        public PoissonGrid(int* heads, int bits, int cellLog2)
+        {
+            Heads = heads;
+            m_hashShift = 64 - bits;
+            m_cell = cellLog2;
+            m_dropped = math.max(0, cellLog2 - ExactBits);
+            m_nearSq = 1L << 2 * (cellLog2 - m_dropped);
+        }
+
+        /// <summary>Bars of two by two cells along x, so that neighbours share cache lines.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int SlotOf(long x, long y, long z) =>
+            (int)(((ulong)(y >> 1) * 0x9E3779B97F4A7C15UL + (ulong)(z >> 1) * 0xC2B2AE3D27D4EB4FUL >> m_hashShift) * 4 +
+                (ulong)(x << 2 | (y & 1) << 1 | z & 1) & ulong.MaxValue >> m_hashShift);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public bool IsNear(PoissonSample* a, in PoissonSample b, out long distanceSq)
+        {
+            distanceSq = 0;
+            long x = math.abs(a->X - b.X), y = math.abs(a->Y - b.Y), z = math.abs(a->Z - b.Z);
+            if ((x | y | z) >> m_cell != 0)
+                return false;
+            x >>= m_dropped;
+            y >>= m_dropped;
+            z >>= m_dropped;
+            distanceSq = x * x + y * y + z * z;
+            return distanceSq < m_nearSq;
+        }
+
+        /// <summary>A sample nearer than the spacing, or -1.</summary>
+        /// <param name="own">The slot of the point's own cell.</param>
+        public int Find(PoissonSample* samples, in PoissonSample point, out int own)
+        {
+            long x = point.X >> m_cell + 1, y = point.Y >> m_cell + 1, z = point.Z >> m_cell + 1;
+            own = SlotOf(x, y, z);
+            int found = FindIn(own, samples, point);
+            if (found >= 0)
+                return found;
+            // The sphere reaches into the cells on the point's side of the middle only.
+            long besideX = x + (point.X >> m_cell & 1) * 2 - 1;
+            long besideY = y + (point.Y >> m_cell & 1) * 2 - 1;
+            long besideZ = z + (point.Z >> m_cell & 1) * 2 - 1;
+            for (int n = 1; n < 8 && found < 0; n++)
+                found = FindIn(SlotOf((n & 1) != 0 ? besideX : x, (n & 2) != 0 ? besideY : y, (n & 4) != 0 ? besideZ : z),
+                    samples, point);
+            return found;
+        }
+
+        /// <summary>The sample nearest to a point of those nearer than the spacing, the first on the curve of several; -1 for
+        /// none.</summary>
+        public int Nearest(PoissonSample* samples, in PoissonSample point)
+        {
+            long x = point.X >> m_cell + 1, y = point.Y >> m_cell + 1, z = point.Z >> m_cell + 1;
+            long besideX = x + (point.X >> m_cell & 1) * 2 - 1;
+            long besideY = y + (point.Y >> m_cell & 1) * 2 - 1;
+            long besideZ = z + (point.Z >> m_cell & 1) * 2 - 1;
+            int nearest = -1;
+            long nearestSq = m_nearSq;
+            for (int n = 0; n < 8; n++)
+            {
+                int slot = SlotOf((n & 1) != 0 ? besideX : x, (n & 2) != 0 ? besideY : y, (n & 4) != 0 ? besideZ : z);
+                for (int s = Heads[slot]; s >= 0; s = samples[s].Next)
+                {
+                    if (!IsNear(samples + s, point, out long distanceSq) || distanceSq > nearestSq ||
+                        (distanceSq == nearestSq && nearest >= 0 && samples[s].Point > samples[nearest].Point))
+                        continue;
+                    nearest = s;
+                    nearestSq = distanceSq;
+                }
+            }
+            return nearest;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        int FindIn(int slot, PoissonSample* samples, in PoissonSample point)
+        {
+            int s = Heads[slot];
+            while (s >= 0 && !IsNear(samples + s, point, out _))
+                s = samples[s].Next;
+            return s;
+        }
+    }
+}
