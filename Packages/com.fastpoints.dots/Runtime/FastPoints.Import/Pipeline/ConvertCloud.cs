@@ -37,9 +37,8 @@ namespace FastPoints.Pipeline
         MemoryPlan m_plan;
         NativeReference<PagePool> m_pool;
         RecordFiles m_files;
+        BuildCheckpoints m_checkpoints;
         BuildJournal m_journal;
-        ulong m_identity;
-        string m_note;
         long m_points;
         PartitionMap m_map;
         ScatterPoints m_scatter;
@@ -53,7 +52,7 @@ namespace FastPoints.Pipeline
             m_settings = settings;
             m_progress = progress;
             m_target = target;
-            m_attributes = ChooseAttributes();
+            m_attributes = AttributeChoice.Of(readers, settings.Attributes);
             m_folder = new CloudFolderWriter(target);
             m_slices = new SliceTimes(Allocator.Persistent);
         }
@@ -118,35 +117,6 @@ namespace FastPoints.Pipeline
                 sample.Dispose();
             m_samples.Clear();
             m_folder.Dispose();
-        }
-
-        PointSchema ChooseAttributes()
-        {
-            var chosen = new List<PointAttribute>();
-            foreach (var attribute in m_readers[0].Info.Schema)
-            {
-                bool isPosition = attribute.Name == AttributeNames.X || attribute.Name == AttributeNames.Y ||
-                    attribute.Name == AttributeNames.Z;
-                if (!isPosition && (m_settings.Attributes == null || Array.IndexOf(m_settings.Attributes, attribute.Name) >= 0))
-                    chosen.Add(attribute);
-            }
-            foreach (var reader in m_readers)
-            {
-                var schema = reader.Info.Schema;
-                foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
-                {
-                    if (!schema.Has(axis))
-                        throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1, "no " + axis);
-                }
-                foreach (var attribute in chosen)
-                {
-                    int column = schema.IndexOf(attribute.Name);
-                    if (column < 0 || !schema[column].Equals(attribute))
-                        throw PointCloudException.Wanted(FailureCode.Unsupported, reader.Info.Path, -1,
-                            "an attribute of the first file", attribute, column < 0 ? "none" : schema[column].ToString());
-                }
-            }
-            return new PointSchema(chosen);
         }
 
         IEnumerator<JobHandle> Sample()
@@ -227,42 +197,17 @@ namespace FastPoints.Pipeline
         /// on disk.</summary>
         void TakeUp()
         {
-            m_identity = Identify();
-            m_journal = new BuildJournal { Identity = m_identity };
-            m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool,
-                m_plan.IsStored ? m_files = new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null, m_plan, m_points,
-                    m_slices, m_progress);
+            m_files = m_plan.IsStored ? new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null;
+            m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool, m_files, m_plan, m_points, m_slices,
+                m_progress);
             m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2);
-            string text = m_folder.ReadText(BuildFiles.JournalName);
-            var journal = text == null ? null : BuildJournal.FromJson(text);
-            bool isSame = m_files != null && journal != null && journal.Identity == m_identity &&
-                journal.Attributes.Length == m_attributes.Count && (journal.At == BuildJournal.Stage.Read
-                    ? journal.Source < m_readers.Count && journal.Findings.Count == journal.Source + 1 &&
-                        journal.Records.Count == m_map.Chunks.Length + 1
-                    : journal.Findings.Count == m_readers.Count);
-            if (isSame && (journal.At == BuildJournal.Stage.Done || m_files.TakeOver(journal)))
-            {
-                m_journal = journal;
-                long points = 0;
-                foreach (var found in journal.Findings)
-                    points += found.Count + found.LeftOut;
-                m_scatter.Skip(points);
-                for (int a = 0; a < journal.Attributes.Length; a++)
-                    m_scatter.Attributes[a] = journal.Attributes[a];
-                m_note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of {1} "
-                    + "points were read", points, m_points);
-            }
-            else
-            {
-                if (m_folder.HasLeftovers)
-                {
-                    m_note = text == null ? "a build of this target was broken off that had its points in memory: began again"
-                        : "a build of this target was broken off that had other sources, settings or versions: began again";
-                }
-                m_folder.Clear();
-                while (m_files != null && m_files.FileCount < m_map.Chunks.Length + 1)
-                    m_files.Add();
-            }
+            ulong identity = BuildIdentity.Of(m_readers, m_attributes, m_grid, m_plan, m_map, m_settings);
+            m_checkpoints = BuildCheckpoints.TakeUp(identity, m_folder, m_files, m_readers.Count, m_attributes.Count,
+                m_map.Chunks.Length + 1, m_points);
+            m_journal = m_checkpoints.Journal;
+            m_scatter.Skip(m_checkpoints.PointsTaken);
+            for (int a = 0; a < m_journal.Attributes.Length; a++)
+                m_scatter.Attributes[a] = m_journal.Attributes[a];
             foreach (var found in m_journal.Findings)
             {
                 var all = m_scatter.Findings;
@@ -276,29 +221,6 @@ namespace FastPoints.Pipeline
                 throw new PointCloudException(FailureCode.DiskFull, m_target, -1, string.Format(CultureInfo.InvariantCulture,
                     "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}",
                         needed, free));
-        }
-
-        /// <summary>What the stored bytes and the temporary files depend on.</summary>
-        unsafe ulong Identify()
-        {
-            var text = new System.Text.StringBuilder();
-            foreach (var reader in m_readers)
-            {
-                string path = reader.Info.Path;
-                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
-                    .Append(reader.PointCount)
-                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
-            }
-            foreach (var attribute in m_attributes)
-                text.Append(attribute).Append('\n');
-            text.Append(m_plan.PointsPerChunk).Append('|').Append(m_plan.PointsPerPartition).Append('|').Append(m_plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(m_grid.Records.StrideBytes).Append('|')
-                .Append(m_map.Chunks.Length).Append('|').Append(m_map.Cube).Append('|').Append(m_settings.Sampler)
-                .Append('|').Append(m_settings.CellsLog2);
-            string all = text.ToString();
-            fixed (char* first = all)
-                return ContentHash.Of(first, all.Length * sizeof(char)) ^
-                    ContentHash.Of(m_map.ChunkOfCell.GetUnsafeReadOnlyPtr(), m_map.ChunkOfCell.Length * sizeof(int));
         }
 
         IEnumerator<JobHandle> Distribute()
@@ -346,60 +268,11 @@ namespace FastPoints.Pipeline
                 using (var work = m_scatter.WriteAll())
                     while (work.MoveNext())
                         yield return work.Current;
-            for (int i = 0; i < m_readers.Count; i++)
-            {
-                var info = m_readers[i].Info;
-                var found = m_journal.Findings[i];
-                if (m_readers[i] is TiledReader tiles)
-                {
-                    for (int t = 0; t < tiles.TileCount; t++)
-                    {
-                        tiles.DescribeTile(t, out string path, out long bytes, out long points);
-                        AddSource(path, bytes, points);
-                    }
-                }
-                else
-                {
-                    AddSource(info.Path, info.FileBytes, found.Count + found.LeftOut);
-                }
-                Warn(info, found);
-            }
+            CloudDescription.AddSources(m_readers, m_journal.Findings, m_manifest);
+            CloudDescription.Warn(m_readers, m_journal.Findings, m_grid.Grid);
         }
 
-        void WriteJournal()
-        {
-            m_journal.Attributes = m_scatter.Attributes;
-            m_journal.PeakBytes = m_files.PeakBytes;
-            m_journal.Records.Clear();
-            for (int file = 0; file < m_files.FileCount; file++)
-                m_journal.Records.Add(m_files.RecordsOf(file));
-            m_journal.Chunks.Clear();
-            if (m_journal.At != BuildJournal.Stage.Read)
-                foreach (var chunk in m_chunks.Chunks)
-                    m_journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
-            m_folder.WriteText(BuildFiles.JournalName, m_journal.ToJson());
-        }
-
-        void AddSource(string path, long fileBytes, long points) =>
-            m_manifest.Sources.Add(new CloudManifest.Source
-            {
-                Name = Path.GetFileName(path),
-                FileBytes = fileBytes,
-                Points = points
-            });
-
-        void Warn(SourceInfo info, in PointFindings found)
-        {
-            if (found.LeftOut > 0)
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out",
-                    found.LeftOut));
-            if (found.WorstLossSteps > 0)
-            {
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
-                    "positions were rounded, by up to {0:R}, to the grid's steps",
-                    found.WorstLossSteps * math.cmax(m_grid.Grid.Step)));
-            }
-        }
+        void WriteJournal() => m_checkpoints.Write(m_scatter.Attributes, m_chunks.Chunks);
 
         /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
         IEnumerator<JobHandle> SettleChunks()
@@ -425,11 +298,8 @@ namespace FastPoints.Pipeline
                 }
                 m_journal.Root = root;
                 m_journal.At = BuildJournal.Stage.Split;
-                if (m_files != null)
-                {
-                    WriteJournal();
-                    m_chunks.Settled = WriteJournal;
-                }
+                WriteJournal();
+                m_chunks.Settled = WriteJournal;
             }
             else
             {
@@ -445,8 +315,7 @@ namespace FastPoints.Pipeline
                 m_journal.Root = RootCube.Shrink(m_journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(m_journal.Root, m_plan.PointsPerChunk);
                 m_journal.At = BuildJournal.Stage.Index;
-                if (m_files != null)
-                    WriteJournal();
+                WriteJournal();
             }
             m_chunks.Settled = null;
             m_manifest.Root = m_journal.Root;
@@ -472,16 +341,8 @@ namespace FastPoints.Pipeline
         IEnumerator<JobHandle> Build()
         {
             var found = m_scatter.Findings;
-            m_manifest.Points = found.Count;
-            m_manifest.PointsLeftOut = found.LeftOut;
-            m_manifest.Checksum = found.Checksum;
-            m_manifest.Grid = m_grid.Grid;
-            m_manifest.BoundsMin = found.Count > 0 ? found.Min : default;
-            m_manifest.BoundsMax = found.Count > 0 ? found.Max : default;
-            m_manifest.Attributes = m_attributes;
-            AttributeSummary.Describe(m_attributes, m_scatter.Attributes, m_manifest);
+            CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_scatter.Attributes, m_readers[0].Info.Crs, m_manifest);
             m_manifest.Sampler = m_settings.Sampler.ToString().ToLowerInvariant();
-            DescribeCrs(m_readers[0].Info.Crs);
             // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
             m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_plan.PointsPerChunk << 40 ^
                 (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56;
@@ -504,15 +365,6 @@ namespace FastPoints.Pipeline
             }
         }
 
-        void DescribeCrs(CoordinateSystem crs)
-        {
-            m_manifest.CrsName = crs.Summary;
-            m_manifest.CrsWkt = crs.Wkt;
-            m_manifest.CrsEpsg = crs.Epsg;
-            m_manifest.CrsVerticalEpsg = crs.VerticalEpsg;
-            m_manifest.MetresPerUnit = crs.MetresPerUnit;
-        }
-
         ConvertResult Finish()
         {
             m_progress?.Begin("finish");
@@ -529,8 +381,7 @@ namespace FastPoints.Pipeline
                 m_journal.At = BuildJournal.Stage.Done;
                 m_journal.LevelCount = m_build.LevelCount;
                 m_journal.BytesOfPlane = m_build.BytesOfPlane;
-                if (m_files != null)
-                    WriteJournal();
+                WriteJournal();
             }
             m_folder.Complete();
             var result = new ConvertResult
@@ -540,7 +391,7 @@ namespace FastPoints.Pipeline
                 BytesOnDisk = m_folder.BytesOnDisk(),
                 TemporaryBytesPeak = m_files == null ? 0 : m_files.PeakBytes,
                 PointsPerChunk = m_plan.PointsPerChunk,
-                Note = m_note,
+                Note = m_checkpoints.Note,
                 SliceMs = new[] { m_slices.QuantileMs(0.5), m_slices.QuantileMs(0.99), m_slices.QuantileMs(1) },
                 BytesOfPlane = m_journal.BytesOfPlane,
                 PlaneNames = new string[m_journal.BytesOfPlane.Length],
