@@ -16,9 +16,7 @@ namespace FastPoints.Octree
     {
         // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then came out a tenth off its target.
         const int MaxRuns = 1024;
-        const int MinRuns = 16;
         const int RunPoints = 1024;
-        const int PointsPerRun = 8 * RunPoints;
 
         NativeList<double3> m_stored;
 
@@ -39,7 +37,7 @@ namespace FastPoints.Octree
         public static IEnumerator<JobHandle> Read(PointReader reader, int slots, Action<SourceSample> take)
         {
             var sample = new SourceSample();
-            var runs = ChooseRuns(reader);
+            var runs = SampleRuns.Choose(reader, MaxRuns, RunPoints);
             int longest = 1;
             foreach (var run in runs)
                 longest = Math.Max(longest, run.Count);
@@ -102,42 +100,6 @@ namespace FastPoints.Octree
         {
             if (m_stored.IsCreated)
                 m_stored.Dispose();
-        }
-
-        static List<BlockRange> ChooseRuns(PointReader reader)
-        {
-            var runs = new List<BlockRange>();
-            long points = reader.PointCount;
-            int blocks = reader.BlockCount;
-            if (points == 0)
-                return runs;
-            // Small clouds whole: their grid is chosen from all their digits.
-            long wanted = Math.Max(MinRuns, Math.Min(MaxRuns, points / PointsPerRun));
-            long length = Math.Max(1, Math.Min(RunPoints, (points + wanted - 1) / wanted));
-            if (!reader.HasFixedStride)
-            {
-                // Only the beginnings of blocks are cheap: longer ones where there are fewer.
-                long chosen = Math.Min(wanted, blocks);
-                length = wanted * length / chosen;
-                for (long i = 0; i < chosen; i++)
-                {
-                    int block = (int)(i * blocks / chosen);
-                    int count = (int)Math.Min(length, reader.PointsInBlock(block));
-                    if (count > 0)
-                        runs.Add(new BlockRange(block, 0, count));
-                }
-                return runs;
-            }
-            int at = 0;
-            for (long i = 0; i < wanted && i * length < points; i++)
-            {
-                long first = Math.Max(points / wanted, length) * i;
-                while (first >= reader.FirstPointOfBlock(at) + reader.PointsInBlock(at))
-                    at++;
-                int inBlock = (int)(first - reader.FirstPointOfBlock(at));
-                runs.Add(new BlockRange(at, inBlock, (int)Math.Min(length, reader.PointsInBlock(at) - inBlock)));
-            }
-            return runs;
         }
     }
 }

@@ -1,17 +1,23 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Text;
 using FastPoints.Base;
 using FastPoints.Octree;
 using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Pipeline
 {
     /// <summary>A build's journal and the moments it is written at: what a killed build is continued from.</summary>
     /// <remarks>Only a build that keeps its points in files writes it; one in memory begins again.</remarks>
-    public sealed class BuildCheckpoints
+    public sealed class BuildCheckpoints : IDisposable
     {
         readonly CloudFolderWriter m_folder;
         readonly RecordFiles m_files;
+        NativeArray<byte> m_text;
+        WriteTicket m_ticket;
 
         BuildCheckpoints(CloudFolderWriter folder, RecordFiles files)
         {
@@ -69,13 +75,49 @@ namespace FastPoints.Pipeline
             return checkpoints;
         }
 
-        /// <summary>Writes the journal: all that it speaks of has been written. Does nothing where points are in memory.</summary>
+        /// <summary>Work for a pump: queues the journal behind all that it speaks of, which is on the disk itself before the
+        /// journal is. Does nothing where points are in memory.</summary>
         /// <param name="attributes">By attribute: what was found so far.</param>
         /// <param name="chunks">As they are now, from <see cref="BuildJournal.Stage.Split"/> on.</param>
-        public void Write(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        public IEnumerator<JobHandle> Begin(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
         {
             if (m_files == null)
-                return;
+                yield break;
+            using (var before = End())
+                while (before.MoveNext())
+                    yield return before.Current;
+            m_files.Sync();
+            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe(attributes, chunks)), Allocator.Persistent);
+            m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
+        }
+
+        /// <summary>Work for a pump: until the last journal is on the disk.</summary>
+        public IEnumerator<JobHandle> End()
+        {
+            while (m_ticket != null && !m_ticket.IsDone(1))
+                yield return default;
+            Dispose();
+        }
+
+        /// <summary>Writes the last journal there is: all files of the cloud are whole.</summary>
+        public void Finish(AttributeFindings[] attributes)
+        {
+            Journal.At = BuildJournal.Stage.Done;
+            if (m_files != null)
+                m_folder.WriteText(BuildFiles.JournalName, Describe(attributes, new ChunkSet.Chunk[0]));
+        }
+
+        public void Dispose()
+        {
+            m_ticket?.Wait();
+            m_ticket = null;
+            if (m_text.IsCreated)
+                m_text.Dispose();
+            m_text = default;
+        }
+
+        string Describe(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        {
             Journal.Attributes = attributes;
             Journal.PeakBytes = m_files.PeakBytes;
             Journal.Records.Clear();
@@ -85,7 +127,7 @@ namespace FastPoints.Pipeline
             if (Journal.At != BuildJournal.Stage.Read)
                 foreach (var chunk in chunks)
                     Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
-            m_folder.WriteText(BuildFiles.JournalName, Journal.ToJson());
+            return Journal.ToJson();
         }
     }
 }

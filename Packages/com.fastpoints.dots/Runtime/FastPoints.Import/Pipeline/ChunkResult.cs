@@ -41,6 +41,51 @@ namespace FastPoints.Pipeline
         public int LowestSideLog2;
         public long[] BytesOfPlane;
 
+        /// <summary>Of a chunk whose job is done.</summary>
+        public static ChunkResult Of(ChunkIndexer indexer)
+        {
+            var result = OfTop(indexer);
+            result.Checksum = indexer.Checksum;
+            result.BytesOfPlane = indexer.BytesOfPlane.ToArray();
+            result.Top.HasNodes = indexer.File.Length > 0;
+            foreach (var draft in indexer.Drafts.AsArray())
+                result.LowestSideLog2 = Math.Min(result.LowestSideLog2, draft.SideLog2);
+            if (!result.Top.HasNodes)
+                return result;
+            var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
+            result.Record.NodeCount = header.NodeCount;
+            result.Record.PointCount = header.PointCount;
+            result.Record.FileBytes = header.FileBytes;
+            result.Record.TableOffset = header.TableOffset;
+            result.Record.TableHash = header.TableHash;
+            return result;
+        }
+
+        /// <summary>The same of its top alone, as if there were nothing below; the checksum is the caller's to fill in.</summary>
+        public static ChunkResult OfTop(ChunkIndexer indexer)
+        {
+            var top = indexer.Drafts[0];
+            return new ChunkResult
+            {
+                TopPoints = top.Count,
+                LowestSideLog2 = top.SideLog2,
+                BytesOfPlane = new long[indexer.BytesOfPlane.Length],
+                Top = new ChunkTop
+                {
+                    SideLog2 = top.SideLog2,
+                    CellLog2 = top.CellLog2,
+                    IsLeaf = top.IsLeaf,
+                    AttachNode = -1,
+                },
+                Record = new ChunkRecord
+                {
+                    Corner = indexer.Cube.Corner,
+                    SideLog2 = indexer.Cube.SideLog2,
+                    Number = indexer.Number,
+                },
+            };
+        }
+
         /// <summary>The file of <see cref="ToBytes"/>: the caller disposes it.</summary>
         public NativeArray<byte> ToBytes(NativeArray<byte> topRecords, ulong cloudId)
         {

@@ -60,8 +60,9 @@ namespace FastPoints.Pipeline
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
 
-        /// <summary>Called after each change that is whole: every record is where the chunks say.</summary>
-        public Action Settled { get; set; }
+        /// <summary>Makes the work that is done after each change that is whole: every record is where the chunks say. Files that
+        /// are needed no more are there until it has ended.</summary>
+        public Func<IEnumerator<JobHandle>> Settled { get; set; }
 
         /// <summary>Takes over a chunk's records.</summary>
         public void Add(GridCube cube, ref RecordPages pages)
@@ -198,6 +199,9 @@ namespace FastPoints.Pipeline
                 if (cube.SideLog2 == 0)
                 {
                     SplitByCount(chunk, target);
+                    using (var work = Settle())
+                        while (work.MoveNext())
+                            yield return work.Current;
                     yield break;
                 }
 
@@ -264,7 +268,15 @@ namespace FastPoints.Pipeline
                 }
                 m_files.Release(run.File);
             }
-            Settled?.Invoke();
+        }
+
+        IEnumerator<JobHandle> Settle()
+        {
+            if (Settled == null)
+                yield break;
+            using (var work = Settled())
+                while (work.MoveNext())
+                    yield return work.Current;
         }
 
         /// <summary>Distributes a chunk's records over parts, which take its place.</summary>
@@ -321,7 +333,9 @@ namespace FastPoints.Pipeline
                         Add(cubes[i], ref pages);
                 }
                 TakeWritten();
-                Settled?.Invoke();
+                using (var work = Settle())
+                    while (work.MoveNext())
+                        yield return work.Current;
                 foreach (var run in chunk.Runs)
                     m_files.Release(run.File);
             }

@@ -38,6 +38,8 @@ namespace FastPoints.Pipeline
         NativeReference<PagePool> m_pool;
         RecordFiles m_files;
         BuildCheckpoints m_checkpoints;
+        BuildGenerations m_generations;
+        ProvisionalSample m_provisional;
         BuildJournal m_journal;
         long m_points;
         PartitionMap m_map;
@@ -55,6 +57,7 @@ namespace FastPoints.Pipeline
             m_attributes = AttributeChoice.Of(readers, settings.Attributes);
             m_folder = new CloudFolderWriter(target);
             m_slices = new SliceTimes(Allocator.Persistent);
+            m_manifest.Sampler = settings.Sampler.ToString().ToLowerInvariant();
         }
 
         /// <summary>Work for a pump: converts. The target is there, whole, when the work has ended; nothing is there when it was
@@ -101,10 +104,12 @@ namespace FastPoints.Pipeline
         public void Dispose()
         {
             m_build?.Dispose();
+            m_generations?.Dispose();
             m_store?.Dispose();
             m_chunks?.Dispose();
             m_scatter?.Dispose();
             m_map?.Dispose();
+            m_checkpoints?.Dispose();
             m_files?.Dispose();
             m_slices.Dispose();
             if (m_pool.IsCreated)
@@ -117,6 +122,17 @@ namespace FastPoints.Pipeline
                 sample.Dispose();
             m_samples.Clear();
             m_folder.Dispose();
+        }
+
+        NodeSizes Sizes
+        {
+            get
+            {
+                var sizes = NodeSizes.Default;
+                if (m_settings.CellsLog2 > 0)
+                    sizes.CellsLog2 = m_settings.CellsLog2;
+                return sizes;
+            }
         }
 
         IEnumerator<JobHandle> Sample()
@@ -214,6 +230,9 @@ namespace FastPoints.Pipeline
                 all.Include(found);
                 m_scatter.Findings = all;
             }
+            m_provisional = new ProvisionalSample(m_readers, m_attributes, m_grid, m_map, m_plan.ProvisionalPoints);
+            m_generations = new BuildGenerations(m_provisional, m_folder, m_grid.Records, m_settings.Sampler, Sizes,
+                m_plan.PointsPerChunk, m_settings.SecondsToFirstGeneration, m_slices);
             if (m_files == null)
                 return;
             long needed = (m_points - m_scatter.Findings.Count) * m_grid.Records.StrideBytes, free = m_folder.FreeBytes();
@@ -244,8 +263,17 @@ namespace FastPoints.Pipeline
                     for (; end < reader.BlockCount && sinceCheckpoint < m_settings.PointsPerCheckpoint; end++)
                         sinceCheckpoint += reader.PointsInBlock(end);
                     using (var scan = SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null))
+                    {
                         while (scan.MoveNext())
+                        {
                             yield return scan.Current;
+                            if (!m_generations.IsFirstDue)
+                                continue;
+                            using (var work = m_generations.WriteFirst(m_map.Cube, m_map.Chunks, DescribeSample))
+                                while (work.MoveNext())
+                                    yield return work.Current;
+                        }
+                    }
                     var found = m_journal.Findings[i];
                     found.Include(m_scatter.TakeFindings());
                     m_journal.Findings[i] = found;
@@ -258,7 +286,10 @@ namespace FastPoints.Pipeline
                     using (var work = m_scatter.WriteAll())
                         while (work.MoveNext())
                             yield return work.Current;
-                    WriteJournal();
+                    // Reading goes on while the disk takes in what was read.
+                    using (var work = m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks))
+                        while (work.MoveNext())
+                            yield return work.Current;
                 }
                 m_scatter.EndSource();
                 m_journal.Source = i + 1;
@@ -272,7 +303,30 @@ namespace FastPoints.Pipeline
             CloudDescription.Warn(m_readers, m_journal.Findings, m_grid.Grid);
         }
 
-        void WriteJournal() => m_checkpoints.Write(m_scatter.Attributes, m_chunks.Chunks);
+        /// <summary>The manifest of the sample alone.</summary>
+        void DescribeSample(CloudManifest manifest)
+        {
+            var found = m_provisional.Findings;
+            long last = m_map.Cube.Side - 1;
+            // What lies outside the first cube is not in the sample's tops.
+            found.Min = Grid3.Max(found.Min, m_map.Cube.Corner);
+            found.Max = Grid3.Min(found.Max, m_map.Cube.Corner + new Grid3(last, last, last));
+            CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_provisional.Attributes, m_readers[0].Info.Crs, manifest);
+            manifest.PointsLeftOut = 0;
+            manifest.Sampler = m_manifest.Sampler;
+            manifest.CloudId = found.Checksum;
+        }
+
+        /// <summary>What lies on disk is what a killed build is continued from, from the end of this work on.</summary>
+        IEnumerator<JobHandle> WriteJournal()
+        {
+            using (var begin = m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks))
+                while (begin.MoveNext())
+                    yield return begin.Current;
+            using (var end = m_checkpoints.End())
+                while (end.MoveNext())
+                    yield return end.Current;
+        }
 
         /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
         IEnumerator<JobHandle> SettleChunks()
@@ -298,7 +352,9 @@ namespace FastPoints.Pipeline
                 }
                 m_journal.Root = root;
                 m_journal.At = BuildJournal.Stage.Split;
-                WriteJournal();
+                using (var work = WriteJournal())
+                    while (work.MoveNext())
+                        yield return work.Current;
                 m_chunks.Settled = WriteJournal;
             }
             else
@@ -315,7 +371,9 @@ namespace FastPoints.Pipeline
                 m_journal.Root = RootCube.Shrink(m_journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(m_journal.Root, m_plan.PointsPerChunk);
                 m_journal.At = BuildJournal.Stage.Index;
-                WriteJournal();
+                using (var work = WriteJournal())
+                    while (work.MoveNext())
+                        yield return work.Current;
             }
             m_chunks.Settled = null;
             m_manifest.Root = m_journal.Root;
@@ -342,18 +400,14 @@ namespace FastPoints.Pipeline
         {
             var found = m_scatter.Findings;
             CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_scatter.Attributes, m_readers[0].Info.Crs, m_manifest);
-            m_manifest.Sampler = m_settings.Sampler.ToString().ToLowerInvariant();
             // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
             m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_plan.PointsPerChunk << 40 ^
                 (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56;
 
-            var sizes = NodeSizes.Default;
-            if (m_settings.CellsLog2 > 0)
-                sizes.CellsLog2 = m_settings.CellsLog2;
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
                 m_manifest.CloudId,
-                m_folder, m_settings.Sampler, sizes, m_settings.SecondsPerGeneration, m_slices);
+                m_folder, m_settings.Sampler, Sizes, m_generations, m_settings.SecondsPerGeneration, m_slices);
             int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
             using (var work = m_build.Run(atOnce, m_manifest, m_progress))
                 while (work.MoveNext())
@@ -378,10 +432,9 @@ namespace FastPoints.Pipeline
             else
             {
                 m_folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
-                m_journal.At = BuildJournal.Stage.Done;
                 m_journal.LevelCount = m_build.LevelCount;
                 m_journal.BytesOfPlane = m_build.BytesOfPlane;
-                WriteJournal();
+                m_checkpoints.Finish(m_scatter.Attributes);
             }
             m_folder.Complete();
             var result = new ConvertResult

@@ -30,6 +30,9 @@ namespace FastPoints.Pipeline
         /// <summary>While chunks become nodes, what is finished is made a cloud that can be opened, at most so often.</summary>
         public double SecondsPerGeneration = 5;
 
+        /// <summary>Where reading the sources takes longer, a sample of them is made a cloud that can be opened.</summary>
+        public double SecondsToFirstGeneration = 1;
+
         /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
         /// same.</summary>
         public int ChunksAtOnce;

@@ -20,6 +20,10 @@ namespace FastPoints.Pipeline
 
         const int ChunksPlanned = 2;
 
+        /// <summary>More show no more in a picture of everything; fewer where they took more than this share of the memory.</summary>
+        const long MaxProvisionalPoints = 1 << 17;
+        const long ProvisionalShare = 16;
+
         /// <summary>Darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
 
@@ -54,6 +58,9 @@ namespace FastPoints.Pipeline
         /// record as it came and in order, and what is written of it.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
+        /// <summary>Points of the sample that stands for what is not built yet.</summary>
+        public long ProvisionalPoints { get; private set; }
+
         /// <param name="points">Of all sources, at most.</param>
         public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
         {
@@ -76,6 +83,10 @@ namespace FastPoints.Pipeline
                     most /= 2;
                 plan.PointsPerChunk = Math.Min(plan.PointsPerChunk, most);
             }
+
+            plan.ProvisionalPoints = Math.Min(Math.Min(points, MaxProvisionalPoints),
+                memoryBytes / ProvisionalShare / plan.IndexBytesPerPoint);
+            memoryBytes -= plan.ProvisionalPoints * plan.IndexBytesPerPoint;
 
             // All records, their pages' unused ends, the tops that come while the first chunks are in work, and one of these.
             long inMemory = points * strideBytes / 10 * 11;

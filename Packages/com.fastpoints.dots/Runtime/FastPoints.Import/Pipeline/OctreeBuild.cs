@@ -44,6 +44,7 @@ namespace FastPoints.Pipeline
         readonly MemoryPlan m_plan;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
+        readonly BuildGenerations m_generations;
         readonly double m_secondsPerGeneration;
         readonly SliceTimes m_slices;
         readonly List<Slot> m_slots = new List<Slot>();
@@ -53,13 +54,13 @@ namespace FastPoints.Pipeline
         UpperMerge m_merge;
         long m_largestChunkBytes;
         int m_atOnce;
-        long m_generation;
 
         /// <param name="pool">Of the chunks' pages.</param>
         /// <param name="files">Where their records are; null where they are in memory.</param>
+        /// <param name="generations">Shows what is finished meanwhile.</param>
         public OctreeBuild(ChunkSet chunks, NativeReference<PagePool> pool, RecordFiles files, MemoryPlan plan,
             RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
-            Sampler sampler, NodeSizes sizes, double secondsPerGeneration, SliceTimes slices)
+            Sampler sampler, NodeSizes sizes, BuildGenerations generations, double secondsPerGeneration, SliceTimes slices)
         {
             m_chunks = chunks;
             m_pool = pool;
@@ -72,6 +73,7 @@ namespace FastPoints.Pipeline
             m_folder = folder;
             m_sampler = sampler;
             m_sizes = sizes;
+            m_generations = generations;
             m_secondsPerGeneration = secondsPerGeneration;
             m_slices = slices;
             m_results = new ChunkResult[chunks.Chunks.Count];
@@ -240,31 +242,18 @@ namespace FastPoints.Pipeline
             return tops > 0 && merged + m_atOnce * m_largestChunkBytes <= m_plan.IndexBytes;
         }
 
-        /// <summary>Makes what is finished a cloud that can be opened: upper nodes above the finished chunks' tops.</summary>
+        /// <summary>Makes what is finished a cloud that can be opened.</summary>
         IEnumerator<JobHandle> WriteGeneration(CloudManifest whole)
         {
-            var manifest = CloudManifest.FromJson(whole.ToJson(), m_folder.PathOf(StoreFormat.ManifestName));
-            manifest.IsBuilding = true;
-            manifest.Generation = ++m_generation;
-            manifest.Points = 0;
-            manifest.Checksum = 0;
-            var finished = new List<ChunkResult>();
+            var cubes = new GridCube[m_results.Length];
+            var finished = new ChunkResult[m_results.Length];
             for (int i = 0; i < m_results.Length; i++)
             {
+                cubes[i] = m_chunks.Chunks[i].Cube;
                 // A chunk whose file is still being written comes with the next generation.
-                if (m_results[i] == null || IsBeingWritten(i))
-                    continue;
-                finished.Add(m_results[i]);
-                manifest.Points += m_results[i].TopPoints + m_results[i].Record.PointCount;
-                manifest.Checksum += m_results[i].Checksum;
+                finished[i] = IsBeingWritten(i) ? null : m_results[i];
             }
-            using (var merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes, m_slices))
-            using (var work = merge.Run(finished, m_topRecords, m_plan.PointsPerChunk, manifest, null))
-                while (work.MoveNext())
-                    yield return work.Current;
-            m_folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
-            // The generation before is what a reader may just be opening.
-            m_folder.DeleteGeneration(m_generation - 2);
+            return m_generations.Write(whole, m_store, cubes, finished, m_topRecords);
         }
 
         bool IsBeingWritten(int chunk)
@@ -300,7 +289,7 @@ namespace FastPoints.Pipeline
         void Finish(Slot slot)
         {
             var indexer = slot.Indexer;
-            var result = Describe(indexer);
+            var result = ChunkResult.Of(indexer);
             m_slices.Take(indexer.Slices);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
@@ -330,43 +319,6 @@ namespace FastPoints.Pipeline
                     m_files.Release(run.File);
             }
             slot.Result = default;
-        }
-
-        unsafe ChunkResult Describe(ChunkIndexer indexer)
-        {
-            var top = indexer.Drafts[0];
-            var result = new ChunkResult
-            {
-                Checksum = indexer.Checksum,
-                TopPoints = top.Count,
-                LowestSideLog2 = top.SideLog2,
-                BytesOfPlane = indexer.BytesOfPlane.ToArray(),
-                Top = new ChunkTop
-                {
-                    SideLog2 = top.SideLog2,
-                    CellLog2 = top.CellLog2,
-                    IsLeaf = top.IsLeaf,
-                    HasNodes = indexer.File.Length > 0,
-                    AttachNode = -1,
-                },
-                Record = new ChunkRecord
-                {
-                    Corner = indexer.Cube.Corner,
-                    SideLog2 = indexer.Cube.SideLog2,
-                    Number = indexer.Number,
-                },
-            };
-            foreach (var draft in indexer.Drafts.AsArray())
-                result.LowestSideLog2 = Math.Min(result.LowestSideLog2, draft.SideLog2);
-            if (indexer.File.Length == 0)
-                return result;
-            var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
-            result.Record.NodeCount = header.NodeCount;
-            result.Record.PointCount = header.PointCount;
-            result.Record.FileBytes = header.FileBytes;
-            result.Record.TableOffset = header.TableOffset;
-            result.Record.TableHash = header.TableHash;
-            return result;
         }
     }
 }

@@ -21,6 +21,7 @@ namespace FastPoints.Pipeline
         readonly int m_strideBytes;
         readonly List<long> m_recordsOfFile = new List<long>();
         readonly List<int> m_usersOfFile = new List<int>();
+        readonly SortedSet<int> m_notSynced = new SortedSet<int>();
         readonly Queue<Handed> m_handed = new Queue<Handed>();
         RecordPages m_written;
         long m_bytes;
@@ -96,9 +97,18 @@ namespace FastPoints.Pipeline
             var ticket = m_folder.WriteRecords(BuildFiles.RecordPath(file), pages, m_strideBytes,
                 m_recordsOfFile[file] * m_strideBytes);
             m_handed.Enqueue(new Handed { Ticket = ticket, Pages = pages });
+            m_notSynced.Add(file);
             m_recordsOfFile[file] += pages.Count;
             PagesWaiting += pages.PageCount;
             Count(pages.Count);
+        }
+
+        /// <summary>Queues that all that was handed over is on the disk itself before the writer's next order.</summary>
+        public void Sync()
+        {
+            foreach (int file in m_notSynced)
+                m_folder.SyncRecords(BuildFiles.RecordPath(file));
+            m_notSynced.Clear();
         }
 
         /// <summary>Sees what is written by now.</summary>
@@ -133,6 +143,7 @@ namespace FastPoints.Pipeline
                 return;
             Count(-m_recordsOfFile[file]);
             m_recordsOfFile[file] = 0;
+            m_notSynced.Remove(file);
             m_folder.Delete(BuildFiles.RecordPath(file));
         }
 

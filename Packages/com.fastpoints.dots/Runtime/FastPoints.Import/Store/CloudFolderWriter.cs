@@ -33,6 +33,8 @@ namespace FastPoints.Store
             Seal,
             /// <summary>Records at the end of a file that the build alone reads.</summary>
             Records,
+            /// <summary>What was written to such a file so far is put on the disk itself.</summary>
+            Sync,
         }
 
         struct Order
@@ -186,6 +188,15 @@ namespace FastPoints.Store
             Pages = pages,
             StrideBytes = strideBytes,
             Offset = offset,
+            Ticket = new WriteTicket(),
+        });
+
+        /// <summary>Queues that what was queued for a temporary file before is on the disk itself, not in the system's memory
+        /// alone, when the ticket is done: a loss of power takes nothing of it.</summary>
+        public WriteTicket SyncRecords(string name) => Enqueue(new Order
+        {
+            Kind = OrderKind.Sync,
+            Path = Path.Combine(m_part, name),
             Ticket = new WriteTicket(),
         });
 
@@ -392,6 +403,10 @@ namespace FastPoints.Store
                         file.Flush(true);
                     }
                     Rename(temporary, order.Path);
+                    break;
+                case OrderKind.Sync:
+                    using (var file = new FileStream(order.Path, FileMode.Open, FileAccess.Write))
+                        file.Flush(true);
                     break;
                 default:
                     using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))

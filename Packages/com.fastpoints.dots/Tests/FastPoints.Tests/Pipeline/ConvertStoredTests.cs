@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Octree;
 using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -269,6 +270,52 @@ namespace FastPoints.Tests.Pipeline
                 work.Current.Complete();
             work.Dispose();
             Assert.That(Directory.GetFileSystemEntries(m_folder), Is.Empty);
+        }
+
+        [TestCase(true, Sampler.Random)]
+        [TestCase(false, Sampler.Random)]
+        [TestCase(true, Sampler.Poisson)]
+        [TestCase(false, Sampler.Average)]
+        public void Convert_BeforeItsFirstChunk_ShowsASampleOfAllThatMakesWayForChunks(bool inFiles, Sampler sampler)
+        {
+            var settings = inFiles ? InFiles() : InMemory();
+            settings.SecondsToFirstGeneration = 0;
+            settings.SecondsPerGeneration = 0;
+            settings.Sampler = sampler;
+            settings.MemoryBytes *= inFiles ? 4 : 1;
+            string part = Target("cloud") + StoreFormat.PartSuffix;
+            string manifest = Path.Combine(part, StoreFormat.ManifestName);
+            long generation = 0, first = 0, last = 0;
+            using (var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null))
+            {
+                while (work.MoveNext())
+                {
+                    work.Current.Complete();
+                    if (!File.Exists(manifest))
+                        continue;
+                    var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
+                    if (!said.IsBuilding || said.Generation == generation)
+                        continue;
+                    generation = said.Generation;
+                    var result = new VerifyResult();
+                    WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
+                    Assert.That(result.Problems, Is.Empty);
+                    last = result.Points;
+                    if (generation > 1)
+                        continue;
+                    first = result.Points;
+                    using (var cloud = CloudFolder.Open(Target("cloud")))
+                    {
+                        Assert.That(cloud.Chunks.Length, Is.Zero);
+                        var size = cloud.Manifest.BoundsMax - cloud.Manifest.BoundsMin;
+                        Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
+                    }
+                }
+            }
+            Assert.That(generation, Is.GreaterThan(1));
+            Assert.That(first, Is.InRange(1000, Points / 2));
+            Assert.That(last, Is.InRange(first + 1, Points - 1));
+            Prove(Uneven(), "cloud");
         }
 
         [TestCase(true)]
