@@ -17,8 +17,12 @@ namespace FastPoints.Cli
     /// fixed views drawn under several budgets against a picture of all points.</summary>
     public sealed class SamplerReport(PointReader reader, string folder, ConvertSettings settings, CliRun run)
     {
-        static readonly (Sampler Sampler, int CellsLog2)[] s_settings =
-            [(Sampler.Random, 7), (Sampler.Poisson, 6), (Sampler.Poisson, 7), (Sampler.Poisson, 8), (Sampler.Average, 7)];
+        /// <summary>Memory in MiB where it is not that of the build itself: little memory makes smaller chunks, with more faces.</summary>
+        static readonly (Sampler Sampler, int CellsLog2, int MemoryMiB)[] s_settings =
+        [
+            (Sampler.Random, 7, 0), (Sampler.Poisson, 6, 0), (Sampler.Poisson, 7, 0), (Sampler.Poisson, 8, 0), (Sampler.Average, 7, 0),
+            (Sampler.Poisson, 7, 64),
+        ];
         static readonly long[] s_budgets = [250_000, 500_000, 1_000_000, 2_000_000, 5_000_000];
 
         /// <summary>Of the distance from the eye to what the standard view looks at.</summary>
@@ -34,7 +38,7 @@ namespace FastPoints.Cli
         {
             OutputFile.MakeFolder(folder);
             var views = DrawReferences();
-            var built = s_settings.Select(s => Build(s.Sampler, s.CellsLog2, views)).ToList();
+            var built = s_settings.Select(s => Build(s.Sampler, s.CellsLog2, s.MemoryMiB, views)).ToList();
             WriteLevels(built);
             WritePictures(built);
             WritePage(built, views);
@@ -54,16 +58,16 @@ namespace FastPoints.Cli
             return [new View("iso", options, standard.Image), new View("close", closeOptions, closer.Image)];
         }
 
-        Built Build(Sampler sampler, int cellsLog2, List<View> views)
+        Built Build(Sampler sampler, int cellsLog2, int memoryMiB, List<View> views)
         {
-            string name = sampler.ToString().ToLowerInvariant() + ", edge/" + (1 << cellsLog2);
+            string name = sampler.ToString().ToLowerInvariant() + ", edge/" + (1 << cellsLog2) + (memoryMiB > 0 ? ", in " + memoryMiB + " MiB" : "");
             string target = Path.Combine(folder, "report" + StoreFormat.FolderExtension);
             var step = ConvertStep.Run([reader], target, new ConvertSettings
             {
                 Sampler = sampler,
                 CellsLog2 = cellsLog2,
                 Attributes = settings.Attributes,
-                MemoryBytes = settings.MemoryBytes,
+                MemoryBytes = memoryMiB > 0 ? (long)memoryMiB << 20 : settings.MemoryBytes,
             }, run);
             try
             {

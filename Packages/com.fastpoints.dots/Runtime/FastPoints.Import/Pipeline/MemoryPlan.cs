@@ -27,8 +27,9 @@ namespace FastPoints.Pipeline
         /// <summary>Darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
 
-        /// <summary>What each sampled point stands for.</summary>
-        const int AverageBytesPerPoint = 24;
+        /// <summary>Which sum a point adds to; the sums of a third of the points, in a list that grows by doubling; and the plane
+        /// of colours and intensities that is written of them.</summary>
+        const int AverageBytesPerPoint = 4 + 28 + 8;
 
         MemoryPlan()
         {

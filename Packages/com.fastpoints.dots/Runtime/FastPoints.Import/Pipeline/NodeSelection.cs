@@ -37,6 +37,7 @@ namespace FastPoints.Pipeline
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
         readonly Dictionary<int, List<int>> m_nodesOfFile = new Dictionary<int, List<int>>();
         readonly List<Candidate> m_heap = new List<Candidate>();
+        readonly HashSet<(int File, int Node)> m_outOfView = new HashSet<(int File, int Node)>();
 
         public NodeSelection(CloudFolder folder)
         {
@@ -63,6 +64,7 @@ namespace FastPoints.Pipeline
         public void ChooseSampled(int first, int last)
         {
             m_nodesOfFile.Clear();
+            m_outOfView.Clear();
             NodeCount = 0;
             Points = 0;
             for (int file = UpperFile; file < m_folder.Chunks.Length; file++)
@@ -77,25 +79,29 @@ namespace FastPoints.Pipeline
             }
         }
 
-        /// <summary>Whether all that is below a chosen node is chosen too, so that its points stand for themselves alone.</summary>
+        /// <summary>Whether all below a chosen node that the picture could show is chosen too, so that the node's points stand for
+        /// themselves alone.</summary>
         public bool IsRefined(int file, int node)
         {
             var record = TableOf(file).Nodes[node];
             for (int child = record.FirstChild; child < record.FirstChild + record.ChildCount; child++)
-                if (!IsChosen(file, child))
+                if (!IsSettled(file, child))
                     return false;
             for (int chunk = record.FirstChunk; chunk < record.FirstChunk + record.ChunkCount; chunk++)
             {
+                if (m_outOfView.Contains((chunk, -1)))
+                    continue;
                 if (!m_tables.TryGetValue(chunk, out var table))
                     return false;
                 for (int n = 0; n < table.Nodes.Length && table.Nodes[n].Parent < 0; n++)
-                    if (!IsChosen(chunk, n))
+                    if (!IsSettled(chunk, n))
                         return false;
             }
             return true;
         }
 
-        bool IsChosen(int file, int node) => m_nodesOfFile.TryGetValue(file, out var nodes) && nodes.BinarySearch(node) >= 0;
+        bool IsSettled(int file, int node) => m_outOfView.Contains((file, node)) ||
+            m_nodesOfFile.TryGetValue(file, out var nodes) && nodes.BinarySearch(node) >= 0;
 
         /// <summary>Chooses for a camera, or, without one, from the root down evenly.</summary>
         /// <param name="budget">Points at most, but for the root, which is always chosen.</param>
@@ -104,6 +110,7 @@ namespace FastPoints.Pipeline
         {
             m_nodesOfFile.Clear();
             m_heap.Clear();
+            m_outOfView.Clear();
             NodeCount = 0;
             Points = 0;
             var view = camera.HasValue
@@ -176,7 +183,10 @@ namespace FastPoints.Pipeline
                 {
                     double farthest = view.IsOrthographic ? 1 : math.max(center.z + radius, 0);
                     if (farthest <= 0 || !InView(center, radius, view))
+                    {
+                        m_outOfView.Add((file, node));
                         return;
+                    }
                 }
                 spacingPx = spacingGeo * scale;
             }

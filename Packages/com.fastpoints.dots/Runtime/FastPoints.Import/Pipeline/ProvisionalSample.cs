@@ -12,9 +12,9 @@ namespace FastPoints.Pipeline
     /// built yet. Owns its records.</summary>
     public sealed class ProvisionalSample : IDisposable
     {
-        /// <summary>Short runs show more places; shorter ones cost a read each all the same.</summary>
-        const int RunPoints = 128;
-        const int SlotsInFlight = 4;
+        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16 cover.</summary>
+        const int RunPoints = 16;
+        const int SlotsInFlight = 8;
 
         readonly IReadOnlyList<PointReader> m_readers;
         readonly PointSchema m_attributes;

@@ -4,6 +4,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Octree;
+using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -301,15 +302,21 @@ namespace FastPoints.Tests.Pipeline
             {
                 Assert.That(folder.Layout.Planes[folder.Layout.Planes.Count - 1].Name, Does.EndWith(StoreLayout.AverageSuffix));
                 // Noise of the whole range of 16 bits: the values' deviation is that of one, the means' that of many.
-                Assert.That(Deviation(folder, selection, 10), Is.LessThan(0.6 * 65536 / math.sqrt(12.0)));
-                Assert.That(Deviation(folder, selection, 1000000), Is.EqualTo(65536 / math.sqrt(12.0)).Within(300));
+                const double one = 65536 / 3.4641016;
+                Assert.That(Deviation(folder, selection, null, 10), Is.LessThan(0.6 * one));
+                Assert.That(Deviation(folder, selection, null, 1000000), Is.EqualTo(one).Within(300));
+                // A corner of the cloud, to its leaves: nothing that is seen stands for anything else, and most of the rest is
+                // not chosen.
+                var corner = Camera.Orthographic(new double3(60, 60, 100), new double3(60, 60, 0), new double3(0, 1, 0), 100);
+                Assert.That(Deviation(folder, selection, corner, 1000000), Is.EqualTo(one).Within(600));
+                Assert.That(selection.Points, Is.LessThan(100000));
             }
         }
 
         /// <summary>Of the intensities of so many points from the root down.</summary>
-        static unsafe double Deviation(CloudFolder folder, NodeSelection selection, long budget)
+        static unsafe double Deviation(CloudFolder folder, NodeSelection selection, Camera? camera, long budget)
         {
-            selection.Choose(null, 0, 0, budget);
+            selection.Choose(camera, 4000, 4000, budget);
             var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
             using (var batch = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
             {
