@@ -26,6 +26,7 @@ namespace FastPoints.Cli
         public long Bytes { get; private set; }
         public double Error { get; private set; }
         public string? ErrorUnit { get; private set; }
+        public string? Note { get; private set; }
 
         /// <summary>Managed bytes that one run allocates, on all threads.</summary>
         public long GarbageBytes { get; private set; }
@@ -69,6 +70,7 @@ namespace FastPoints.Cli
                         Bytes = result.Bytes,
                         Error = result.Error,
                         ErrorUnit = result.ErrorUnit,
+                        Note = result.Note,
                         GarbageBytes = garbage,
                     });
                 }

@@ -137,6 +137,8 @@ namespace FastPoints.Cli.Verbs
             }
             table.Write(run.Out, "");
             run.Out.WriteLine();
+            foreach (var m in results.Where(m => m.Note != null))
+                run.Out.WriteLine(m.Name + ": " + m.Note);
             run.Out.WriteLine($"{Threads.InUse} threads, median of interleaved runs; \"x limit\": time by point over the limit's of the same run.");
         }
 
@@ -152,6 +154,8 @@ namespace FastPoints.Cli.Verbs
                 json.WriteReal("bytesPerSecond", m.BytesPerSecond);
                 json.WriteReal("error", m.Error);
                 json.WriteInteger("garbageBytes", m.GarbageBytes);
+                if (m.Note != null)
+                    json.WriteString("note", m.Note);
                 json.WriteEndObject();
             }
             json.WriteEndArray();

@@ -14,5 +14,8 @@ namespace FastPoints.Benchmarks
 
         /// <summary>Unit of <see cref="Error"/>, or null for exact work.</summary>
         public string ErrorUnit;
+
+        /// <summary>What a number does not say, or null.</summary>
+        public string Note;
     }
 }
