@@ -76,6 +76,7 @@ namespace FastPoints.Cli
             ("uncovered64", Chart(step, "Bare cells (a 64th of the extent)", "share", true, w => w.Error.Cells.Uncovered64)),
             ("uncovered128", Chart(step, "Bare cells (a 128th)", "share", true, w => w.Error.Cells.Uncovered128)),
             ("uncovered256", Chart(step, "Bare cells (a 256th)", "share", true, w => w.Error.Cells.Uncovered256)),
+            ("uncovered512", Chart(step, "Bare cells (a 512th)", "share", true, w => w.Error.Cells.Uncovered512)),
             ("variation", Chart(step, "Variation of the share sampled", "coefficient of variation", true,
                 w => w.Error.Cells.Variation, w => w.Error.Cells.VariationByChance)),
             ("bias", Chart(step, "Largest deviation of a region's share", "relative", true,
@@ -105,7 +106,8 @@ namespace FastPoints.Cli
                 + "exceed. The symmetric distance takes the larger of both directions; from the sample to the cloud it is 0, "
                 + "since a sample is a part of the cloud" + LookedUp(step));
             yield return ("bare cells", "Of the cells that the full cloud occupies, those with no point of the sample. Cells "
-                + "are cubes of a 64th, a 128th, a 256th of the longest edge of the robust bounds (quantiles 0.5 % to 99.5 %, "
+                + "are cubes of a 64th, a 128th, a 256th, a 512th of the longest edge of the robust bounds "
+                + "(quantiles 0.5 % to 99.5 %, "
                 + "widened by a tenth).");
             yield return ("variation", "Coefficient of variation of the share sampled, over cells of a 64th with at least 100 "
                 + "points; beside it what a simple random sample of as many points would give.");

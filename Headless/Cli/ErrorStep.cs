@@ -69,7 +69,7 @@ namespace FastPoints.Cli
                 m_run.Progress.Begin(OursName);
             using var ours = hasWaves ? m_takers.Ours() : null;
             var counts = ours != null
-                ? ours.Waves.Select(w => w.Points).Distinct().ToList()
+                ? ours.Waves.Select(w => w.Wave.Points).Distinct().ToList()
                 : s_counts.Where(c => c < Math.Min(points, reader.PointCount))
                     .Append((int)Math.Min(points, reader.PointCount)).ToList();
 
@@ -80,7 +80,8 @@ namespace FastPoints.Cli
                 Measure(scan, () => m_takers.FullScan(count));
             if (ours != null)
             {
-                var curve = new ErrorCurve(OursName, "the preview's own sample; each wave is the beginning of the next");
+                var curve = new ErrorCurve(OursName,
+                    "the preview's own sample; each wave is the beginning of the next, or (LAZ, text) gives way to it");
                 Measure(curve, ours);
                 Curves.Add(curve);
             }
@@ -117,11 +118,11 @@ namespace FastPoints.Cli
         void Measure(ErrorCurve curve, TakenSample taken)
         {
             m_run.Progress.Begin("measure");
-            foreach (var wave in taken.Waves)
+            foreach (var (wave, points) in taken.Waves)
             {
                 var error = new SampleError();
                 m_viewsOfScan.TryGetValue(wave.Points, out var sameCount);
-                m_run.Pump(m_comparison.Measure(taken.Points, wave.Points, taken.Transform, sameCount, error));
+                m_run.Pump(m_comparison.Measure(points, wave.Points, taken.Transform, sameCount, error));
                 if (curve.Name == ScanName)
                     m_viewsOfScan.TryAdd(wave.Points, error.Views);
                 curve.Waves.Add(new ErrorWave(wave, error, FastPoints.Picture.Png.Encode(error.Views[2])));
@@ -144,6 +145,7 @@ namespace FastPoints.Cli
             yield return ("uncoveredCells64", error.Cells.Uncovered64);
             yield return ("uncoveredCells128", error.Cells.Uncovered128);
             yield return ("uncoveredCells256", error.Cells.Uncovered256);
+            yield return ("uncoveredCells512", error.Cells.Uncovered512);
             yield return ("shareVariation", error.Cells.Variation);
             yield return ("shareVariationByChance", error.Cells.VariationByChance);
             yield return ("bias", error.Cells.Bias);
@@ -174,7 +176,7 @@ namespace FastPoints.Cli
 
         public TextTable ToTable()
         {
-            var table = new TextTable("sample", "points", "seconds", "RMS", "95 %", "99 %", "bare /64", "/128", "/256",
+            var table = new TextTable("sample", "points", "seconds", "RMS", "95 %", "99 %", "bare /64", "/128", "/256", "/512",
                 "variation (chance)", "bias (chance)", "PSNR dB", "SSIM", "bare pixels", "same N: SSIM", "bare pixels");
             foreach (var curve in Curves)
                 foreach (var wave in curve.Waves)
@@ -183,6 +185,7 @@ namespace FastPoints.Cli
                     table.Add(curve.Name, Human.Count(wave.Wave.Points), Short(wave.Wave.Seconds),
                         Percent(error.Distance.Rms), Percent(error.Distance.Ranked95), Percent(error.Distance.Ranked99),
                         Percent(error.Cells.Uncovered64), Percent(error.Cells.Uncovered128), Percent(error.Cells.Uncovered256),
+                        Percent(error.Cells.Uncovered512),
                         Short(error.Cells.Variation) + " (" + Short(error.Cells.VariationByChance) + ")",
                         Short(error.Cells.Bias) + " (" + Short(error.Cells.BiasByChance) + ")",
                         Short(error.Picture.Psnr, "0.0"), Short(error.Picture.Ssim), Percent(error.Picture.Uncovered),

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Files;
+using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Preview;
@@ -27,12 +28,26 @@ namespace FastPoints.Cli
         /// <summary>The product's own sample, in its waves.</summary>
         public TakenSample Ours() => Timed((reader, opened) =>
         {
-            using var sampler = PreviewSampler.Create(reader, options.Points, options.Seed);
-            run.Pump(sampler.Run(0, run.Progress));
-            var waves = new List<SampleWave>();
-            foreach (var wave in sampler.Waves)
-                waves.Add(new SampleWave { Points = wave.Points, Seconds = opened + wave.Seconds, BytesRead = wave.BytesRead });
-            return new TakenSample(sampler.TakeSample().Points, reader.Info.Transform, waves);
+            var taken = new TakenSample(reader.Info.Transform);
+            bool refines = PreviewCloud.Refines(reader);
+            int wanted = refines ? RefiningSampler.PointsBefore(reader.PointCount, options.Points) : options.Points;
+            var watch = Stopwatch.StartNew();
+            using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
+            {
+                run.Pump(sampler.Run(0, run.Progress));
+                var sample = sampler.TakeSample();
+                foreach (var wave in sampler.Waves)
+                    taken.Add(wave, opened, sample.Points);
+                if (!refines || sample.IsWhole)
+                    return taken;
+                var ranges = new DisplayRanges();
+                run.Pump(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
+                using var refining = new RefiningSampler(reader, options.Points, options.Seed, ranges.Robust);
+                double before = opened + watch.Elapsed.TotalSeconds;
+                refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
+                run.Pump(refining.Run(0, run.Progress));
+            }
+            return taken;
         });
 
         /// <summary>One hashed point of each stratum, by a scan of all points: the reference.</summary>
@@ -66,8 +81,12 @@ namespace FastPoints.Cli
             return OneWave(sampler.TakePoints(), reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
         }
 
-        static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead) => new(points,
-            reader.Info.Transform, [new SampleWave { Points = points.Count, Seconds = seconds, BytesRead = bytesRead }]);
+        static TakenSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
+        {
+            var taken = new TakenSample(reader.Info.Transform);
+            taken.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
+            return taken;
+        }
 
         /// <param name="take">From an open reader whose blocks are known, and the seconds that this took.</param>
         TakenSample Timed(Func<PointReader, double, TakenSample> take)

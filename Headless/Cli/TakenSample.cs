@@ -5,18 +5,31 @@ using FastPoints.Preview;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A sample that is to be measured: beginnings of one batch, each there after some seconds.</summary>
-    public sealed class TakenSample(PointBatch points, PositionTransform transform, IReadOnlyList<SampleWave> waves) : IDisposable
+    /// <summary>A sample that is to be measured, in waves: each the beginning of a batch, there after some seconds.</summary>
+    public sealed class TakenSample(PositionTransform transform) : IDisposable
     {
-        public PointBatch Points { get; } = points;
+        readonly List<(SampleWave Wave, PointBatch Points)> m_waves = [];
+
         public PositionTransform Transform { get; } = transform;
 
         /// <summary>Seconds are from the open call.</summary>
-        public IReadOnlyList<SampleWave> Waves { get; } = waves;
+        public IReadOnlyList<(SampleWave Wave, PointBatch Points)> Waves => m_waves;
 
         /// <summary>Until all of it was there.</summary>
-        public double Seconds => Waves.Count == 0 ? 0 : Waves[^1].Seconds;
+        public double Seconds => m_waves.Count == 0 ? 0 : m_waves[^1].Wave.Seconds;
 
-        public void Dispose() => Points.Dispose();
+        /// <param name="secondsBefore">From the open call to the wave's own start.</param>
+        /// <param name="points">Owned by this from now on; waves may share one.</param>
+        public void Add(SampleWave wave, double secondsBefore, PointBatch points)
+        {
+            wave.Seconds += secondsBefore;
+            m_waves.Add((wave, points));
+        }
+
+        public void Dispose()
+        {
+            foreach (var (_, points) in m_waves)
+                points.Dispose();
+        }
     }
 }

@@ -30,6 +30,20 @@ namespace FastPoints.Files
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);
 
+        /// <summary>Asks for <see cref="KeepState"/>, before the first range. False where the format has no state to go on from,
+        /// or any range costs only what it holds.</summary>
+        public virtual bool TryKeepStates() => false;
+
+        /// <summary>Where the decoding stands behind the range that was completed last, all of which was there: for the next
+        /// range of its block.</summary>
+        /// <param name="reused">One that is not needed any more, whose memory it may take; or null.</param>
+        public virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
+
+        /// <summary>Starts reading a range that follows directly on the one whose state was kept: nothing is decoded
+        /// twice.</summary>
+        /// <param name="from">Stays the caller's; null where nothing was kept.</param>
+        public virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
+
         /// <summary>Waits for the decoding if need be (poll <c>Decoded.IsCompleted</c> not to), and closes the range.</summary>
         /// <exception cref="Base.PointCloudException">The read or the decoding failed.</exception>
         public abstract void Complete();

@@ -251,14 +251,14 @@ namespace FastPoints.Pipeline
                             First = first,
                             Count = Math.Min(PointsPerSlice, count - first),
                             Grid = m_grid,
-                            CellsOfBlock = cells.CellsOfBlock,
+                            CellsOf128th = cells.CellsOf128th,
                             PointsOfBlock = cells.PointsOfBlock,
                         }.Schedule(measured);
                     measured = new CompareOccupancyJob
                     {
-                        CellsOfCloud = m_cloud.CellsOfBlock,
+                        CellsOfCloud = m_cloud.CellsOf128th,
                         PointsOfCloud = m_cloud.PointsOfBlock,
-                        CellsOfSample = cells.CellsOfBlock,
+                        CellsOfSample = cells.CellsOf128th,
                         PointsOfSample = cells.PointsOfBlock,
                         Error = found,
                     }.Schedule(measured);

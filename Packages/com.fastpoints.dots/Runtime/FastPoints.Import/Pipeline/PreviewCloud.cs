@@ -38,7 +38,7 @@ namespace FastPoints.Pipeline
         /// <summary>Null before the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c>, <c>scan</c> and <c>draw</c>.</summary>
+        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c>, <c>refine</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobHandle> Run(StageProgress progress)
         {
@@ -76,43 +76,13 @@ namespace FastPoints.Pipeline
             }
 
             progress?.Begin("sample");
-            var watch = Stopwatch.StartNew();
             // Several files as one have no runs yet.
             bool scansOnly = m_options.Exact || m_reader.HasFixedStride && !m_reader.HasRunReads;
-            if (!scansOnly)
-            {
-                using (var sampler = PreviewSampler.Create(m_reader, m_options.Points, m_options.Seed))
-                {
-                    using (var sampling = sampler.Run(0, progress))
-                        while (sampling.MoveNext())
-                            yield return sampling.Current;
-                    m_waves.AddRange(sampler.Waves);
-                    Sample = sampler.TakeSample();
-                }
-            }
-            // Beginnings of blocks are there soon, and leave most of the cloud bare: the scan takes their place.
-            if (scansOnly || !m_reader.HasRunReads && m_reader.Tree == null && !m_options.Quick && !Sample.IsWhole)
-            {
-                if (!scansOnly)
-                    progress?.Begin("scan");
-                using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
-                {
-                    using (var sampling = uniform.Run(0, progress))
-                        while (sampling.MoveNext())
-                            yield return sampling.Current;
-                    Sample?.Dispose();
-                    Sample = uniform.TakeSample();
-                }
-                m_waves.Add(new SampleWave
-                {
-                    Points = Sample.Count,
-                    Seconds = watch.Elapsed.TotalSeconds,
-                    BytesRead = Sample.BytesRead,
-                });
-            }
+            using (var sampling = scansOnly ? Scan(progress) : TakeWaves(progress))
+                while (sampling.MoveNext())
+                    yield return sampling.Current;
 
-            Ranges = new DisplayRanges();
-            using (var measuring = Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis))
+            using (var measuring = MeasureSample())
                 while (measuring.MoveNext())
                     yield return measuring.Current;
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
@@ -122,6 +92,72 @@ namespace FastPoints.Pipeline
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
             progress?.End();
+        }
+
+        /// <summary>Whether a first sample is of the beginnings of blocks alone, which are there soon and leave most of the cloud
+        /// bare: the whole blocks take their place.</summary>
+        public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
+
+        IEnumerator<JobHandle> MeasureSample()
+        {
+            Ranges = new DisplayRanges();
+            return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
+        }
+
+        IEnumerator<JobHandle> Scan(StageProgress progress)
+        {
+            var watch = Stopwatch.StartNew();
+            using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+            {
+                using (var sampling = uniform.Run(0, progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                Sample = uniform.TakeSample();
+            }
+            m_waves.Add(new SampleWave
+            {
+                Points = Sample.Count,
+                Seconds = watch.Elapsed.TotalSeconds,
+                BytesRead = Sample.BytesRead,
+            });
+        }
+
+        IEnumerator<JobHandle> TakeWaves(StageProgress progress)
+        {
+            bool refines = !m_options.Quick && Refines(m_reader);
+            int wanted = refines ? RefiningSampler.PointsBefore(m_reader.PointCount, m_options.Points) : m_options.Points;
+            var watch = Stopwatch.StartNew();
+            using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
+            {
+                using (var sampling = sampler.Run(0, progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                m_waves.AddRange(sampler.Waves);
+                Sample = sampler.TakeSample();
+            }
+            if (!refines || Sample.IsWhole)
+                yield break;
+            using (var measuring = MeasureSample())
+                while (measuring.MoveNext())
+                    yield return measuring.Current;
+            double before = watch.Elapsed.TotalSeconds;
+            long bytesBefore = Sample.BytesRead;
+            progress?.Begin("refine");
+            using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Ranges.Robust))
+            {
+                using (var refining = sampler.Run(0, progress))
+                    while (refining.MoveNext())
+                        yield return refining.Current;
+                foreach (var wave in sampler.Waves)
+                    m_waves.Add(new SampleWave
+                    {
+                        Points = wave.Points,
+                        Seconds = before + wave.Seconds,
+                        BytesRead = bytesBefore + wave.BytesRead,
+                    });
+                Sample.Dispose();
+                Sample = sampler.TakeSample();
+            }
         }
 
         public void Dispose()

@@ -64,9 +64,9 @@ namespace FastPoints.Pipeline
                     continue;
                 var added = new AddOccupancyJob
                 {
-                    CellsOfBlock = cells.CellsOfBlock,
+                    CellsOf128th = cells.CellsOf128th,
                     PointsOfBlock = cells.PointsOfBlock,
-                    SumOfCells = m_cloud.CellsOfBlock,
+                    SumOfCells = m_cloud.CellsOf128th,
                     SumOfPoints = m_cloud.PointsOfBlock,
                 }.Schedule();
                 try
@@ -104,7 +104,7 @@ namespace FastPoints.Pipeline
                 Positions = PositionColumns.Of(read.Points),
                 Transform = m_reader.Info.Transform,
                 Grid = m_grid,
-                CellsOfBlock = m_cellsOfSlot[slot].CellsOfBlock,
+                CellsOf128th = m_cellsOfSlot[slot].CellsOf128th,
                 PointsOfBlock = m_cellsOfSlot[slot].PointsOfBlock,
             }.Schedule(decoded);
             for (int view = 0; view < m_plans.Length; view++)

@@ -8,18 +8,17 @@ namespace FastPoints.Preview
     [BurstCompile]
     public struct AddOccupancyJob : IJob
     {
-        [ReadOnly] public NativeArray<ulong> CellsOfBlock;
+        [ReadOnly] public NativeArray<ulong> CellsOf128th;
         [ReadOnly] public NativeArray<long> PointsOfBlock;
         public NativeArray<ulong> SumOfCells;
         public NativeArray<long> SumOfPoints;
 
         public void Execute()
         {
-            for (int block = 0; block < SumOfCells.Length; block++)
-            {
-                SumOfCells[block] |= CellsOfBlock[block];
+            for (int word = 0; word < SumOfCells.Length; word++)
+                SumOfCells[word] |= CellsOf128th[word];
+            for (int block = 0; block < SumOfPoints.Length; block++)
                 SumOfPoints[block] += PointsOfBlock[block];
-            }
         }
     }
 }

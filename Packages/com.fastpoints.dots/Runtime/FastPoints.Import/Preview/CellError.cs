@@ -18,15 +18,18 @@ namespace FastPoints.Preview
         public long PointsOfCloud;
         public long PointsOfSample;
 
-        /// <summary>Cells that the full cloud occupies, of an edge of a 64th, a 128th and a 256th of the grid's.</summary>
+        /// <summary>Cells that the full cloud occupies, of an edge of a 64th, a 128th, a 256th and a 512th of the
+        /// grid's.</summary>
         public int Occupied64;
         public int Occupied128;
         public int Occupied256;
+        public int Occupied512;
 
         /// <summary>Of these, the share that holds no point of the sample; 0 where there are none.</summary>
         public double Uncovered64;
         public double Uncovered128;
         public double Uncovered256;
+        public double Uncovered512;
 
         /// <summary>
         /// Coefficient of variation of the share sampled: the root of the mean, over the 64th cells with at least

@@ -21,24 +21,33 @@ namespace FastPoints.Preview
         public unsafe void Execute()
         {
             var error = new CellError();
-            long bare64 = 0, bare128 = 0, bare256 = 0;
+            long bare64 = 0, bare128 = 0, bare256 = 0, bare512 = 0;
             long* cloudOfRegion = stackalloc long[ErrorGrid.Regions];
             long* sampleOfRegion = stackalloc long[ErrorGrid.Regions];
             for (int region = 0; region < ErrorGrid.Regions; region++)
                 cloudOfRegion[region] = sampleOfRegion[region] = 0;
             for (int block = 0; block < ErrorGrid.Blocks; block++)
             {
-                ulong cloud = CellsOfCloud[block];
-                if (cloud == 0)
+                if (PointsOfCloud[block] == 0)
                     continue;
-                ulong sample = CellsOfSample[block];
+                bool isBare = true;
+                for (int word = 8 * block; word < 8 * block + 8; word++)
+                {
+                    ulong cloud = CellsOfCloud[word];
+                    if (cloud == 0)
+                        continue;
+                    ulong sample = CellsOfSample[word];
+                    isBare &= (sample & cloud) == 0;
+                    error.Occupied128++;
+                    bare128 += (sample & cloud) == 0 ? 1 : 0;
+                    ulong cloud256 = BytesSet(cloud);
+                    error.Occupied256 += math.countbits(cloud256);
+                    bare256 += math.countbits(cloud256 & ~BytesSet(sample));
+                    error.Occupied512 += math.countbits(cloud);
+                    bare512 += math.countbits(cloud & ~sample);
+                }
                 error.Occupied64++;
-                bare64 += (sample & cloud) == 0 ? 1 : 0;
-                ulong cloud128 = BytesSet(cloud);
-                error.Occupied128 += math.countbits(cloud128);
-                bare128 += math.countbits(cloud128 & ~BytesSet(sample));
-                error.Occupied256 += math.countbits(cloud);
-                bare256 += math.countbits(cloud & ~sample);
+                bare64 += isBare ? 1 : 0;
                 error.PointsOfCloud += PointsOfCloud[block];
                 error.PointsOfSample += PointsOfSample[block];
                 cloudOfRegion[block >> RegionShift] += PointsOfCloud[block];
@@ -47,6 +56,7 @@ namespace FastPoints.Preview
             error.Uncovered64 = Share(bare64, error.Occupied64);
             error.Uncovered128 = Share(bare128, error.Occupied128);
             error.Uncovered256 = Share(bare256, error.Occupied256);
+            error.Uncovered512 = Share(bare512, error.Occupied512);
             double taken = error.PointsOfCloud == 0 ? 0 : error.PointsOfSample / (double)error.PointsOfCloud;
             MeasureVariation(ref error, taken);
             MeasureBias(ref error, taken, cloudOfRegion, sampleOfRegion);

@@ -18,15 +18,15 @@ namespace FastPoints.Preview
         public PositionTransform Transform;
         public ErrorGrid Grid;
 
-        public NativeArray<ulong> CellsOfBlock;
+        public NativeArray<ulong> CellsOf128th;
         public NativeArray<long> PointsOfBlock;
 
         public unsafe void Execute() => Count((byte*)Block.GetUnsafeReadOnlyPtr(), Positions, Transform, 0,
-            Result.Value.Points, Grid, (ulong*)CellsOfBlock.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
+            Result.Value.Points, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
 
         /// <summary>Counts points <paramref name="first"/> and on of a batch's memory.</summary>
         public static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
-            int count, in ErrorGrid grid, ulong* cellsOfBlock, long* pointsOfBlock)
+            int count, in ErrorGrid grid, ulong* cellsOf128th, long* pointsOfBlock)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
@@ -39,8 +39,8 @@ namespace FastPoints.Preview
                 {
                     if (!grid.TryCell(x[i], y[i], z[i], out uint cell))
                         continue;
-                    cellsOfBlock[cell >> 6] |= 1UL << (int)(cell & 63);
-                    pointsOfBlock[cell >> 6]++;
+                    cellsOf128th[cell >> 6] |= 1UL << (int)(cell & 63);
+                    pointsOfBlock[cell >> 9]++;
                 }
             }
         }

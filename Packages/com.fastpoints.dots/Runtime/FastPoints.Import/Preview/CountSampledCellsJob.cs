@@ -17,10 +17,10 @@ namespace FastPoints.Preview
         public int Count;
         public ErrorGrid Grid;
 
-        public NativeArray<ulong> CellsOfBlock;
+        public NativeArray<ulong> CellsOf128th;
         public NativeArray<long> PointsOfBlock;
 
         public unsafe void Execute() => CountOccupancyJob.Count((byte*)Sample.GetUnsafeReadOnlyPtr(), Positions, Transform,
-            First, Count, Grid, (ulong*)CellsOfBlock.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
+            First, Count, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
     }
 }

@@ -5,15 +5,15 @@ namespace FastPoints.Preview
 {
     /// <summary>
     /// The cells that samples are compared in: cubes of a 256th of the longest edge of a box, counted from its lowest corner. A
-    /// cell's place is a Morton code of 24 bits, so that eight consecutive cells are one of a 128th, 64 one of a 64th, and
-    /// 2^15 one of an eighth. Blittable, for jobs.
+    /// cell's place is a Morton code of 27 bits, so that eight consecutive cells are one of a 256th, 64 one of a 128th, 512 one
+    /// of a 64th, and 2^18 one of an eighth. Blittable, for jobs.
     /// </summary>
     public readonly struct ErrorGrid
     {
         /// <summary>Along each axis.</summary>
-        public const int Cells = 256;
+        public const int Cells = 512;
 
-        /// <summary>Cells of a 64th of the edge, each with 64 of the finest in it.</summary>
+        /// <summary>Cells of a 64th of the edge, each with 512 of the finest in it.</summary>
         public const int Blocks = 64 * 64 * 64;
 
         /// <summary>Regions of an eighth of the edge.</summary>

@@ -40,6 +40,10 @@ namespace FastPoints.Preview
         /// <summary>Whether each point was chosen from a scan of all points.</summary>
         public bool IsFullScan { get; internal set; }
 
+        /// <summary>Points among them that were taken only for standing where none of the others is; the others stand for equal
+        /// numbers of the source's points each.</summary>
+        public int Substitutes { get; internal set; }
+
         /// <summary>How the points were chosen, and what kept it from being otherwise: a line for people.</summary>
         public string Method { get; internal set; }
 

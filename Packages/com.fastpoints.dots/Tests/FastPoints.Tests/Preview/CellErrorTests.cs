@@ -37,7 +37,7 @@ namespace FastPoints.Tests.Preview
                 Transform = PositionTransform.Identity,
                 Count = points.Length,
                 Grid = grid,
-                CellsOfBlock = cells.CellsOfBlock,
+                CellsOf128th = cells.CellsOf128th,
                 PointsOfBlock = cells.PointsOfBlock,
             }.Schedule().Complete();
             return cells;
@@ -48,9 +48,9 @@ namespace FastPoints.Tests.Preview
             using var error = new NativeReference<CellError>(Allocator.Persistent);
             new CompareOccupancyJob
             {
-                CellsOfCloud = cloud.CellsOfBlock,
+                CellsOfCloud = cloud.CellsOf128th,
                 PointsOfCloud = cloud.PointsOfBlock,
-                CellsOfSample = sample.CellsOfBlock,
+                CellsOfSample = sample.CellsOf128th,
                 PointsOfSample = sample.PointsOfBlock,
                 Error = error,
             }.Schedule().Complete();
@@ -82,7 +82,8 @@ namespace FastPoints.Tests.Preview
             {
                 if (!bounds.Contains(point))
                     continue;
-                var at = math.min(math.floor((point - bounds.Min) * (1 / edge)), new double3(255, 255, 255));
+                const double Last = ErrorGrid.Cells - 1;
+                var at = math.min(math.floor((point - bounds.Min) * (1 / edge)), new double3(Last, Last, Last));
                 var cell = ((int)at.x / coarser, (int)at.y / coarser, (int)at.z / coarser);
                 cells.TryGetValue(cell, out int count);
                 cells[cell] = count + 1;
@@ -103,12 +104,14 @@ namespace FastPoints.Tests.Preview
             var grid = new ErrorGrid(bounds);
             var error = Compare(grid, cloud, sample);
 
-            foreach (int along in new[] { 64, 128, 256 })
+            foreach (int along in new[] { 64, 128, 256, 512 })
             {
                 var full = ByHand(bounds, cloud, along);
                 var part = ByHand(bounds, sample, along);
-                int occupied = along == 64 ? error.Occupied64 : along == 128 ? error.Occupied128 : error.Occupied256;
-                double bare = along == 64 ? error.Uncovered64 : along == 128 ? error.Uncovered128 : error.Uncovered256;
+                int occupied = along == 64 ? error.Occupied64 : along == 128 ? error.Occupied128
+                    : along == 256 ? error.Occupied256 : error.Occupied512;
+                double bare = along == 64 ? error.Uncovered64 : along == 128 ? error.Uncovered128
+                    : along == 256 ? error.Uncovered256 : error.Uncovered512;
                 Assert.That(occupied, Is.EqualTo(full.Count));
                 Assert.That(bare, Is.EqualTo(full.Keys.Count(c => !part.ContainsKey(c)) / (double)full.Count).Within(1e-12));
             }
@@ -163,8 +166,8 @@ namespace FastPoints.Tests.Preview
             var error = Compare(GridOf(cloud), cloud, cloud);
             Assert.That(error.PointsOfCloud, Is.EqualTo(cloud.Length));
             foreach (double zero in new[]
-                { error.Uncovered64, error.Uncovered128, error.Uncovered256, error.Variation, error.VariationByChance, error.Bias,
-                    error.BiasByChance })
+                { error.Uncovered64, error.Uncovered128, error.Uncovered256, error.Uncovered512, error.Variation,
+                    error.VariationByChance, error.Bias, error.BiasByChance })
                 Assert.That(zero, Is.Zero);
         }
 
@@ -186,6 +189,7 @@ namespace FastPoints.Tests.Preview
             var cloud = Cloud(3000, 9);
             var error = Compare(GridOf(cloud), cloud, new double3[0]);
             Assert.That(error.Uncovered256, Is.EqualTo(1));
+            Assert.That(error.Uncovered512, Is.EqualTo(1));
             Assert.That(error.Bias, Is.NaN);
             Assert.That(error.Variation, Is.NaN);
         }
@@ -201,7 +205,7 @@ namespace FastPoints.Tests.Preview
                 var grid = new ErrorGrid(bounds);
                 foreach (var at in new[] { point, bounds.Min, bounds.Max, bounds.Center })
                     if (grid.TryCell(at.x, at.y, at.z, out uint cell))
-                        Assert.That(cell, Is.LessThan(1u << 24));
+                        Assert.That(cell, Is.LessThan((uint)ErrorGrid.Cells * ErrorGrid.Cells * ErrorGrid.Cells));
                 Assert.That(grid.TryCell(double.NaN, 6, 7, out _), Is.False);
                 Assert.That(grid.TryCell(double.PositiveInfinity, 6, 7, out _), Is.False.Or.EqualTo(
                     double.IsPositiveInfinity(bounds.Max.x)));

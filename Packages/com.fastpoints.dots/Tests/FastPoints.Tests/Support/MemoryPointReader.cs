@@ -87,6 +87,24 @@ namespace FastPoints.Tests.Support
             }.Schedule();
         }
 
+        public override bool TryKeepStates() => true;
+
+        public override DecoderState KeepState(DecoderState reused)
+        {
+            var state = (MemoryState)reused ?? new MemoryState();
+            state.Point = FirstPoint + Points.Count;
+            return state;
+        }
+
+        public override void Begin(BlockRange range, DecoderState from)
+        {
+            // As a decoder would find it: the state is that of the point before, or there is none and the range starts its block.
+            if (from == null ? range.First != 0
+                : ((MemoryState)from).Point != m_reader.FirstPointOfBlock(range.Block) + range.First)
+                throw new ArgumentException("not the state in front of the range", nameof(from));
+            Begin(range);
+        }
+
         public override void Complete()
         {
             Decoded.Complete();
@@ -103,6 +121,13 @@ namespace FastPoints.Tests.Support
             m_from.Dispose();
             m_to.Dispose();
         }
+    }
+
+    sealed class MemoryState : DecoderState
+    {
+        public long Point;
+
+        public override long Bytes => sizeof(long);
     }
 
     [BurstCompile]

@@ -48,6 +48,9 @@ namespace FastPoints.Files
         /// <summary>Points that the range takes from the state's start, <see cref="Skip"/> among them.</summary>
         public int Total;
 
+        /// <summary>Points that the input of layers holds at most.</summary>
+        public long InputPoints;
+
         /// <summary>What the whole chunk has, as told by whoever knows where it is.</summary>
         public long ChunkPoints;
         public long ChunkBytes;
@@ -65,9 +68,9 @@ namespace FastPoints.Files
             byte* tile = (byte*)Tile.GetUnsafePtr();
             long inputBytes = InputBytes[0];
             var result = IsFirst ? default : Result.Value;
-            if (IsFirst && IsLayered)
+            if (IsFirst && IsLayered && !IsContinued)
             {
-                LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, Total);
+                LayeredChunk.Start((LayeredChunk*)state, input, inputBytes, HasAllLayers, InputPoints);
                 if (!LayeredChunk.IsThere((LayeredChunk*)state, input, inputBytes, ChunkPoints, ChunkBytes))
                 {
                     result.Error = LazError.NoChunk;

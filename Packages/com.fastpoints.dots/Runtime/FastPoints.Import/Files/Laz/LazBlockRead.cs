@@ -44,6 +44,10 @@ namespace FastPoints.Files
         ReadHandle m_plannedRead;
         bool m_isReading;
         bool m_isPlanned;
+        bool m_keepsStates;
+
+        /// <summary>Byte of the file at which the input starts.</summary>
+        long m_inputOffset;
 
         public LazBlockRead(LazChunkReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
@@ -107,7 +111,28 @@ namespace FastPoints.Files
             return new NativeArray<byte>((int)Math.Max(1, count), allocator, NativeArrayOptions.UninitializedMemory);
         }
 
-        public override void Begin(BlockRange range)
+        public override bool TryKeepStates() => m_keepsStates = true;
+
+        public override DecoderState KeepState(DecoderState reused)
+        {
+            if (!m_keepsStates || m_isReading || Points.Count < Range.Count)
+                throw new InvalidOperationException("there is no state to go on from");
+            var state = (LazCheckpoint)reused ?? new LazCheckpoint();
+            state.Point = m_reader.Block(Range.Block).FirstInChunk + Range.First + Range.Count;
+            state.FileOffset = m_inputOffset;
+            if (!m_format.IsLayered)
+            {
+                var chunk = (PointwiseChunk*)m_state.GetUnsafePtr();
+                state.FileOffset += chunk->InputOffset;
+                PointwiseChunk.Rebase(chunk);
+            }
+            state.Save(m_state);
+            return state;
+        }
+
+        public override void Begin(BlockRange range) => Begin(range, null);
+
+        public override void Begin(BlockRange range, DecoderState from)
         {
             if (m_isReading)
                 throw new InvalidOperationException("the slot is still reading; Complete it first");
@@ -123,11 +148,15 @@ namespace FastPoints.Files
                 return;
             }
 
-            var checkpoint = m_reader.CheckpointOf(block);
+            var checkpoint = (LazCheckpoint)from ?? m_reader.CheckpointOf(block);
+            if (checkpoint != null && checkpoint.Point > block.FirstInChunk + range.First)
+                throw new ArgumentException("the state is of points behind the range", nameof(from));
             checkpoint?.Restore(m_state);
-            long start = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
+            long start = m_inputOffset = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
-            GrowInput(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(skip + range.Count)));
+            // Streams of layers are places in the input: it is the same for every range that goes on from another.
+            long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
+            GrowInput(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(inputPoints)));
             var decode = new DecodeLazJob
             {
                 Input = m_input,
@@ -144,6 +173,7 @@ namespace FastPoints.Files
                 IsContinued = checkpoint != null,
                 Skip = checked((int)skip),
                 Total = checked((int)(skip + range.Count)),
+                InputPoints = inputPoints,
                 ChunkPoints = m_reader.ChunkOf(block).Points,
                 ChunkBytes = m_reader.ChunkOf(block).Bytes,
                 FileOffset = start,
@@ -167,13 +197,14 @@ namespace FastPoints.Files
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
-            bool isWhole = block.IsToEnd && Range.First + Range.Count == block.Points;
-            long most = m_reader.MaxInputBytes(decode.Total);
+            long most = m_reader.MaxInputBytes(decode.InputPoints);
             if (!m_format.IsLayered)
             {
-                decode.IsToEnd = isWhole && bytes <= most && m_format.Compressor != LazCompressor.Pointwise;
+                bool isToEnd = block.IsToEnd && Range.First + Range.Count == block.Points;
+                decode.IsToEnd = isToEnd && bytes <= most && m_format.Compressor != LazCompressor.Pointwise;
                 return Read(start, Math.Min(bytes, most));
             }
+            bool isWhole = block.IsToEnd && decode.InputPoints == block.FirstInChunk + block.Points;
             if (bytes <= SmallChunkBytes || m_wantsAllLayers && isWhole && bytes <= most)
                 return Read(start, bytes);
 
@@ -193,7 +224,7 @@ namespace FastPoints.Files
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
-                Points = decode.Total,
+                Points = decode.InputPoints,
             }.Schedule(header);
             m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, Decoded);
             m_isPlanned = true;

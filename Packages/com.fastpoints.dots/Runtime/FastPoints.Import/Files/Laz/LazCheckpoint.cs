@@ -5,10 +5,10 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A decoder's state somewhere within a chunk too long for one block, to go on from. Pages of zeros (models that have not
+    /// A decoder's state somewhere within a chunk, to go on from. Pages of zeros (models that have not
     /// come up) are not kept: about 0.3 of 1.4 MB are.
     /// </summary>
-    sealed unsafe class LazCheckpoint
+    sealed unsafe class LazCheckpoint : DecoderState
     {
         const int PageBytes = 4096;
 
@@ -21,7 +21,7 @@ namespace FastPoints.Files
         /// <summary>Byte of the file at which its input starts.</summary>
         public long FileOffset;
 
-        public long Bytes => m_content == null ? 0 : m_content.Length;
+        public override long Bytes => m_content == null ? 0 : m_content.Length;
 
         public bool HasState => m_content != null;
 
@@ -30,12 +30,14 @@ namespace FastPoints.Files
 
         public void Save(NativeArray<byte> state)
         {
+            m_pages.Clear();
             byte* from = (byte*)state.GetUnsafeReadOnlyPtr();
             int pages = (state.Length + PageBytes - 1) / PageBytes;
             for (int page = 0; page < pages; page++)
                 if (!IsZero(from, page, state.Length))
                     m_pages.Add(page);
-            m_content = new byte[m_pages.Count * PageBytes];
+            if (m_content == null || m_content.Length < m_pages.Count * PageBytes)
+                m_content = new byte[m_pages.Count * PageBytes];
             fixed (byte* to = m_content)
                 for (int i = 0; i < m_pages.Count; i++)
                     UnsafeUtility.MemCpy(to + (long)i * PageBytes, from + (long)m_pages[i] * PageBytes,

@@ -1,0 +1,389 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// Reads every block of a source once, in an order that leaves little of it bare on the way (<see cref="DepthPlan"/>), and
+    /// has a sample to draw at a fifteenth, a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>,
+    /// point for point.
+    /// </summary>
+    /// <remarks>
+    /// Until then the sample has those of its points that were come to, and in place of the others the first point of each cell
+    /// that would be bare although points of it were read (spatial thinning). It is the same for any number of threads and slots.
+    /// All members belong to the pump's thread; disposing of the work stops at once, and leaves the last wave's sample.
+    /// </remarks>
+    public sealed class RefiningSampler : IDisposable
+    {
+        /// <summary>Shares of the points at which a wave ends.</summary>
+        static readonly double[] s_shares = { 1 / 15.0, 0.2, 0.5, 1 };
+
+        /// <summary>A first sample of so many points is worth its time anywhere, of one in so many wherever more are
+        /// wanted.</summary>
+        const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
+
+        /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there
+        /// are points, or a few more.</summary>
+        const double CellsPerRootOfPoints = 1.25;
+
+        /// <summary>Cells so much larger decide which blocks are gone on with: by those as small as points lie apart the dense
+        /// ones would always win (on ca13_d at a half, RMS 0.0092 of the diagonal with four, 0.0100 with two).</summary>
+        const double FineCellsPerCoarse = 4;
+
+        /// <summary>With this share of their places taken, the points that stand in for others are thinned: cells so much
+        /// larger.</summary>
+        const double MostOthers = 0.9, CoarserCells = 1.4;
+
+        /// <summary>Places of one slice of copying: about 2 ms of managed code.</summary>
+        const int PlacesPerSlice = 1 << 17;
+
+        readonly PointReader m_reader;
+        readonly PointSchema m_schema;
+        readonly SampleStrata m_strata;
+        BareCells m_cells;
+        readonly uint m_seed;
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
+        SampleBuffer m_buffer;
+        DepthPlan m_plan;
+        DecoderState[] m_stateOfBlock;
+        readonly Stack<DecoderState> m_freeStates = new Stack<DecoderState>();
+        BlockRead[] m_reads;
+        NativeArray<PointColumn>[] m_columnsOfSlot;
+        JobHandle[] m_done;
+        JobHandle m_lastAppended;
+        NativeArray<int> m_cellsOfSlot;
+        NativeArray<ulong> m_table;
+        PointBatch m_others;
+        NativeArray<PointColumn> m_columnsOfOthers;
+        NativeReference<int> m_otherCount;
+        PreviewSample m_sample;
+        long m_pointsFound;
+        long m_bytesRead;
+        bool m_isLastWave;
+
+        /// <param name="reader">Its blocks are known.</param>
+        /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
+        /// <param name="bounds">Where nearly all points are, by a first sample.</param>
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public RefiningSampler(PointReader reader, int wanted, uint seed, BoundsGeo bounds)
+        {
+            m_reader = reader;
+            m_seed = seed;
+            m_schema = SampleSchema.Of(reader.Info);
+            m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
+            double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
+            m_cells = new BareCells
+            {
+                Corner = bounds.IsEmpty ? default : bounds.Min,
+                CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(m_strata.Count) / edge : 0,
+            };
+        }
+
+        /// <summary>Points of the first sample that comes before: what it decodes is decoded again.</summary>
+        public static int PointsBefore(long pointsOfSource, int wanted) =>
+            (int)Math.Min(wanted, Math.Max(LeastPointsBefore, pointsOfSource / PointsPerPointBefore));
+
+        /// <summary>Raised after each wave.</summary>
+        public event Action<SampleWave> WaveReady;
+
+        public IReadOnlyList<SampleWave> Waves => m_waves;
+
+        /// <summary>That of the last wave, until the next one takes its place and disposes of it; null before the
+        /// first.</summary>
+        public PreviewSample Sample => m_sample;
+
+        /// <summary>While set, no more reads begin: for the times when somebody else needs the machine.</summary>
+        public bool IsPaused { get; set; }
+
+        /// <summary>Work for a pump, once.</summary>
+        /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor(PointReader, PointSchema)"/>.</param>
+        public IEnumerator<JobHandle> Run(int slots, StageProgress progress)
+        {
+            m_watch.Restart();
+            try
+            {
+                Allocate(slots < 1 ? SourceScan.SlotsFor(m_reader, m_schema) : slots);
+                foreach (double share in s_shares)
+                {
+                    m_isLastWave = share == 1;
+                    long until = share < 1 ? (long)Math.Ceiling(share * m_reader.PointCount) : m_reader.PointCount;
+                    for (var ranges = m_plan.Next(until); ranges.Count > 0; ranges = m_plan.Next(until))
+                    {
+                        using (var reading = Read(ranges, progress))
+                            while (reading.MoveNext())
+                                yield return reading.Current;
+                        while (!m_isLastWave && m_otherCount.Value > MostOthers * m_others.Capacity)
+                        {
+                            var coarsened = Coarsen();
+                            yield return coarsened;
+                            coarsened.Complete();
+                        }
+                    }
+                    using (var ending = share < 1 ? Compose() : Close())
+                        while (ending.MoveNext())
+                            yield return ending.Current;
+                    TellWave();
+                }
+            }
+            finally
+            {
+                Free();
+            }
+        }
+
+        void Allocate(int slots)
+        {
+            m_buffer = new SampleBuffer(m_schema, m_strata.Count);
+            m_reads = new BlockRead[slots];
+            m_columnsOfSlot = new NativeArray<PointColumn>[slots];
+            m_done = new JobHandle[slots];
+            bool canSlice = m_reader.BlockCount <= DepthPlan.MostSlicedBlocks;
+            for (int i = 0; i < slots; i++)
+            {
+                m_reads[i] = m_reader.CreateRead(m_schema, m_reader.MaxPointsPerBlock, Allocator.Persistent);
+                m_columnsOfSlot[i] = SampleBuffer.ColumnsOf(m_reads[i].Points);
+                canSlice = canSlice && m_reads[i].TryKeepStates();
+            }
+            m_plan = new DepthPlan(m_reader, canSlice, m_seed);
+            m_stateOfBlock = new DecoderState[m_reader.BlockCount];
+            m_cellsOfSlot = new NativeArray<int>(slots, Allocator.Persistent);
+            m_table = new NativeArray<ulong>(BareCells.Words, Allocator.Persistent);
+            // At a half, half of the sample's places are free.
+            m_others = new PointBatch(m_schema, Math.Max(1, m_strata.Count / 2), Allocator.Persistent);
+            m_columnsOfOthers = SampleBuffer.ColumnsOf(m_others);
+            m_otherCount = new NativeReference<int>(Allocator.Persistent);
+        }
+
+        IEnumerator<JobHandle> Read(List<BlockRange> ranges, StageProgress progress)
+        {
+            int slots = m_reads.Length;
+            for (int i = 0; i < ranges.Count + slots; i++)
+            {
+                int slot = i % slots;
+                if (i >= slots && i - slots < ranges.Count)
+                {
+                    yield return m_done[slot];
+                    Complete(slot);
+                    progress?.Report(m_pointsFound / (double)Math.Max(1, m_reader.PointCount), m_pointsFound, m_bytesRead);
+                }
+                if (i >= ranges.Count)
+                    continue;
+                while (IsPaused)
+                    yield return default;
+                Begin(slot, ranges[i]);
+            }
+        }
+
+        void Begin(int slot, BlockRange range)
+        {
+            var read = m_reads[slot];
+            if (m_plan.IsSliced)
+                read.Begin(range, m_stateOfBlock[range.Block]);
+            else
+                read.Begin(range);
+            if (m_stateOfBlock[range.Block] != null)
+                m_freeStates.Push(m_stateOfBlock[range.Block]);
+            m_stateOfBlock[range.Block] = null;
+            m_done[slot] = read.Decoded;
+            if (m_strata.Count > 0)
+            {
+                var sampled = new SampleBlockJob
+                {
+                    Block = read.Points.Bytes,
+                    ColumnsOfBlock = m_columnsOfSlot[slot],
+                    Result = read.Result,
+                    FirstPoint = read.FirstPoint,
+                    Strata = m_strata,
+                    ColumnsOfSample = m_buffer.Columns,
+                    Sample = m_buffer.Points.Bytes,
+                    Filled = m_buffer.Filled,
+                }.Schedule(read.Decoded);
+                m_done[slot] = sampled;
+            }
+            // In the end no point stands in for another one.
+            if (m_strata.Count > 0 && !m_isLastWave)
+            {
+                m_lastAppended = new AppendBareCellsJob
+                {
+                    Block = read.Points.Bytes,
+                    ColumnsOfBlock = m_columnsOfSlot[slot],
+                    Result = read.Result,
+                    Positions = PositionColumns.Of(read.Points),
+                    Transform = m_reader.Info.Transform,
+                    FirstPoint = read.FirstPoint,
+                    Strata = m_strata,
+                    Cells = m_cells,
+                    Coarse = Larger(m_cells),
+                    Table = m_table,
+                    ColumnsOfSample = m_columnsOfOthers,
+                    Sample = m_others.Bytes,
+                    Capacity = m_others.Capacity,
+                    Filled = m_otherCount,
+                    CellsOfSlot = m_cellsOfSlot,
+                    Slot = slot,
+                }.Schedule(JobHandle.CombineDependencies(read.Decoded, m_lastAppended));
+                m_done[slot] = JobHandle.CombineDependencies(m_done[slot], m_lastAppended);
+            }
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>Larger cells, so that there are places left for those that come.</summary>
+        JobHandle Coarsen()
+        {
+            m_cells.CellsPerUnit /= CoarserCells;
+            return m_lastAppended = new CoarsenCellsJob
+            {
+                Sample = m_buffer.Points.Bytes,
+                Filled = m_buffer.Filled,
+                Positions = PositionColumns.Of(m_buffer.Points),
+                Transform = m_reader.Info.Transform,
+                Cells = m_cells,
+                Coarse = Larger(m_cells),
+                Table = m_table,
+                ColumnsOfOthers = m_columnsOfOthers,
+                Others = m_others.Bytes,
+                PositionsOfOthers = PositionColumns.Of(m_others),
+                OtherCount = m_otherCount,
+            }.Schedule();
+        }
+
+        static BareCells Larger(BareCells cells)
+        {
+            cells.CellsPerUnit /= FineCellsPerCoarse;
+            return cells;
+        }
+
+        void Complete(int slot)
+        {
+            m_done[slot].Complete();
+            var read = m_reads[slot];
+            read.Complete();
+            int block = read.Range.Block;
+            m_pointsFound += read.Points.Count;
+            m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
+                : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
+            m_plan.Tell(read.Range, read.Points.Count, m_cellsOfSlot[slot]);
+            if (m_plan.IsSliced && !m_plan.IsTaken(block))
+                m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
+        }
+
+        /// <summary>A sample of what is there: its own points, and others where there are none.</summary>
+        IEnumerator<JobHandle> Compose()
+        {
+            var drawn = new SampleBuffer(m_schema, m_strata.Count);
+            var placed = new NativeReference<int>(Allocator.Persistent);
+            JobHandle filling = default;
+            try
+            {
+                for (int first = 0; first < m_strata.Count; first += PlacesPerSlice)
+                {
+                    filling = new FillPlacesJob
+                    {
+                        ColumnsOfSample = m_buffer.Columns,
+                        Sample = m_buffer.Points.Bytes,
+                        Filled = m_buffer.Filled,
+                        ColumnsOfOthers = m_columnsOfOthers,
+                        Others = m_others.Bytes,
+                        OtherCount = m_otherCount.Value,
+                        OthersPlaced = placed,
+                        First = first,
+                        End = Math.Min(m_strata.Count, first + PlacesPerSlice),
+                        Target = drawn.Points.Bytes,
+                        TargetFilled = drawn.Filled,
+                    }.Schedule();
+                    yield return filling;
+                    filling.Complete();
+                }
+                using (var closing = drawn.Close(m_reader.Info.Transform))
+                    while (closing.MoveNext())
+                        yield return closing.Current;
+                Replace(drawn.TakeSample(m_reader.Info.Transform));
+                m_sample.PointsInSource = m_reader.PointCount;
+                m_sample.Substitutes = placed.Value;
+                m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
+            }
+            finally
+            {
+                filling.Complete();
+                placed.Dispose();
+                drawn.Dispose();
+            }
+        }
+
+        /// <summary>The full scan's sample.</summary>
+        IEnumerator<JobHandle> Close()
+        {
+            using (var closing = m_buffer.Close(m_reader.Info.Transform))
+                while (closing.MoveNext())
+                    yield return closing.Current;
+            Replace(m_buffer.TakeSample(m_reader.Info.Transform));
+            m_sample.PointsInSource = m_pointsFound;
+            m_sample.IsFullScan = true;
+            m_sample.Method = "full scan, one point of each stratum";
+        }
+
+        void Replace(PreviewSample sample)
+        {
+            m_sample?.Dispose();
+            m_sample = sample;
+            m_sample.BytesRead = m_bytesRead;
+        }
+
+        void TellWave()
+        {
+            double seconds = m_watch.Elapsed.TotalSeconds;
+            var wave = new SampleWave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
+            m_waves.Add(wave);
+            WaveReady?.Invoke(wave);
+        }
+
+        /// <summary>Hands the last wave's sample over, once; null without one.</summary>
+        public PreviewSample TakeSample()
+        {
+            var sample = m_sample;
+            m_sample = null;
+            return sample;
+        }
+
+        /// <summary>Frees all but the last wave's sample; jobs in flight are awaited. May run twice.</summary>
+        void Free()
+        {
+            for (int i = 0; m_reads != null && i < m_reads.Length; i++)
+            {
+                m_done[i].Complete();
+                m_reads[i]?.Dispose();
+                if (m_columnsOfSlot[i].IsCreated)
+                    m_columnsOfSlot[i].Dispose();
+            }
+            m_reads = null;
+            m_stateOfBlock = null;
+            m_freeStates.Clear();
+            m_buffer?.Dispose();
+            m_buffer = null;
+            m_others?.Dispose();
+            m_others = null;
+            if (m_table.IsCreated)
+            {
+                m_table.Dispose();
+                m_cellsOfSlot.Dispose();
+                m_columnsOfOthers.Dispose();
+                m_otherCount.Dispose();
+            }
+        }
+
+        public void Dispose()
+        {
+            Free();
+            m_sample?.Dispose();
+            m_sample = null;
+        }
+    }
+}
