@@ -19,8 +19,11 @@ namespace FastPoints.Tests.Support
 
         public string Name { get; private set; }
 
-        /// <summary>Makes the bytes of the file; null for a sample.</summary>
-        Func<byte[]> m_make;
+        /// <summary>Writes an own cloud into a folder; null for a sample.</summary>
+        Action<string> m_write;
+
+        /// <summary>Of an own cloud, what to open in its folder.</summary>
+        string m_main;
 
         /// <summary>Below the samples: a file, or an index whose folder is the cloud; null for an own one.</summary>
         string m_sample;
@@ -52,6 +55,12 @@ namespace FastPoints.Tests.Support
             Own("XYZ", "Semicolons", () => Text("# a scan\n", ';')),
             Own("PTS", "Count", () => Text("200\n", ' ')),
             Own("E57", "TwoScans", E57, E57FileWriter.Seal),
+            OwnTree("EPT", "Binary", "ept.json", folder => Ept(folder, EptDataType.Binary)),
+            OwnTree("EPT", "Laszip", "ept.json", folder => Ept(folder, EptDataType.Laszip)),
+            OwnTree("Potree", "V14", "cloud.js", folder => Potree1(folder, "1.4")),
+            OwnTree("Potree", "V18", "cloud.js", folder => Potree1(folder, "1.8")),
+            OwnTree("Potree", "V2Default", "metadata.json", folder => Potree2(folder, false)),
+            OwnTree("Potree", "V2Brotli", "metadata.json", folder => Potree2(folder, true)),
             Sample("LAS", "las/extrabytes.las"),
             Sample("LAZ", "laz/simple-laszip-compressor-version-1.2r0.laz"),
             Sample("COPC", "copc/example.copc.laz"),
@@ -70,22 +79,36 @@ namespace FastPoints.Tests.Support
         {
             if (m_sample == null)
             {
-                string path = Path.Combine(folder, "cloud");
-                File.WriteAllBytes(path, m_make());
-                return path;
+                m_write(folder);
+                return Path.Combine(folder, m_main);
             }
             string from = TestData.SampleOrIgnore(m_sample), root = Path.GetDirectoryName(from);
-            foreach (string file in m_isFolder ? Directory.GetFiles(root, "*", SearchOption.AllDirectories) : new[] { from })
+            Copy(root, m_isFolder ? Directory.GetFiles(root, "*", SearchOption.AllDirectories) : new[] { from }, folder);
+            return Path.Combine(folder, Path.GetFileName(from));
+        }
+
+        static void Copy(string root, IEnumerable<string> files, string folder)
+        {
+            foreach (string file in files)
             {
                 string to = Path.Combine(folder, file.Substring(root.Length + 1));
                 Directory.CreateDirectory(Path.GetDirectoryName(to));
                 File.WriteAllBytes(to, File.ReadAllBytes(file));
             }
-            return Path.Combine(folder, Path.GetFileName(from));
         }
 
         static FormatFixture Own(string format, string name, Func<byte[]> make, Action<byte[]> seal = null) =>
-            new FormatFixture { Format = format, Name = name, m_make = make, Seal = seal };
+            new FormatFixture
+            {
+                Format = format,
+                Name = name,
+                m_write = folder => File.WriteAllBytes(Path.Combine(folder, "cloud"), make()),
+                m_main = "cloud",
+                Seal = seal,
+            };
+
+        static FormatFixture OwnTree(string format, string name, string main, Action<string> write) =>
+            new FormatFixture { Format = format, Name = name, m_write = write, m_main = main };
 
         static FormatFixture Sample(string format, string path, bool isFolder = false) => new FormatFixture
         {
@@ -133,6 +156,32 @@ namespace FastPoints.Tests.Support
                 text.Append(string.Join(separator.ToString(), new[] { 500000 + i + ".125", "-" + i + "e-2", i % 7 + ".5",
                     (i * 300).ToString(), (i % 256).ToString(), "0", "255" })).Append(i % 5 == 0 ? "\r\n" : "\n");
             return Encoding.ASCII.GetBytes(text.ToString());
+        }
+
+        static void Ept(string folder, EptDataType type)
+        {
+            var records = LazRecords.Make(0, 0, 300, 3);
+            var rest = new[] { ("Rest", "unsigned", 8) };
+            using (var ept = new EptFolder(type, records, type == EptDataType.Binary ? rest : new (string, string, int)[0], 0, 60, 1))
+                Copy(ept.Path, Directory.GetFiles(ept.Path, "*", SearchOption.AllDirectories), folder);
+        }
+
+        static void Potree1(string folder, string version)
+        {
+            using (var tree = new PotreeTestFolder())
+            {
+                new Potree1Writer { Version = version, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 4));
+                Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
+            }
+        }
+
+        static void Potree2(string folder, bool isBrotli)
+        {
+            using (var tree = new PotreeTestFolder())
+            {
+                new Potree2Writer { IsBrotli = isBrotli, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 5));
+                Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
+            }
         }
 
         static byte[] E57()
