@@ -71,7 +71,11 @@ namespace FastPoints.Files
                 done += got;
                 state.ChunkDone += got;
                 if (got < wanted)
+                {
                     Stop(ref result, state.ChunkOffset);
+                    if (!IsLayered)
+                        result.Points = result.Points > Pointwise->PointsInDoubt ? result.Points - Pointwise->PointsInDoubt : 0;
+                }
                 else if (state.ChunkDone == state.ChunkPoints)
                     state.ChunkOffset = IsLayered ? state.ChunkEnd : state.ChunkOffset + Pointwise->InputOffset;
             }
@@ -88,7 +92,7 @@ namespace FastPoints.Files
             byte* chunk = input + state.ChunkOffset;
             byte* tile = (byte*)Tile.GetUnsafePtr();
             return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
-                : PointwiseChunk.Decode(Pointwise, chunk, InputBytes - state.ChunkOffset, tile, count);
+                : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
         }
 
         /// <summary>The tile's points to the columns, but for those in front of the range.</summary>
@@ -112,7 +116,7 @@ namespace FastPoints.Files
         /// <returns>Whether there is a chunk.</returns>
         bool StartChunk(byte* input, ref LazFileState state)
         {
-            long room = InputBytes - state.ChunkOffset;
+            long room = state.End - state.ChunkOffset;
             if (room < RecordBytes)
                 return false;
             state.ChunkDone = 0;
@@ -148,7 +152,17 @@ namespace FastPoints.Files
                 state.PointsInFile = *(long*)(input + LasHeader.At.Count);
             state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
                 + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
+            state.End = EndOfChunks(input, state.ChunkOffset);
             return ReadVlrs(input, headerBytes > LasHeader.LeastBytes ? headerBytes : LasHeader.LeastBytes, ref state);
+        }
+
+        /// <summary>The chunk table, where there is one: it ends the last chunk, whatever a count claims.</summary>
+        long EndOfChunks(byte* input, long firstChunk)
+        {
+            if (Compressor == LazCompressor.Pointwise || firstChunk > InputBytes)
+                return InputBytes;
+            long table = *(long*)(input + firstChunk - LazChunkTable.TableOffsetBytes);
+            return table > firstChunk && table <= InputBytes ? table : InputBytes;
         }
 
         /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder is made for.</returns>

@@ -102,15 +102,36 @@ namespace FastPoints.Files
                     result.Error = LazError.Short;
                     // Layers are packed in the input: where a byte of them lies in the file is the chunk's business.
                     result.ErrorOffset = FileOffset + (IsLayered ? 0 : ((PointwiseChunk*)state)->InputOffset);
+                    if (!IsLayered)
+                        DropDoubtful((PointwiseChunk*)state, ref result);
                 }
             }
-            if (IsToEnd && !IsLayered && result.Error == LazError.None && First + Count == Total
-                && ((PointwiseChunk*)state)->InputOffset != inputBytes)
-            {
-                result.Error = LazError.EndMismatch;
-                result.ErrorOffset = FileOffset + ((PointwiseChunk*)state)->InputOffset;
-            }
+            if (IsToEnd && !IsLayered && result.Error == LazError.None && First + Count == Total)
+                CheckEnd((PointwiseChunk*)state, inputBytes, ref result);
             Result.Value = result;
+        }
+
+        /// <summary>All points were there: is that where the stream ends?</summary>
+        void CheckEnd(PointwiseChunk* chunk, long inputBytes, ref DecodeResult result)
+        {
+            if (chunk->IsAtEnd)
+                return;
+            result.ErrorOffset = FileOffset + chunk->InputOffset;
+            result.Error = LazError.EndMismatch;
+            if (chunk->InputOffset < inputBytes)
+                result.Error = LazError.GoesOn;
+            else if (chunk->PointsInDoubt > 0)
+            {
+                result.Error = LazError.Short;
+                DropDoubtful(chunk, ref result);
+            }
+        }
+
+        /// <summary>Points that the stream's end does not vouch for are not given: a decoder makes some of no bytes.</summary>
+        static void DropDoubtful(PointwiseChunk* chunk, ref DecodeResult result)
+        {
+            int kept = result.Points - chunk->PointsInDoubt;
+            result.Points = kept > 0 ? kept : 0;
         }
     }
 }

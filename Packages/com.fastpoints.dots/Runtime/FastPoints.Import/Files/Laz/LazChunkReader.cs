@@ -131,6 +131,9 @@ namespace FastPoints.Files
             string chunk = "chunk " + Text(Block(range.Block).Chunk);
             Info.Warn(result.ErrorOffset, result.Error == LazError.EndMismatch
                 ? chunk + " does not end where its stream does: some of its points are not what was written"
+                : result.Error == LazError.GoesOn
+                ? chunk + " has bytes behind its last point: the file is cut or claims too few points, or some of them are not "
+                    + "what was written"
                 : result.Error == LazError.NoChunk
                 ? chunk + ": wanted " + Text(range.Count) + " points, got bytes that are no chunk's"
                 : chunk + ": wanted " + Text(range.Count) + " points, got " + Text(result.Points)

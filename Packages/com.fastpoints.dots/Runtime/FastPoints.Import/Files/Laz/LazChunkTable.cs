@@ -28,6 +28,12 @@ namespace FastPoints.Files
         /// <summary>Two numbers a chunk, of 15 + 15 bits modelled and 23 raw at most.</summary>
         const int MaxEntryBytes = 14;
 
+        /// <summary>What the range coder takes to start and to end.</summary>
+        const int CoderBytes = 16;
+
+        /// <summary>A table takes no more, with the eight bytes that may say behind it where it is.</summary>
+        public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
+
         readonly FileSource m_source;
         readonly LazFormat m_format;
         readonly SourceInfo m_info;
@@ -110,7 +116,7 @@ namespace FastPoints.Files
 
         unsafe string ReadEntries(long start, long count)
         {
-            int wanted = (int)Math.Min(int.MaxValue / 2, count * MaxEntryBytes + 16);
+            int wanted = (int)Math.Min(int.MaxValue / 2, count * MaxEntryBytes + CoderBytes);
             var bytes = m_source.ReadAtMost(start + TableHeaderBytes, wanted).Bytes;
             var input = new byte[bytes.Length + RangeCode.PaddingBytes];
             bytes.CopyTo(input, 0);

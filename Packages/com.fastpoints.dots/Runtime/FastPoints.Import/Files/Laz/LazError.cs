@@ -11,6 +11,9 @@ namespace FastPoints.Files
         /// <summary>All points are there, but the stream does not end where its chunk does: some of them are noise.</summary>
         public const int EndMismatch = 2;
 
+        /// <summary>All points are there, and the stream has more bytes: the file claims too few, or some are noise.</summary>
+        public const int GoesOn = 4;
+
         /// <summary>What lies there is no chunk: neither its count nor its length is what was told of it.</summary>
         public const int NoChunk = 3;
     }

@@ -18,5 +18,8 @@ namespace FastPoints.Files
         /// <summary>Points of the chunk in work, and those that are done; both 0 before a chunk is started.</summary>
         public long ChunkPoints;
         public long ChunkDone;
+
+        /// <summary>Behind the last chunk's last byte.</summary>
+        public long End;
     }
 }

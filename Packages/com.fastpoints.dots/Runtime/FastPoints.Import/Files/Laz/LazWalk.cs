@@ -94,6 +94,8 @@ namespace FastPoints.Files
             {
                 while (pointsLeft > 0 && at + m_format.RecordBytes <= m_source.Length)
                 {
+                    if (chunks.Count > 0 && IsNoChunk(at, chunks.Count))
+                        break;
                     long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(at, m_source.Length);
@@ -112,6 +114,20 @@ namespace FastPoints.Files
                 }
             }
             Tell(chunks);
+        }
+
+        /// <summary>Whether the chunk table follows here, whose place was lost, or nothing but zeros, as in a file that was made
+        /// long before it was written. A decoder would make points of both.</summary>
+        bool IsNoChunk(long at, int chunks)
+        {
+            const int TableHeaderBytes = 8;
+            var start = m_source.ReadAtMost(at, Math.Max(m_format.RecordBytes + 4, TableHeaderBytes));
+            bool areZeros = true;
+            foreach (byte value in start.Bytes)
+                areZeros &= value == 0;
+            long left = m_source.Length - at;
+            return areZeros || left <= LazChunkTable.MaxBytes(chunks) && start.Bytes.Length >= TableHeaderBytes
+                && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
         IEnumerator<JobHandle> WalkLongChunks(List<LazChunk> chunks)
@@ -142,6 +158,7 @@ namespace FastPoints.Files
         IEnumerator<JobHandle> WalkChunk(LazWalkStream stream, long points)
         {
             bool isLong = points > m_reader.LongChunkPoints;
+            int firstCheckpoint = m_checkpoints.Count;
             while (stream.Point < points && !stream.IsStopped)
             {
                 if (stream.NeedsInput)
@@ -156,6 +173,9 @@ namespace FastPoints.Files
                     && (m_checkpoints.Count == 0 || m_checkpoints[m_checkpoints.Count - 1].FileOffset != stream.FileOffset))
                     m_checkpoints.Add(stream.Checkpoint());
             }
+            // Points that were taken back in the end may have had one.
+            while (m_checkpoints.Count > firstCheckpoint && m_checkpoints[m_checkpoints.Count - 1].Point >= stream.Point)
+                m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 
         /// <summary>Remembers which checkpoints are the chunk's, and gives up the state of every second one while all of them

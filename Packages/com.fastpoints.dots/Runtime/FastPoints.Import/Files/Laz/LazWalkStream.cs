@@ -131,7 +131,7 @@ namespace FastPoints.Files
         {
             m_decode.Complete();
             var step = m_step.Value;
-            Point += step.Points;
+            Point += step.Points - step.InDoubt;
             FileOffset += step.Bytes;
             IsStopped = step.IsStopped;
         }

@@ -21,6 +21,10 @@ namespace FastPoints.Files
         int m_itemCount;
         int m_recordBytes;
         int m_isStopped;
+
+        /// <summary>Points decoded when the stream could first have ended where the input does, and last; 0 before.</summary>
+        int m_firstEnd;
+        int m_lastEnd;
         fixed int m_type[MaxItems];
         fixed int m_version[MaxItems];
         fixed int m_bytes[MaxItems];
@@ -29,6 +33,13 @@ namespace FastPoints.Files
 
         /// <summary>Byte of the chunk's input up to which the stream has been taken.</summary>
         public long InputOffset => m_stream.Offset;
+
+        /// <summary>Whether the input and the stream end with the last point that was decoded.</summary>
+        public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
+
+        /// <summary>Of the points decoded last, those that lie behind the first end that the stream can have had: where there
+        /// are fewer points than were told, these may be none. They took no byte, and less than eight bits together.</summary>
+        public int PointsInDoubt => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
 
         /// <summary>Bytes of decoder state for a list of items.</summary>
         public static long StateBytes(LazItem[] items)
@@ -117,6 +128,8 @@ namespace FastPoints.Files
         {
             chunk->m_pointsDone = 0;
             chunk->m_isStopped = 0;
+            chunk->m_firstEnd = 0;
+            chunk->m_lastEnd = 0;
             chunk->m_stream = default;
         }
 
@@ -145,6 +158,7 @@ namespace FastPoints.Files
                 chunk->m_stream.Start(input + recordBytes, input + inputBytes);
                 records += recordBytes;
                 done = 1;
+                NoteEnd(chunk, input, done);
             }
             else
             {
@@ -154,10 +168,14 @@ namespace FastPoints.Files
             while (done < count)
             {
                 DecodePoint(chunk, records);
-                if (chunk->m_stream.IsBeyondEnd)
+                if (chunk->m_stream.IsAtEnd)
                 {
-                    chunk->m_isStopped = 1;
-                    break;
+                    if (chunk->m_stream.IsBeyondEnd)
+                    {
+                        chunk->m_isStopped = 1;
+                        break;
+                    }
+                    NoteEnd(chunk, input, done + 1);
                 }
                 records += recordBytes;
                 done++;
@@ -165,6 +183,15 @@ namespace FastPoints.Files
             chunk->m_stream.Suspend(input);
             chunk->m_pointsDone += done;
             return done;
+        }
+
+        static void NoteEnd(PointwiseChunk* chunk, byte* input, int done)
+        {
+            if (!chunk->m_stream.CanEnd(input))
+                return;
+            chunk->m_lastEnd = chunk->m_pointsDone + done;
+            if (chunk->m_firstEnd == 0)
+                chunk->m_firstEnd = chunk->m_lastEnd;
         }
 
         static void StartItems(PointwiseChunk* chunk, byte* record)

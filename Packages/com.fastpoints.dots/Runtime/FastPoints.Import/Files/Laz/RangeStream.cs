@@ -18,6 +18,26 @@ namespace FastPoints.Files
 
         public bool IsBeyondEnd => Next > End;
 
+        public bool IsAtEnd => Next >= End;
+
+        /// <summary>
+        /// Whether an encoder can have ended here: it adds a part of its interval to the base, writes the one or two bytes that
+        /// the part leaves above zero, and three or two zeros, so that a decoder ends with the stream. Of a stream that goes on
+        /// at most the points that take no byte, less than eight bits together, leave it so.
+        /// </summary>
+        /// <param name="input">No byte before it is looked at.</param>
+        public bool CanEnd(byte* input)
+        {
+            if (Next != End)
+                return false;
+            const uint Least = RangeCode.MinLength;
+            bool isLong = Length > 2 * Least;
+            for (int i = 1; i <= (isLong ? 3 : 2) && Next - i >= input; i++)
+                if (Next[-i] != 0)
+                    return false;
+            return isLong ? Value > 0 && Value <= Least : Value <= Least >> 1 && Value > (Least >> 1) - (1 << 16);
+        }
+
         /// <summary>Starts at a stream's first byte.</summary>
         public void Start(byte* first, byte* end)
         {

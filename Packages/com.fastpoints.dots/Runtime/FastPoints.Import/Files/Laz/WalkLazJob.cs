@@ -15,6 +15,9 @@ namespace FastPoints.Files
 
         /// <summary>Whether the input does not hold the next point.</summary>
         public bool IsStopped;
+
+        /// <summary>Of the chunk's points, those that its stream's end does not vouch for; where it stopped.</summary>
+        public int InDoubt;
     }
 
     /// <summary>Decodes points of a pointwise chunk only to know where they end.</summary>
@@ -63,7 +66,9 @@ namespace FastPoints.Files
                 int got = PointwiseChunk.Decode(chunk, input, inputBytes, tile, (int)wanted);
                 step.Points += got;
                 step.IsStopped = got < wanted;
-                if (!step.IsStopped)
+                if (step.IsStopped)
+                    step.InDoubt = chunk->PointsInDoubt;
+                else
                     step.Bytes = chunk->InputOffset;
             }
             Result.Value = step;
