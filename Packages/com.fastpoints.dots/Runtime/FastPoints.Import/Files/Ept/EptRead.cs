@@ -48,7 +48,8 @@ namespace FastPoints.Files
             Points.Count = 0;
             m_result.Value = default;
             m_isBusy = true;
-            Decoded = range.Count == 0 ? default : Schedule(range, block);
+            bool isBehindEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Reader.EndOfNode(block);
+            Decoded = range.Count == 0 || isBehindEnd ? default : Schedule(range, block);
         }
 
         /// <summary>Reads a stretch of a block's file.</summary>
@@ -74,6 +75,11 @@ namespace FastPoints.Files
             m_file?.End();
             var result = m_result.Value;
             Points.Count = result.Points;
+            if (result.Error != 0)
+            {
+                var block = Reader.Block(Range.Block);
+                Reader.EndNode(block, block.FirstInNode + Range.First + result.Points);
+            }
             Tell(result);
         }
 

@@ -28,6 +28,7 @@ namespace FastPoints.Files
         readonly EptHierarchy m_hierarchy;
         readonly List<EptBlock> m_blocks = new List<EptBlock>();
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly Dictionary<(int, Unity.Mathematics.int3), long> m_endOfNode = new Dictionary<(int, Unity.Mathematics.int3), long>();
         readonly int m_blockPoints;
         long m_pointCount;
         int m_maxPointsPerBlock;
@@ -187,6 +188,18 @@ namespace FastPoints.Files
                 throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
             return m_blocks[block];
         }
+
+        /// <summary>A node gave its last point before <paramref name="point"/>: blocks behind it are not tried, which would cost each
+        /// the node from its start.</summary>
+        internal void EndNode(in EptBlock block, long point)
+        {
+            var node = (block.Level, block.Cell);
+            m_endOfNode[node] = Math.Min(point, EndOfNode(block));
+        }
+
+        /// <summary>Points that a node can have, as far as is known.</summary>
+        internal long EndOfNode(in EptBlock block) =>
+            m_endOfNode.TryGetValue((block.Level, block.Cell), out long end) ? end : block.NodePoints;
 
         internal string PathOf(int level, Unity.Mathematics.int3 cell)
         {

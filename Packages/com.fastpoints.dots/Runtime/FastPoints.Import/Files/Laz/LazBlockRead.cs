@@ -141,7 +141,8 @@ namespace FastPoints.Files
                 throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
             Range = range;
             FirstPoint = block.FirstPoint + range.First;
-            if (range.Count == 0)
+            bool isBehindEnd = block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_reader.EndOfChunk(block);
+            if (range.Count == 0 || isBehindEnd)
             {
                 m_result.Value = default;
                 Decoded = default;
@@ -265,8 +266,12 @@ namespace FastPoints.Files
                 CloseReads();
             var result = m_result.Value;
             Points.Count = result.Points;
-            if (result.Error != LazError.None)
-                m_reader.TellBroken(Range, result);
+            if (result.Error == LazError.None)
+                return;
+            var block = m_reader.Block(Range.Block);
+            if (result.Error == LazError.Short || result.Error == LazError.NoChunk)
+                m_reader.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
+            m_reader.TellBroken(Range, result);
         }
 
         void CloseReads()

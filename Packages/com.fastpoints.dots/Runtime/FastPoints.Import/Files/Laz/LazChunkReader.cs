@@ -31,6 +31,7 @@ namespace FastPoints.Files
         readonly LasFile m_las;
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
+        readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
         FileHandle m_file;
         bool m_isOpen;
         int m_maxPointsPerBlock;
@@ -96,6 +97,14 @@ namespace FastPoints.Files
                 throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
             return m_blocks[block];
         }
+
+        /// <summary>A chunk gave its last point before <paramref name="point"/>, counted in it: blocks behind it are not tried, which
+        /// would cost each the chunk from its start.</summary>
+        internal void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
+
+        /// <summary>Points that a chunk can have, as far as is known.</summary>
+        internal long EndOfChunk(LazBlock block) =>
+            m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
 
         internal LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
 

@@ -106,7 +106,9 @@ namespace FastPoints.Files
                 case "POSITION_CARTESIAN":
                 case "POSITION":
                     Become(PotreeAttributeKind.Position, AttributeType.Int32, s_axes, 3);
-                    return Bytes == 12;
+                    if (Bytes == 12)
+                        return true;
+                    break;
                 case "COLOR_PACKED":
                 case "RGBA_PACKED":
                 case "RGB_PACKED":

@@ -6,6 +6,7 @@ using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Files.Tests
 {
@@ -286,6 +287,27 @@ namespace FastPoints.Files.Tests
                 var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path));
                 Assert.That(LazFileReading.Difference(got, Flat(records), writer.RecordBytes), Is.Null);
                 Assert.That(reader.Info.Warnings, Is.Not.Empty);
+            }
+        }
+
+        [Test]
+        public void Read_LongChunkThatEndsEarly_IsNotTriedAgainBehindItsEnd()
+        {
+            var writer = new LazFileWriter { PointFormat = 6, ItemVersion = 3 };
+            var bytes = writer.Write(LazRecords.Make(6, 0, 1000, 5));
+            Array.Resize(ref bytes, (int)writer.Chunks[0].Offset + writer.Chunks[0].Bytes / 2);
+            using (var file = new TemporaryFile(bytes, ".laz"))
+            using (var reader = LazFileReading.Open(file.Path, 100))
+            using (var read = reader.CreateRead(reader.Info.Schema, 100, Allocator.Persistent))
+            {
+                Assert.That(reader.BlockCount, Is.EqualTo(10));
+                read.Begin(new BlockRange(8, 0, 100));
+                read.Complete();
+                Assert.That(read.Points.Count, Is.EqualTo(0));
+                read.Begin(new BlockRange(9, 0, 100));
+                Assert.That(read.Decoded, Is.EqualTo(default(JobHandle)), "each block would cost the chunk from its start");
+                read.Complete();
+                Assert.That(read.Points.Count, Is.EqualTo(0));
             }
         }
 

@@ -295,6 +295,7 @@ namespace FastPoints.Files.Tests
         [TestCase("\"scale\": [0.001, ", "\"scale\": [", FailureCode.BadInput, "\"scale\"")]
         [TestCase("\"name\": \"position\"", "\"name\": \"place\"", FailureCode.BadInput, "a position of three int32")]
         [TestCase("\"firstChunkSize\": ", "\"first\": ", FailureCode.BadInput, "hierarchy.firstChunkSize")]
+        [TestCase("\"size\": 12", "\"size\": 8", FailureCode.BadInput, "a position of three int32")]
         [TestCase("\"size\": 12", "\"size\": 1e99", FailureCode.BadInput, "attributes[0].size")]
         public void Open_BrokenIndex_NamesTheMember(string from, string to, FailureCode code, string story)
         {
