@@ -31,6 +31,7 @@ namespace FastPoints.Files.Tests
 
         [TestCase("1.2-with-color", "las/1.2-with-color.las", 1065)]
         [TestCase("lone-star-laszip", "copc/lone-star.copc.laz", 518862)]
+        [TestCase("lion_takanawa_ept_bin", "potree/lion_takanawa_laz/cloud.js", 341989)]
         public void Sample_Twin_HasTheSamePoints(string name, string twin, int points)
         {
             using (var reader = EptReaderTests.Open(Folder(name)))
