@@ -1,12 +1,12 @@
+using FastPoints.Points;
+
 namespace FastPoints.Octree
 {
     /// <summary>A point that was taken, in the hash grid that keeps others away from it. Blittable.</summary>
     public struct PoissonSample
     {
         /// <summary>In grid steps from the corner.</summary>
-        public long X;
-        public long Y;
-        public long Z;
+        public Grid3 Place;
         public int Point;
 
         /// <summary>The next sample of the same slot, or -1.</summary>

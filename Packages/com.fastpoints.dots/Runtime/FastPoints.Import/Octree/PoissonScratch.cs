@@ -13,8 +13,15 @@ namespace FastPoints.Octree
         {
             public SamplePoissonJob.Stage Stage;
 
-            /// <summary>How far the stage is: a range, or a dart.</summary>
+            /// <summary>The range in work, the first point of the tile in work, and its end where the first of its darts are
+            /// thrown.</summary>
             public int At;
+            public int Point;
+            public int EndOfTile;
+
+            /// <summary>How many of the darts are thrown, and whether the tile has others.</summary>
+            public int Dart;
+            public bool IsLastOfTile;
 
             /// <summary>Edge of the cells of the ranges in work.</summary>
             public int CellLog2;
@@ -34,14 +41,17 @@ namespace FastPoints.Octree
         /// <summary>By slot of the hash grid: the sample that came last, or -1.</summary>
         public NativeList<int> Heads;
 
-        /// <summary>Points to try at the spacing in work, the highest priority first.</summary>
-        public NativeList<PoissonDart> Darts;
+        /// <summary>Points of the tile in work that nothing is known to keep off, along the curve.</summary>
+        public NativeList<int> Waiting;
+
+        /// <summary>The same, in the order in which they are tried.</summary>
+        public NativeList<int> Darts;
+
+        /// <summary>Where no point of the tile in work can be taken: see <see cref="PoissonCover"/>.</summary>
+        public NativeArray<ulong> Covered;
 
         /// <summary>By run of a few points on the curve: the sample that kept off the last one of them, or -1.</summary>
         public NativeList<int> KeeperOfRun;
-
-        /// <summary>By cell size and class of priority: points that wait; then where the next one's dart goes.</summary>
-        public NativeArray<int> PointsOfClass;
 
         /// <summary>By cell size: first and last range that waits to be sampled, or -1.</summary>
         public NativeArray<int> FirstRange;
@@ -53,9 +63,10 @@ namespace FastPoints.Octree
             Ranges = new NativeList<SampledRange>(64, allocator);
             Samples = new NativeList<PoissonSample>(64, allocator);
             Heads = new NativeList<int>(64, allocator);
-            Darts = new NativeList<PoissonDart>(64, allocator);
+            Waiting = new NativeList<int>(64, allocator);
+            Darts = new NativeList<int>(64, allocator);
+            Covered = new NativeArray<ulong>(PoissonCover.Words, allocator);
             KeeperOfRun = new NativeList<int>(64, allocator);
-            PointsOfClass = new NativeArray<int>((GridCube.MaxSideLog2 + 1) * PoissonPriority.Classes, allocator);
             FirstRange = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
             LastRange = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
         }
@@ -70,9 +81,10 @@ namespace FastPoints.Octree
             Ranges.Dispose();
             Samples.Dispose();
             Heads.Dispose();
+            Waiting.Dispose();
             Darts.Dispose();
+            Covered.Dispose();
             KeeperOfRun.Dispose();
-            PointsOfClass.Dispose();
             FirstRange.Dispose();
             LastRange.Dispose();
         }

@@ -9,14 +9,17 @@ using Unity.Mathematics;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried in the order of
-    /// their priority, and one that has no taken point nearer than its node's spacing is taken. Cubes of one spacing are
-    /// sampled together, so that the distance holds across the borders of nodes; a leaf's points keep none and ask for none.
+    /// The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried, and one that has
+    /// no taken point nearer than its node's spacing is taken. Cubes of one spacing are sampled together, so that the distance
+    /// holds across the borders of nodes; a leaf's points keep none and ask for none.
     /// </summary>
     /// <remarks>
-    /// Taken points are in a hash grid with cells of twice the spacing, so that whatever lies nearer than that is in two by two by
-    /// two cells; the slots are chains without keys, as a point of another cell fails the distance anyway. Which points a node
-    /// has depends on nothing but the points themselves. One run of the job is a slice: it is run until it is done.
+    /// Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile in the order of
+    /// their priority: all that a dart may meet is in the cache, and the sample is as even as one in the order of priority
+    /// alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash grid with cells of twice the spacing, so that whatever lies nearer
+    /// than that is in two by two by two cells; the slots are chains without keys, as a point of another cell fails the
+    /// distance anyway. Which points a node has depends on nothing but the points themselves. One run of the job is a slice:
+    /// it is run until it is done.
     /// </remarks>
     [BurstCompile]
     public unsafe struct SamplePoissonJob : IJob
@@ -28,7 +31,6 @@ namespace FastPoints.Octree
             NextSpacing,
             Queue,
             Throw,
-            MakeNodes,
             Average,
             Split,
             Done,
@@ -36,6 +38,12 @@ namespace FastPoints.Octree
 
         /// <summary>Takes about 4 ms.</summary>
         public const int PointsOfSlice = 200000;
+
+        /// <summary>Edge of a tile: log2 of the spacings.</summary>
+        public const int TileSpacingsLog2 = PoissonCover.TileSpacingsLog2;
+
+        // An eighth of all points, by which most of a tile is covered.
+        const int FirstClasses = PoissonPriority.Classes - 12;
 
         // Points that share a guess at what keeps them off.
         const int RunLog2 = 3;
@@ -70,6 +78,7 @@ namespace FastPoints.Octree
         /// <summary>About so many points are looked at in one run.</summary>
         public int PointsPerSlice;
 
+        [NativeDisableUnsafePtrRestriction] byte* m_records;
         [NativeDisableUnsafePtrRestriction] int* m_nodeOfPoint;
         PoissonScratch.State m_now;
         long m_budget;
@@ -95,6 +104,7 @@ namespace FastPoints.Octree
         void Run()
         {
             m_now = Scratch.Now.Value;
+            m_records = (byte*)Records.GetUnsafeReadOnlyPtr();
             m_nodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
             m_budget = PointsPerSlice;
             while (m_budget > 0 && m_now.Stage != Stage.Done)
@@ -108,13 +118,10 @@ namespace FastPoints.Octree
                         NextSpacing();
                         break;
                     case Stage.Queue:
-                        QueueRange();
+                        QueueTile();
                         break;
                     case Stage.Throw:
                         Throw();
-                        break;
-                    case Stage.MakeNodes:
-                        MakeNodes();
                         break;
                     case Stage.Average:
                         AverageRange();
@@ -132,7 +139,6 @@ namespace FastPoints.Octree
             Nodes.Clear();
             Scratch.Ranges.Clear();
             Scratch.Samples.Clear();
-            UnsafeUtility.MemClear(Scratch.PointsOfClass.GetUnsafePtr(), (long)Scratch.PointsOfClass.Length * sizeof(int));
             for (int i = 0; i <= GridCube.MaxSideLog2; i++)
                 Scratch.FirstRange[i] = Scratch.LastRange[i] = -1;
             UnsafeUtility.MemSet(m_nodeOfPoint, 0xFF, (long)Count * sizeof(int));
@@ -159,17 +165,7 @@ namespace FastPoints.Octree
                     AddTop(range);
                 return;
             }
-            int number = Scratch.Ranges.Length;
-            var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
-            int* pointsOfClass = PointsOfClass(range.CellLog2);
-            for (int i = range.First; i < range.End; i++)
-            {
-                if (m_nodeOfPoint[i] >= 0)
-                    continue;
-                m_nodeOfPoint[i] = CodeOf(number);
-                pointsOfClass[PoissonPriority.ClassOf(priority[i])]++;
-            }
-            Wait(range, number);
+            Wait(range, Scratch.Ranges.Length);
         }
 
         /// <summary>Ranges of one spacing wait in their order along the curve, wherever they come from.</summary>
@@ -199,29 +195,16 @@ namespace FastPoints.Octree
                 Scratch.LastRange[range.CellLog2] = number;
         }
 
-        int* PointsOfClass(int cellLog2) =>
-            (int*)Scratch.PointsOfClass.GetUnsafePtr() + cellLog2 * PoissonPriority.Classes;
-
-        /// <summary>What stands in NodeOfPoint for a point that waits in a range; the same the other way round.</summary>
-        static int CodeOf(int range) => -2 - range;
-
         /// <summary>What is left of a chunk's top keeps its distance from what is sampled beside it.</summary>
         void AddTop(in SampledRange range)
         {
             for (int i = range.First; i < range.End; i++)
                 if (m_nodeOfPoint[i] == Nodes.Length - 1)
-                    Scratch.Samples.Add(SampleAt(i));
+                    Scratch.Samples.Add(new PoissonSample { Place = PlaceAt(i), Point = i });
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        Grid3 PlaceAt(int point) =>
-            Layout.PlaceOf((byte*)Records.GetUnsafeReadOnlyPtr() + (long)point * Layout.StrideBytes) - Corner;
-
-        PoissonSample SampleAt(int point)
-        {
-            var place = PlaceAt(point);
-            return new PoissonSample { X = place.X, Y = place.Y, Z = place.Z, Point = point };
-        }
+        Grid3 PlaceAt(int point) => Layout.PlaceOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
         /// <summary>The widest spacing that ranges wait for, and a grid for it with all points taken so far.</summary>
         void NextSpacing()
@@ -249,13 +232,76 @@ namespace FastPoints.Octree
                 // Tops of chunks may be finer than what is sampled beside them.
                 if (Nodes[m_nodeOfPoint[samples[s].Point]].CellLog2 < cell)
                     continue;
-                int slot = grid.SlotOf(samples[s].X >> cell + 1, samples[s].Y >> cell + 1, samples[s].Z >> cell + 1);
+                int slot = grid.SlotOf(samples[s].Place);
                 samples[s].Next = heads[slot];
                 heads[slot] = s;
             }
             m_budget -= taken + ((1L << bits) >> 4);
 
-            int* next = PointsOfClass(cell);
+            m_now.FirstRange = Scratch.FirstRange[cell];
+            Scratch.FirstRange[cell] = Scratch.LastRange[cell] = -1;
+            m_now.Stage = Stage.Queue;
+            m_now.At = m_now.FirstRange;
+            m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
+        }
+
+        /// <summary>The next darts of the tile in work: those of the first classes, then the others. What is kept off already is
+        /// none: seen along the curve that is quickly said of most. After a range's last tile, its node.</summary>
+        void QueueTile()
+        {
+            var range = Scratch.Ranges[m_now.At];
+            if (m_now.Point == range.End)
+            {
+                EndRange(range);
+                return;
+            }
+            var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
+            var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            var samples = Scratch.Samples.GetUnsafePtr();
+            int* keeper = Scratch.KeeperOfRun.GetUnsafePtr();
+            var nodeOfPoint = m_nodeOfPoint;
+            int tileLog2 = m_now.CellLog2 + TileSpacingsLog2, first = m_now.Point, end = first;
+            var cover = CoverAt(first);
+            var grid = GridOfSpacing;
+            bool isBegun = m_now.EndOfTile > first;
+            if (!isBegun)
+                cover.Clear();
+            Scratch.Waiting.Clear();
+            int* next = stackalloc int[PoissonPriority.Classes];
+            UnsafeUtility.MemClear(next, PoissonPriority.Classes * sizeof(int));
+            do
+            {
+                if (nodeOfPoint[end] >= 0)
+                {
+                    if (!isBegun)
+                        cover.Cover(PlaceAt(end));
+                    continue;
+                }
+                int priorityClass = PoissonPriority.ClassOf(priority[end]);
+                if (priorityClass < FirstClasses == isBegun)
+                    continue;
+                var place = PlaceAt(end);
+                if (cover.IsCovered(place))
+                    continue;
+                // What kept off one point keeps off most of its neighbours on the curve.
+                int found = keeper[end >> RunLog2];
+                if (found >= 0 && grid.IsNear(samples + found, place, out _))
+                    continue;
+                next[priorityClass]++;
+                Scratch.Waiting.Add(end);
+            }
+            while (++end < range.End && common[end] <= tileLog2);
+            SortWaiting(priority, next);
+            m_budget -= end - first;
+            m_now.EndOfTile = end;
+            m_now.IsLastOfTile = isBegun;
+            m_now.Dart = 0;
+            m_now.Stage = Stage.Throw;
+        }
+
+        /// <summary>Darts of a class follow the Morton curve.</summary>
+        void SortWaiting(uint* priority, int* next)
+        {
             int sum = 0;
             for (int c = 0; c < PoissonPriority.Classes; c++)
             {
@@ -264,100 +310,81 @@ namespace FastPoints.Octree
                 sum += with;
             }
             Scratch.Darts.ResizeUninitialized(sum);
-            m_now.Stage = Stage.Queue;
-            m_now.At = Scratch.FirstRange[cell];
+            var darts = Scratch.Darts.GetUnsafePtr();
+            var waiting = Scratch.Waiting.GetUnsafePtr();
+            for (int i = 0; i < sum; i++)
+                darts[next[PoissonPriority.ClassOf(priority[waiting[i]])]++] = waiting[i];
         }
 
-        /// <summary>The points of one range join their classes: darts of a class follow the Morton curve.</summary>
-        void QueueRange()
-        {
-            var range = Scratch.Ranges[m_now.At];
-            var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
-            var darts = Scratch.Darts.GetUnsafePtr();
-            int* next = PointsOfClass(m_now.CellLog2);
-            for (int i = range.First; i < range.End; i++)
-            {
-                if (m_nodeOfPoint[i] >= 0)
-                    continue;
-                int at = next[PoissonPriority.ClassOf(priority[i])]++;
-                darts[at].Point = i;
-                if (RootSideLog2 > 32)
-                    continue;
-                var place = PlaceAt(i);
-                darts[at].X = (uint)place.X;
-                darts[at].Y = (uint)place.Y;
-                darts[at].Z = (uint)place.Z;
-            }
-            m_budget -= range.End - range.First;
-            m_now.At = range.Next;
-            if (m_now.At >= 0)
-                return;
-            UnsafeUtility.MemClear(next, PoissonPriority.Classes * sizeof(int));
-            m_now.Stage = Stage.Throw;
-            m_now.At = 0;
-        }
+        PoissonGrid GridOfSpacing =>
+            new PoissonGrid(Scratch.Heads.GetUnsafePtr(), math.tzcnt(Scratch.Heads.Length), m_now.CellLog2);
+
+        /// <summary>Of the tile that has a point.</summary>
+        PoissonCover CoverAt(int point) =>
+            new PoissonCover((ulong*)Scratch.Covered.GetUnsafePtr(), m_now.CellLog2, PlaceAt(point));
 
         void Throw()
         {
             var darts = Scratch.Darts.GetUnsafePtr();
-            var ranges = Scratch.Ranges.GetUnsafePtr();
+            var range = Scratch.Ranges.GetUnsafePtr() + m_now.At;
             var samples = Scratch.Samples.GetUnsafePtr();
             int* keeper = Scratch.KeeperOfRun.GetUnsafePtr();
-            var grid = new PoissonGrid(Scratch.Heads.GetUnsafePtr(), math.tzcnt(Scratch.Heads.Length), m_now.CellLog2);
-            bool isWide = RootSideLog2 > 32;
-            int taken = Scratch.Samples.Length;
-            int end = (int)math.min(Scratch.Darts.Length, m_now.At + m_budget);
-            for (int d = m_now.At; d < end; d++)
+            var grid = GridOfSpacing;
+            var cover = CoverAt(m_now.Point);
+            int taken = Scratch.Samples.Length, node = Nodes.Length;
+            int end = (int)math.min(Scratch.Darts.Length, m_now.Dart + m_budget);
+            for (int d = m_now.Dart; d < end; d++)
             {
-                int point = darts[d].Point;
-                var sample = isWide
-                    ? SampleAt(point)
-                    : new PoissonSample { X = darts[d].X, Y = darts[d].Y, Z = darts[d].Z, Point = point };
-                // What kept off one point keeps off most of its neighbours on the curve.
-                int found = keeper[point >> RunLog2];
-                if (found >= 0 && grid.IsNear(samples + found, sample, out _))
+                int point = darts[d];
+                var place = PlaceAt(point);
+                if (cover.IsCovered(place))
                     continue;
-                found = grid.Find(samples, sample, out int slot);
+                int found = keeper[point >> RunLog2];
+                if (found >= 0 && grid.IsNear(samples + found, place, out _))
+                    continue;
+                found = grid.Find(samples, place, out int slot);
                 if (found >= 0)
                 {
                     keeper[point >> RunLog2] = found;
                     continue;
                 }
-                int range = CodeOf(m_nodeOfPoint[point]);
-                if (ranges[range].Count == Sizes.MaxPointsPerNode)
+                if (range->Count == Sizes.MaxPointsPerNode)
                     continue;
-                ranges[range].Count++;
-                sample.Next = grid.Heads[slot];
-                grid.Heads[slot] = taken;
-                keeper[point >> RunLog2] = taken++;
-                Scratch.Samples.Add(sample);
+                range->Count++;
+                m_nodeOfPoint[point] = node;
+                keeper[point >> RunLog2] = taken;
+                Scratch.Samples.Add(new PoissonSample { Place = place, Point = point, Next = grid.Heads[slot] });
                 samples = Scratch.Samples.GetUnsafePtr();
+                grid.Heads[slot] = taken++;
+                cover.Cover(place);
             }
-            m_budget -= end - m_now.At;
-            m_now.At = end;
-            if (end == Scratch.Darts.Length)
-                m_now.Stage = Stage.MakeNodes;
+            m_budget -= end - m_now.Dart;
+            m_now.Dart = end;
+            if (end < Scratch.Darts.Length)
+                return;
+            m_now.Stage = Stage.Queue;
+            if (m_now.IsLastOfTile)
+                m_now.Point = m_now.EndOfTile;
         }
 
-        /// <summary>Numbers in the order of the ranges, whatever the order their points were taken in.</summary>
-        void MakeNodes()
+        void EndRange(SampledRange range)
         {
-            var ranges = Scratch.Ranges.GetUnsafePtr();
-            int first = Scratch.FirstRange[m_now.CellLog2];
-            var drafting = Drafting;
-            for (int r = first; r >= 0; r = ranges[r].Next)
-                ranges[r].Parent = drafting.AddSampled(ranges[r]);
-            var samples = Scratch.Samples.GetUnsafePtr();
-            for (int s = m_now.FirstSample; s < Scratch.Samples.Length; s++)
-                m_nodeOfPoint[samples[s].Point] = ranges[CodeOf(m_nodeOfPoint[samples[s].Point])].Parent;
-            m_budget -= Scratch.Samples.Length - m_now.FirstSample;
-            Scratch.FirstRange[m_now.CellLog2] = Scratch.LastRange[m_now.CellLog2] = -1;
-            m_now.Stage = Averaged.IsOn ? Stage.Average : Stage.Split;
+            range.Parent = Drafting.AddSampled(range);
+            Scratch.Ranges[m_now.At] = range;
+            m_now.At = range.Next;
+            if (m_now.At >= 0)
+            {
+                m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
+                return;
+            }
+            m_now.At = m_now.FirstRange;
+            m_now.Stage = Stage.Split;
+            if (!Averaged.IsOn)
+                return;
+            m_now.Stage = Stage.Average;
             m_now.FirstAverage = Averaged.Averages.Length;
-            m_now.FirstRange = m_now.At = first;
-            if (Averaged.IsOn)
-                Averaged.Averages.Resize(m_now.FirstAverage + Scratch.Samples.Length - m_now.FirstSample,
-                    NativeArrayOptions.ClearMemory);
+            Averaged.Averages.Resize(m_now.FirstAverage + Scratch.Samples.Length - m_now.FirstSample,
+                NativeArrayOptions.ClearMemory);
         }
 
         /// <summary>Each point of a range adds to the new sample that is nearest to it, unless one of a wider spacing is
@@ -367,16 +394,15 @@ namespace FastPoints.Octree
             var range = Scratch.Ranges[m_now.At];
             var samples = Scratch.Samples.GetUnsafePtr();
             var averages = Averaged.Averages.GetUnsafePtr() + m_now.FirstAverage;
-            var records = (byte*)Records.GetUnsafeReadOnlyPtr();
-            var grid = new PoissonGrid(Scratch.Heads.GetUnsafePtr(), math.tzcnt(Scratch.Heads.Length), m_now.CellLog2);
+            var grid = GridOfSpacing;
             for (int i = range.First; i < range.End; i++)
             {
                 if (m_nodeOfPoint[i] >= 0 && (range.Count == 0 || m_nodeOfPoint[i] != range.Parent))
                     continue;
-                int nearest = grid.Nearest(samples, SampleAt(i)) - m_now.FirstSample;
+                int nearest = grid.Nearest(samples, PlaceAt(i)) - m_now.FirstSample;
                 if (nearest < 0)
                     continue;
-                var own = Averaged.Of(i, records + (long)i * Layout.StrideBytes, Layout);
+                var own = Averaged.Of(i, m_records + (long)i * Layout.StrideBytes, Layout);
                 averages[nearest].Points += own.Points;
                 averages[nearest].Sum += own.Sum;
             }

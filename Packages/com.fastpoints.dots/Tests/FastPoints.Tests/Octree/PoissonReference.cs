@@ -28,7 +28,8 @@ namespace FastPoints.Tests.Octree
         public int[] CellOfPoint { get; }
 
         /// <param name="order">All points, in the order in which they are tried.</param>
-        public PoissonReference(Grid3[] places, NodeSizes sizes, int[] order)
+        /// <param name="isTiled">Cube by cube, and tile by tile in a cube; otherwise all of one spacing in this order.</param>
+        public PoissonReference(Grid3[] places, NodeSizes sizes, int[] order, bool isTiled)
         {
             m_places = places;
             m_sizes = sizes;
@@ -50,7 +51,8 @@ namespace FastPoints.Tests.Octree
                 foreach (var cube in cubes)
                     foreach (int point in cube.Points)
                         cubeOfPoint[point] = cube;
-                foreach (int point in order)
+                var tried = isTiled ? ByTile(order, cubes, cubeOfPoint, cell) : order;
+                foreach (int point in tried)
                 {
                     var cube = cubeOfPoint[point];
                     if (cube == null || CellOfPoint[point] != Untaken || cube.Taken == m_sizes.MaxPointsPerNode || IsKeptOff(point, cell))
@@ -62,6 +64,36 @@ namespace FastPoints.Tests.Octree
                     foreach (var part in PartsOf(cube))
                         Visit(part);
             }
+        }
+
+        /// <summary>The points of the cubes, which come along the curve as they do: by tile, the order kept within each.</summary>
+        int[] ByTile(int[] order, List<Cube> cubes, Cube[] cubeOfPoint, int cell)
+        {
+            cubes.Sort((a, b) => a.Points[0].CompareTo(b.Points[0]));
+            int tileLog2 = Math.Min(62, cell + SamplePoissonJob.TileSpacingsLog2);
+            var tileOfPoint = new int[m_places.Length];
+            int tiles = 0;
+            foreach (var cube in cubes)
+            {
+                for (int i = 0; i < cube.Points.Count; i++)
+                {
+                    var place = m_places[cube.Points[i]];
+                    var before = m_places[cube.Points[Math.Max(0, i - 1)]];
+                    bool isNew = i == 0 || ((place.X ^ before.X) | (place.Y ^ before.Y) | (place.Z ^ before.Z)) >> tileLog2 != 0;
+                    tileOfPoint[cube.Points[i]] = isNew ? ++tiles : tiles;
+                }
+            }
+            var result = new List<int>();
+            foreach (int point in order)
+                if (cubeOfPoint[point] != null)
+                    result.Add(point);
+            var places = new Dictionary<int, int>();
+            for (int i = 0; i < result.Count; i++)
+                places[result[i]] = i;
+            result.Sort((a, b) => tileOfPoint[a] != tileOfPoint[b]
+                ? tileOfPoint[a].CompareTo(tileOfPoint[b])
+                : places[a].CompareTo(places[b]));
+            return result.ToArray();
         }
 
         /// <summary>The order of the sampler: classes of priority, along the Morton curve.</summary>

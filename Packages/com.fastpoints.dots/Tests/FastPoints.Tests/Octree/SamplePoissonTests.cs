@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Octree
         public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] places)
         {
             var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
-            var reference = new PoissonReference(sampled.Places, s_small, PoissonReference.OrderOf(sampled.Priority));
+            var reference = new PoissonReference(sampled.Places, s_small, PoissonReference.OrderOf(sampled.Priority), true);
             for (int i = 0; i < sampled.Places.Length; i++)
                 Assert.That(sampled.IsSampled(i) ? sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 : -2,
                     Is.EqualTo(reference.CellOfPoint[i]), "point " + i);
@@ -123,7 +123,7 @@ namespace FastPoints.Tests.Octree
                 for (int i = 0; i < order.Length; i++)
                     order[i] = i;
                 Array.Sort((uint[])sampled.Priority.Clone(), order);
-                var reference = new PoissonReference(sampled.Places, sizes, order);
+                var reference = new PoissonReference(sampled.Places, sizes, order, false);
                 // All that is drawn of the two widest spacings, as a picture from afar would have it.
                 int widest = 0;
                 foreach (var node in sampled.Nodes)
