@@ -12,7 +12,8 @@ namespace FastPoints.Octree
     /// </summary>
     public sealed class ChunkIndexer : IDisposable
     {
-        // How often a Poisson sampler looks at a point, in most clouds.
+        // How often the samplers look at a point, in most clouds.
+        const int UsualLevels = 6;
         const int UsualLooks = 24;
 
         readonly RecordLayout m_records;
@@ -22,18 +23,20 @@ namespace FastPoints.Octree
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
 
-        NativeArray<ulong> m_keys;
-        NativeArray<ulong> m_scratch;
+        OrderScratch m_ordering;
         NativeArray<uint> m_order;
         NativeArray<byte> m_sorted;
         NativeArray<byte> m_common;
         NativeArray<uint> m_priority;
+        NativeArray<byte> m_givesWay;
         NativeArray<int> m_nodeOfPoint;
         NativeArray<int> m_averageOfPoint;
         NativeList<PointAverage> m_averages;
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
+        WriteScratch m_writing;
+        RandomScratch m_random;
         PoissonScratch m_poisson;
         SliceTimes m_slices;
         int m_capacity;
@@ -47,8 +50,11 @@ namespace FastPoints.Octree
             m_cloudId = cloudId;
             m_sampler = sampler;
             m_sizes = sizes;
-            if (sampler != Sampler.Random)
+            if (sampler == Sampler.Random)
+                m_random = new RandomScratch(Allocator.Persistent);
+            else
                 m_poisson = new PoissonScratch(Allocator.Persistent);
+            m_writing = new WriteScratch(Allocator.Persistent);
             m_slices = new SliceTimes(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
             m_averages = new NativeList<PointAverage>(16, Allocator.Persistent);
@@ -67,8 +73,9 @@ namespace FastPoints.Octree
         public int Number { get; private set; }
         public JobHandle Job { get; private set; }
 
-        /// <summary>When the job is done: the chunk's file, empty where all points are in the top.</summary>
-        public NativeList<byte> File { get; }
+        /// <summary>When the job is done: the chunk's file, empty where all points are in the top. Whoever takes it gives another
+        /// list for the next one.</summary>
+        public NativeList<byte> File { get; set; }
 
         /// <summary>When an upper job is done: the upper nodes' table.</summary>
         public NativeList<byte> Table { get; }
@@ -95,28 +102,7 @@ namespace FastPoints.Octree
             Number = number;
             int count = checked((int)pages.Count);
             Reserve(count);
-            var ordered = new OrderChunkJob
-            {
-                Slices = m_slices,
-                Pages = pages,
-                Layout = m_records,
-                Cube = cube,
-                Keys = m_keys,
-                Scratch = m_scratch,
-                Order = m_order,
-            }.Schedule();
-            var gathered = new GatherRecordsJob
-            {
-                Slices = m_slices,
-                Pages = pages,
-                Layout = m_records,
-                Cube = cube,
-                Order = m_order,
-                Records = m_sorted,
-                CommonCubeLog2 = m_common,
-                Priority = m_priority,
-                Checksum = m_checksum,
-            }.Schedule(ordered);
+            var gathered = Gather(count, Order(count, pages, cube), cube);
             var sampled = Sample(count, cube, m_records, m_sorted, m_tops, gathered);
             Job = Write(count, m_records, cube.Corner, true, true, m_sorted, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();
@@ -159,8 +145,11 @@ namespace FastPoints.Octree
             m_averages.Dispose();
             m_checksum.Dispose();
             m_slices.Dispose();
+            m_writing.Dispose();
             m_bytesOfPlane.Dispose();
-            if (m_sampler != Sampler.Random)
+            if (m_sampler == Sampler.Random)
+                m_random.Dispose();
+            else
                 m_poisson.Dispose();
             Drafts.Dispose();
             File.Dispose();
@@ -169,12 +158,58 @@ namespace FastPoints.Octree
             NodeOfDraft.Dispose();
         }
 
+        JobHandle Order(int count, RecordPages pages, GridCube cube)
+        {
+            m_ordering.Now.Value = default;
+            var job = new OrderChunkJob
+            {
+                Slices = m_slices,
+                Pages = pages,
+                Layout = m_records,
+                Cube = cube,
+                Scratch = m_ordering,
+                Order = m_order,
+                PointsPerSlice = OrderChunkJob.PointsOfSlice,
+            };
+            var done = default(JobHandle);
+            for (long looked = 0; looked < (long)count * OrderChunkJob.Looks; looked += job.PointsPerSlice)
+                done = job.Schedule(done);
+            // Slices end at pages and buckets: what they leave.
+            job.PointsPerSlice = int.MaxValue;
+            return job.Schedule(done);
+        }
+
+        JobHandle Gather(int count, JobHandle inputDeps, GridCube cube)
+        {
+            var job = new GatherRecordsJob
+            {
+                Slices = m_slices,
+                PageTable = m_ordering.PageTable,
+                Layout = m_records,
+                Cube = cube,
+                Order = m_order,
+                Records = m_sorted,
+                CommonCubeLog2 = m_common,
+                Priority = m_priority,
+                Checksum = m_checksum,
+            };
+            do
+            {
+                job.First = job.End;
+                job.End = Math.Min(count, job.First + GatherRecordsJob.PointsOfSlice);
+                inputDeps = job.Schedule(inputDeps);
+            }
+            while (job.End < count);
+            return inputDeps;
+        }
+
         JobHandle Sample(int count, GridCube cube, RecordLayout layout, NativeArray<byte> records, NativeArray<ChunkTop> tops,
             JobHandle inputDeps)
         {
             if (m_sampler == Sampler.Random)
             {
-                return new SampleRandomJob
+                m_random.Now.Value = default;
+                var random = new SampleRandomJob
                 {
                     Slices = m_slices,
                     Count = count,
@@ -182,10 +217,17 @@ namespace FastPoints.Octree
                     Sizes = m_sizes,
                     CommonCubeLog2 = m_common,
                     Priority = m_priority,
+                    GivesWayLog2 = m_givesWay,
+                    Scratch = m_random,
+                    PointsPerSlice = SampleRandomJob.PointsOfSlice,
                     Tops = tops,
                     NodeOfPoint = m_nodeOfPoint,
                     Nodes = Drafts,
-                }.Schedule(inputDeps);
+                };
+                for (long looked = 0; looked < (long)count * UsualLevels; looked += random.PointsPerSlice)
+                    inputDeps = random.Schedule(inputDeps);
+                random.PointsPerSlice = int.MaxValue;
+                return random.Schedule(inputDeps);
             }
             m_poisson.Now.Value = default;
             var job = new SamplePoissonJob
@@ -217,7 +259,8 @@ namespace FastPoints.Octree
             NativeArray<int> nodeOfPoint,
             JobHandle inputDeps)
         {
-            return new WriteNodesJob
+            m_writing.Now.Value = default;
+            var job = new WriteNodesJob
             {
                 Slices = m_slices,
                 Count = count,
@@ -240,7 +283,16 @@ namespace FastPoints.Octree
                 AverageOf = m_store.AverageOf,
                 Averaged = Averaged,
                 BytesOfPlane = m_bytesOfPlane,
-            }.Schedule(inputDeps);
+                Points = m_order,
+                Scratch = m_writing,
+                PointsPerSlice = WriteNodesJob.PointsOfSlice,
+            };
+            long looks = count + count / WriteNodesJob.PointsSortedForOne;
+            for (long looked = 0; looked < looks; looked += job.PointsPerSlice)
+                inputDeps = job.Schedule(inputDeps);
+            // Slices end at nodes: what they leave.
+            job.PointsPerSlice = int.MaxValue;
+            return job.Schedule(inputDeps);
         }
 
         AveragedColumns Averaged => new AveragedColumns
@@ -252,31 +304,31 @@ namespace FastPoints.Octree
 
         void Reserve(int count)
         {
-            if (count <= m_capacity && m_keys.IsCreated)
+            if (count <= m_capacity && m_ordering.IsCreated)
                 return;
             FreePoints();
             m_capacity = Math.Max(1, count);
             const NativeArrayOptions raw = NativeArrayOptions.UninitializedMemory;
-            m_keys = new NativeArray<ulong>(m_capacity, Allocator.Persistent, raw);
-            m_scratch = new NativeArray<ulong>(m_capacity, Allocator.Persistent, raw);
+            m_ordering = new OrderScratch(m_capacity, Allocator.Persistent);
             m_order = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
             m_sorted = new NativeArray<byte>(checked(m_capacity * m_records.StrideBytes), Allocator.Persistent, raw);
             m_common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
             m_priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
+            m_givesWay = new NativeArray<byte>(m_sampler == Sampler.Random ? m_capacity : 0, Allocator.Persistent, raw);
             m_nodeOfPoint = new NativeArray<int>(m_capacity, Allocator.Persistent, raw);
             m_averageOfPoint = new NativeArray<int>(m_store.HasAverages ? m_capacity : 0, Allocator.Persistent, raw);
         }
 
         void FreePoints()
         {
-            if (!m_keys.IsCreated)
+            if (!m_ordering.IsCreated)
                 return;
-            m_keys.Dispose();
-            m_scratch.Dispose();
+            m_ordering.Dispose();
             m_order.Dispose();
             m_sorted.Dispose();
             m_common.Dispose();
             m_priority.Dispose();
+            m_givesWay.Dispose();
             m_nodeOfPoint.Dispose();
             m_averageOfPoint.Dispose();
         }

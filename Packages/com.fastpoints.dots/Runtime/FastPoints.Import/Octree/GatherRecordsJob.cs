@@ -2,15 +2,27 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Puts a chunk's records in order, one after the other, and prepares the sampling:
-    /// where cubes end in the order, and each record's priority.</summary>
+    /// <summary>Puts some of a chunk's records in order, one after the other, and prepares the sampling: where cubes end in the
+    /// order, and each record's priority. The slices of a chunk follow one another.</summary>
     [BurstCompile]
     public unsafe struct GatherRecordsJob : IJob
     {
-        public RecordPages Pages;
+        /// <summary>Takes about 4 ms.</summary>
+        public const int PointsOfSlice = 100000;
+
+        // Records that are copied, then looked at while they are in the cache.
+        const int PointsOfRun = 512;
+
+        /// <summary>The points of this slice, in the order.</summary>
+        public int First;
+        public int End;
+
+        /// <summary>By page: its address.</summary>
+        [ReadOnly] public NativeList<ulong> PageTable;
         public RecordLayout Layout;
         public Points.GridCube Cube;
         [ReadOnly] public NativeArray<uint> Order;
@@ -23,7 +35,7 @@ namespace FastPoints.Octree
         /// <summary>By point: the upper half of its hash.</summary>
         public NativeArray<uint> Priority;
 
-        /// <summary>Sum of the hashes.</summary>
+        /// <summary>The sum of the hashes is added; the first slice begins with it.</summary>
         public NativeReference<ulong> Checksum;
 
         public SliceTimes Slices;
@@ -37,26 +49,31 @@ namespace FastPoints.Octree
 
         void Run()
         {
-            var pageTable = (RecordPages.Page**)UnsafeUtility.Malloc((long)Pages.PageCount * sizeof(void*), 16, Allocator.Temp);
-            int pageCount = 0;
-            for (var page = Pages.First; page != null; page = page->Next)
-                pageTable[pageCount++] = page;
-            var table = new RecordTable { Pages = pageTable, Layout = Layout, Corner = Cube.Corner };
-
-            int count = (int)Pages.Count;
-            int stride = Layout.StrideBytes;
+            var table = new RecordTable
+            {
+                Pages = (RecordPages.Page**)PageTable.GetUnsafeReadOnlyPtr(),
+                Layout = Layout,
+                Corner = Cube.Corner,
+            };
+            int words = Layout.StrideBytes >> 2;
             var order = (uint*)Order.GetUnsafeReadOnlyPtr();
             var records = (byte*)Records.GetUnsafePtr();
-            for (int i = 0; i < count; i++)
+            var common = (byte*)CommonCubeLog2.GetUnsafePtr();
+            var priority = (uint*)Priority.GetUnsafePtr();
+            ulong sum = First > 0 ? Checksum.Value : 0;
+            for (int first = First; first < End; first += PointsOfRun)
             {
-                var from = (uint*)table.At(order[i]);
-                var to = (uint*)(records + (long)i * stride);
-                for (int w = 0; w < stride >> 2; w++)
-                    to[w] = from[w];
+                int end = math.min(End, first + PointsOfRun);
+                var to = (uint*)(records + (long)first * Layout.StrideBytes);
+                for (int i = first; i < end; i++, to += words)
+                {
+                    var from = (uint*)table.At(order[i]);
+                    for (int w = 0; w < words; w++)
+                        to[w] = from[w];
+                }
+                sum += Sampling.Prepare(records, first, end, Layout, Cube.Corner, common, priority);
             }
-            UnsafeUtility.Free(pageTable, Allocator.Temp);
-            Checksum.Value = Sampling.Prepare(records, count, Layout, Cube.Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
-                (uint*)Priority.GetUnsafePtr());
+            Checksum.Value = sum;
         }
     }
 }

@@ -65,8 +65,10 @@ namespace FastPoints.Octree
             // From here on a point's entry is the place of its record, or -1.
             WritePlaces(bytes, count, chunkOfPoint, records);
             byte* attributes = records + Layout.PositionBytes;
-            for (int i = 0; i < kept; i++)
-                UnsafeUtility.MemClear(attributes + (long)i * stride, Layout.AttributeBytes);
+            // What fills the last word up is zero.
+            byte* lastWord = attributes + Layout.AttributeBytes - sizeof(uint);
+            for (int i = 0; i < kept && Fields.Length > 0; i++)
+                *(uint*)(lastWord + (long)i * stride) = 0;
             for (int f = 0; f < Fields.Length; f++)
             {
                 var field = Fields[f];
@@ -168,8 +170,12 @@ namespace FastPoints.Octree
         static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, long stride,
             ref AttributeFindings findings)
         {
+            if (type == AttributeType.UInt16)
+            {
+                CopyShorts((ushort*)from, count, placeOfPoint, to, stride, ref findings);
+                return;
+            }
             ulong min = findings.Min, max = findings.Max, or = findings.Or;
-            uint notDoubled = findings.NotDoubled;
             int size = type.SizeOf();
             for (int i = 0; i < count; i++)
             {
@@ -180,11 +186,7 @@ namespace FastPoints.Octree
                 switch (size)
                 {
                     case 1: *target = *value; break;
-                    case 2:
-                        uint two = *(ushort*)value;
-                        *(ushort*)target = (ushort)two;
-                        notDoubled |= two >> 8 ^ two & 0xFF;
-                        break;
+                    case 2: *(ushort*)target = *(ushort*)value; break;
                     case 4: *(uint*)target = *(uint*)value; break;
                     default: *(ulong*)target = *(ulong*)value; break;
                 }
@@ -196,6 +198,31 @@ namespace FastPoints.Octree
             findings.Min = min;
             findings.Max = max;
             findings.Or = or;
+        }
+
+        /// <summary>The usual type of colours and intensity, and the one whose halves are looked at.</summary>
+        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride, ref AttributeFindings findings)
+        {
+            uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = findings.NotDoubled;
+            int copied = 0;
+            for (int i = 0; i < count; i++)
+            {
+                int place = placeOfPoint[i];
+                if (place < 0)
+                    continue;
+                uint value = from[i];
+                *(ushort*)(to + place * stride) = (ushort)value;
+                min = math.min(min, value);
+                max = math.max(max, value);
+                or |= value;
+                notDoubled |= value >> 8 ^ value & 0xFF;
+                copied++;
+            }
+            if (copied == 0)
+                return;
+            findings.Min = math.min(findings.Min, min);
+            findings.Max = math.max(findings.Max, max);
+            findings.Or |= or;
             findings.NotDoubled = notDoubled;
         }
     }

@@ -15,19 +15,13 @@ namespace FastPoints.Octree
         public NativeList<NodeDraft> Nodes;
 
         /// <summary>Takes all that is left of a range into a leaf, a chunk's top or a chain, where it should be one.</summary>
+        /// <param name="look">At the range's points.</param>
         /// <param name="top">The chunk whose top that was, or -1.</param>
         /// <returns>False where the range is to be sampled: its cube and cells are set.</returns>
-        public bool TakeWhole(ref SampledRange range, out int top)
+        public bool TakeWhole(ref SampledRange range, in RangeLook look, out int top)
         {
             top = -1;
-            int left = 0, largest = 0;
-            for (int i = range.First; i < range.End; i++)
-            {
-                left += NodeOfPoint[i] < 0 ? 1 : 0;
-                largest = math.max(largest, i > range.First ? CommonCubeLog2[i] : 0);
-            }
-
-            int firstTop = 0, endTop = 0;
+            int left = look.Left, firstTop = 0, endTop = 0;
             bool isLeaf = left <= Sizes.MaxPointsPerLeaf;
             if (Tops.Length > 0)
             {
@@ -50,7 +44,7 @@ namespace FastPoints.Octree
                     Attach(t, leaf);
                 return true;
             }
-            if (largest == 0)
+            if (look.Largest == 0)
             {
                 bool hasNodes = false;
                 for (int t = firstTop; t < endTop; t++)
@@ -60,8 +54,8 @@ namespace FastPoints.Octree
                     Attach(t, last);
                 return true;
             }
-            range.SideLog2 = (byte)largest;
-            range.CellLog2 = (byte)FinestCell(range);
+            range.SideLog2 = (byte)look.Largest;
+            range.CellLog2 = (byte)look.FinestCell(Sizes);
             return false;
         }
 
@@ -82,46 +76,6 @@ namespace FastPoints.Octree
             while (i < range.End && CommonCubeLog2[i] < range.SideLog2)
                 i++;
             return i;
-        }
-
-        /// <summary>The finest cells with which the node does not become too large: those that the sizes say, coarser in a
-        /// filled volume.</summary>
-        int FinestCell(in SampledRange range)
-        {
-            // By side: neighbours in the order whose smallest common cube has it; first of all points, then of the taken ones.
-            // A cell boundary lies between two points where their common cube is larger than the cell.
-            int* allBySide = stackalloc int[65];
-            int* takenBySide = stackalloc int[65];
-            UnsafeUtility.MemClear(allBySide, 65 * sizeof(int));
-            UnsafeUtility.MemClear(takenBySide, 65 * sizeof(int));
-            int taken = 0, sinceTaken = 0;
-            for (int i = range.First; i < range.End; i++)
-            {
-                if (i > range.First)
-                {
-                    allBySide[CommonCubeLog2[i]]++;
-                    sinceTaken = math.max(sinceTaken, CommonCubeLog2[i]);
-                }
-                if (NodeOfPoint[i] < 0)
-                    continue;
-                if (taken++ > 0)
-                    takenBySide[sinceTaken]++;
-                sinceTaken = 0;
-            }
-
-            int side = range.SideLog2;
-            int finest = math.max(0, side - Sizes.CellsLog2);
-            int cells = 1, takenCells = taken > 0 ? 1 : 0;
-            int best = side;
-            for (int cell = side - 1; cell >= finest; cell--)
-            {
-                cells += allBySide[cell + 1];
-                takenCells += takenBySide[cell + 1];
-                if (cells - takenCells > Sizes.MaxPointsPerNode)
-                    break;
-                best = cell;
-            }
-            return best;
         }
 
         int TakeAll(in SampledRange range, int left, int side, byte cell, bool isLeaf)

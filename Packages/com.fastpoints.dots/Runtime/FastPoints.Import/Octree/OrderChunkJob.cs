@@ -19,11 +19,28 @@ namespace FastPoints.Octree
     ///     Morton bits left   record number
     /// </code>
     /// Where a chunk has more Morton bits than that leaves room for (a few points in a vast cube), and at equal places, the
-    /// runs that are equal so far are sorted by comparing records.
+    /// runs that are equal so far are sorted by comparing records. One run of the job is a slice: it is run until it is done.
     /// </remarks>
     [BurstCompile]
     public unsafe struct OrderChunkJob : IJob
     {
+        /// <summary>What the next slice goes on with.</summary>
+        public enum Stage
+        {
+            Start,
+            MakeKeys,
+            Distribute,
+            Sort,
+            Done,
+        }
+
+        /// <summary>Takes at most about 4 ms, but for a bucket that has more points.</summary>
+        public const int PointsOfSlice = 200000;
+
+        /// <summary>How often each point is looked at: its key is made, distributed, and sorted in its bucket.</summary>
+        public const int Looks = 3;
+
+        public const int Buckets = 1 << FirstDigitBits;
         const int FirstDigitBits = 9;
         const int FewRecords = 4096;
 
@@ -31,14 +48,19 @@ namespace FastPoints.Octree
         public RecordLayout Layout;
         public GridCube Cube;
 
-        /// <summary>Room for the records each: scratch.</summary>
-        public NativeArray<ulong> Keys;
-        public NativeArray<ulong> Scratch;
+        /// <summary>Its <see cref="OrderScratch.Now"/> is reset before the first slice.</summary>
+        public OrderScratch Scratch;
+
+        /// <summary>About so many points are looked at in one run.</summary>
+        public int PointsPerSlice;
 
         /// <summary>Out: numbers of the records, in order.</summary>
         public NativeArray<uint> Order;
 
         public SliceTimes Slices;
+
+        OrderScratch.State m_now;
+        long m_budget;
 
         public void Execute()
         {
@@ -47,83 +69,123 @@ namespace FastPoints.Octree
             Slices.End(begin);
         }
 
+        int Count => (int)Pages.Count;
+        int Levels => math.min(Cube.SideLog2, Morton.BitsPerAxis);
+        int KeyBits => 3 * Levels;
+        int NumberBits => 64 - math.lzcnt((ulong)Pages.PageCount * RecordPages.RecordsPerPage - 1);
+
+        // Bits of the key in the first digit, below it, and of these the upper ones that have room above the number.
+        int FirstBits => Count < FewRecords ? 0 : math.min(KeyBits, FirstDigitBits);
+        int RestBits => KeyBits - FirstBits;
+        int KeptBits => math.min(RestBits, 64 - NumberBits);
+
         void Run()
         {
-            int count = (int)Pages.Count;
-            int levels = math.min(Cube.SideLog2, Morton.BitsPerAxis);
-            int keyBits = 3 * levels;
-            int numberBits = 64 - math.lzcnt((ulong)Pages.PageCount * RecordPages.RecordsPerPage - 1);
-            int firstBits = count < FewRecords ? 0 : math.min(keyBits, FirstDigitBits);
-            int keptBits = math.min(keyBits - firstBits, 64 - numberBits);
-
-            var pageTable = (RecordPages.Page**)UnsafeUtility.Malloc((long)Pages.PageCount * sizeof(void*), 16, Allocator.Temp);
-            int pageCount = 0;
-            for (var page = Pages.First; page != null; page = page->Next)
-                pageTable[pageCount++] = page;
-            var table = new RecordTable { Pages = pageTable, Layout = Layout, Corner = Cube.Corner };
-
-            var keys = (ulong*)Keys.GetUnsafePtr();
-            var scratch = (ulong*)Scratch.GetUnsafePtr();
-            var order = (uint*)Order.GetUnsafePtr();
-            int* start = stackalloc int[(1 << FirstDigitBits) + 1];
-            MakeKeys(table, pageCount, levels, keys);
-            Distribute(table, pageCount, keys, scratch, count, keyBits - firstBits, keptBits, numberBits, start);
-            for (int bucket = 0; bucket < 1 << firstBits; bucket++)
+            m_now = Scratch.Now.Value;
+            m_budget = PointsPerSlice;
+            if (m_now.Stage == Stage.Start)
+                Start();
+            var table = new RecordTable
             {
-                int first = start[bucket], size = start[bucket + 1] - first;
-                if (size > 0)
-                    SortBucket(table, scratch + first, keys + first, order + first, size, numberBits, keptBits);
-            }
-            UnsafeUtility.Free(pageTable, Allocator.Temp);
+                Pages = (RecordPages.Page**)Scratch.PageTable.GetUnsafePtr(),
+                Layout = Layout,
+                Corner = Cube.Corner,
+            };
+            if (m_now.Stage == Stage.MakeKeys)
+                MakeKeys(table);
+            if (m_now.Stage == Stage.Distribute)
+                Distribute(table);
+            if (m_now.Stage == Stage.Sort)
+                Sort(table);
+            Scratch.Now.Value = m_now;
         }
 
-        void MakeKeys(in RecordTable table, int pageCount, int levels, ulong* keys)
+        void Start()
         {
-            int shift = Cube.SideLog2 - levels;
-            int stride = Layout.StrideBytes;
-            for (int p = 0; p < pageCount; p++)
+            Scratch.PageTable.Clear();
+            for (var page = Pages.First; page != null; page = page->Next)
+                Scratch.PageTable.Add((ulong)page);
+            UnsafeUtility.MemClear(Scratch.FirstOfBucket.GetUnsafePtr(), (Buckets + 1) * sizeof(int));
+            m_now = new OrderScratch.State { Stage = Stage.MakeKeys };
+        }
+
+        /// <summary>Makes keys and counts them by their first digit.</summary>
+        void MakeKeys(in RecordTable table)
+        {
+            int shift = Cube.SideLog2 - Levels, restBits = RestBits, stride = Layout.StrideBytes;
+            var countOfBucket = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            var keys = (ulong*)Scratch.Keys.GetUnsafePtr() + m_now.Record;
+            for (; m_now.At < Pages.PageCount; m_now.At++)
             {
-                byte* record = RecordPages.RecordsOf(table.Pages[p]);
-                int count = table.Pages[p]->Count;
+                if (m_budget <= 0)
+                    return;
+                byte* record = RecordPages.RecordsOf(table.Pages[m_now.At]);
+                int count = table.Pages[m_now.At]->Count;
                 for (int i = 0; i < count; i++, record += stride)
                 {
                     var place = Layout.PlaceOf(record) - Cube.Corner;
-                    keys[i] = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+                    ulong key = Morton.Encode((uint)(place.X >> shift), (uint)(place.Y >> shift), (uint)(place.Z >> shift));
+                    keys[i] = key;
+                    countOfBucket[key >> restBits]++;
                 }
                 keys += count;
+                m_now.Record += count;
+                m_budget -= count;
             }
-        }
-
-        /// <summary>Counts and distributes by the first digit; what is left of the key goes above the record's number.</summary>
-        static void Distribute(in RecordTable table, int pageCount, ulong* keys, ulong* to, int count, int restBits, int keptBits,
-            int numberBits, int* start)
-        {
-            int buckets = 1 << FirstDigitBits;
-            UnsafeUtility.MemClear(start, (buckets + 1) * sizeof(int));
-            for (int i = 0; i < count; i++)
-                start[keys[i] >> restBits]++;
             int sum = 0;
-            for (int b = 0; b <= buckets; b++)
+            for (int b = 0; b <= Buckets; b++)
             {
-                int with = start[b];
-                start[b] = sum;
+                int with = countOfBucket[b];
+                countOfBucket[b] = sum;
                 sum += with;
             }
+            m_now = new OrderScratch.State { Stage = Stage.Distribute };
+        }
 
-            int dropped = restBits - keptBits;
+        /// <summary>Distributes by the first digit; what is left of the key goes above the record's number.</summary>
+        void Distribute(in RecordTable table)
+        {
+            int restBits = RestBits, keptBits = KeptBits, numberBits = NumberBits, dropped = restBits - keptBits;
             ulong mask = keptBits == 64 ? ulong.MaxValue : (1UL << keptBits) - 1;
-            for (int p = 0; p < pageCount; p++)
+            var next = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            var keys = (ulong*)Scratch.Keys.GetUnsafePtr() + m_now.Record;
+            var to = (ulong*)Scratch.Sorted.GetUnsafePtr();
+            for (; m_now.At < Pages.PageCount; m_now.At++)
             {
-                ulong number = (ulong)p << RecordPages.RecordsPerPageLog2;
-                int inPage = table.Pages[p]->Count;
-                for (int i = 0; i < inPage; i++)
-                    to[start[keys[i] >> restBits]++] = keptBits == 0 ? number + (ulong)i
+                if (m_budget <= 0)
+                    return;
+                ulong number = (ulong)m_now.At << RecordPages.RecordsPerPageLog2;
+                int count = table.Pages[m_now.At]->Count;
+                for (int i = 0; i < count; i++)
+                    to[next[keys[i] >> restBits]++] = keptBits == 0 ? number + (ulong)i
                         : (keys[i] >> dropped & mask) << numberBits | number + (ulong)i;
-                keys += inPage;
+                keys += count;
+                m_now.Record += count;
+                m_budget -= count;
             }
-            for (int b = buckets; b > 0; b--)
-                start[b] = start[b - 1];
-            start[0] = 0;
+            // Each start has moved to its end, which is the next one's start.
+            for (int b = Buckets; b > 0; b--)
+                next[b] = next[b - 1];
+            next[0] = 0;
+            m_now = new OrderScratch.State { Stage = Stage.Sort };
+        }
+
+        void Sort(in RecordTable table)
+        {
+            var start = (int*)Scratch.FirstOfBucket.GetUnsafePtr();
+            var keys = (ulong*)Scratch.Sorted.GetUnsafePtr();
+            var scratch = (ulong*)Scratch.Keys.GetUnsafePtr();
+            var order = (uint*)Order.GetUnsafePtr();
+            for (; m_now.At < Buckets; m_now.At++)
+            {
+                if (m_budget <= 0)
+                    return;
+                int first = start[m_now.At], count = start[m_now.At + 1] - first;
+                if (count > 0)
+                    SortBucket(table, keys + first, scratch + first, order + first, count, NumberBits, KeptBits);
+                m_budget -= count;
+            }
+            m_now.Stage = Stage.Done;
         }
 
         static void SortBucket(in RecordTable table, ulong* keys, ulong* scratch, uint* order, int count, int numberBits,

@@ -44,13 +44,10 @@ namespace FastPoints.Octree
                 for (int first = 0; first < runs[r].Count; first += PlaneShape.MaxPointsPerBlock)
                 {
                     int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
-                    for (int i = 0; i < count; i++)
-                    {
-                        var offset = Layout.PlaceOf(Records + (long)runs[r].Points[first + i] * Layout.StrideBytes) - corner;
-                        values[i] = (ulong)offset.X;
-                        values[PlaneShape.MaxPointsPerBlock + i] = (ulong)offset.Y;
-                        values[2 * PlaneShape.MaxPointsPerBlock + i] = (ulong)offset.Z;
-                    }
+                    if (isWide)
+                        LoadOffsets(runs[r].Points + first, count, corner, values);
+                    else
+                        LoadOffsetsNarrow(runs[r].Points + first, count, corner, (uint*)values);
                     WriteBlock(values, count, shape, plane, ref descriptor, ref word, min + 3 * r, max + 3 * r);
                 }
             }
@@ -71,8 +68,12 @@ namespace FastPoints.Octree
                 {
                     int count = math.min(PlaneShape.MaxPointsPerBlock, runs[r].Count - first);
                     for (int c = 0; c < shape.ColumnCount; c++)
-                        LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], values +
-                            c * PlaneShape.MaxPointsPerBlock);
+                    {
+                        if (shape.IsWide(c))
+                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], WideOf(values, c));
+                        else
+                            LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c], NarrowOf(values, c));
+                    }
                     WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
                 }
             }
@@ -99,7 +100,13 @@ namespace FastPoints.Octree
                         int point = (int)runs[r].Points[first + i];
                         var average = averaged.Of(point, Records + (long)point * Layout.StrideBytes, Layout);
                         for (int c = 0; c < shape.ColumnCount; c++)
-                            values[c * PlaneShape.MaxPointsPerBlock + i] = averaged.Stored(average, firstColumn + c);
+                        {
+                            ulong stored = averaged.Stored(average, firstColumn + c);
+                            if (shape.IsWide(c))
+                                WideOf(values, c)[i] = stored;
+                            else
+                                NarrowOf(values, c)[i] = (uint)stored;
+                        }
                     }
                     WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
                 }
@@ -107,52 +114,120 @@ namespace FastPoints.Octree
             return End(file, plane, start, word);
         }
 
+        /// <summary>A column's place among a block's values: of 64 bits, or of 32.</summary>
+        static ulong* WideOf(ulong* values, int column) => values + column * PlaneShape.MaxPointsPerBlock;
+        static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
+
+        void LoadOffsets(uint* points, int count, Grid3 corner, ulong* values)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                var offset = Layout.PlaceOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
+                WideOf(values, 0)[i] = (ulong)offset.X;
+                WideOf(values, 1)[i] = (ulong)offset.Y;
+                WideOf(values, 2)[i] = (ulong)offset.Z;
+            }
+        }
+
+        void LoadOffsetsNarrow(uint* points, int count, Grid3 corner, uint* values)
+        {
+            byte* records = Records;
+            long stride = Layout.StrideBytes;
+            uint* x = values, y = x + PlaneShape.MaxPointsPerBlock, z = y + PlaneShape.MaxPointsPerBlock;
+            if (Layout.IsWide)
+            {
+                for (int i = 0; i < count; i++)
+                {
+                    var offset = Layout.PlaceOf(records + points[i] * stride) - corner;
+                    x[i] = (uint)offset.X;
+                    y[i] = (uint)offset.Y;
+                    z[i] = (uint)offset.Z;
+                }
+                return;
+            }
+            var shift = corner - Layout.Base;
+            uint shiftX = (uint)shift.X, shiftY = (uint)shift.Y, shiftZ = (uint)shift.Z;
+            for (int i = 0; i < count; i++)
+            {
+                var place = (uint*)(records + points[i] * stride);
+                x[i] = place[0] - shiftX;
+                y[i] = place[1] - shiftY;
+                z[i] = place[2] - shiftZ;
+            }
+        }
+
         void LoadColumn(uint* points, int count, in StoredColumn column, ulong* values)
         {
             byte* attribute = Records + Layout.PositionBytes + column.RecordOffset;
             long stride = Layout.StrideBytes;
-            if (column.Type == AttributeType.UInt16)
-            {
-                uint divisor = (uint)column.Divisor;
-                if (divisor == 1)
-                {
-                    for (int i = 0; i < count; i++)
-                        values[i] = *(ushort*)(attribute + points[i] * stride);
-                    return;
-                }
-                for (int i = 0; i < count; i++)
-                    values[i] = *(ushort*)(attribute + points[i] * stride) / divisor;
-                return;
-            }
             for (int i = 0; i < count; i++)
                 values[i] = OrderedBits.Load(attribute + points[i] * stride, column.Type);
         }
 
+        void LoadColumnNarrow(uint* points, int count, in StoredColumn column, uint* values)
+        {
+            byte* attribute = Records + Layout.PositionBytes + column.RecordOffset;
+            long stride = Layout.StrideBytes;
+            var type = column.Type;
+            if (type == AttributeType.UInt16)
+            {
+                // Values are multiples of the divisor, and have 16 bits: the product is exact.
+                ulong reciprocal = ((1UL << 32) + (uint)column.Divisor - 1) / (uint)column.Divisor;
+                for (int i = 0; i < count; i++)
+                    values[i] = (uint)(*(ushort*)(attribute + points[i] * stride) * reciprocal >> 32);
+                return;
+            }
+            if (type == AttributeType.UInt8)
+            {
+                for (int i = 0; i < count; i++)
+                    values[i] = attribute[points[i] * stride];
+                return;
+            }
+            for (int i = 0; i < count; i++)
+                values[i] = (uint)OrderedBits.Load(attribute + points[i] * stride, type);
+        }
+
         /// <param name="min">By column: lowered to the block's smallest; <paramref name="max"/> raised to its largest.</param>
         static void WriteBlock(ulong* values, int count, PlaneShape shape, uint* plane, ref uint* descriptor, ref long word,
-            ulong* min,
-            ulong* max)
+            ulong* min, ulong* max)
         {
             uint widths = (uint)(count - 1) << 24;
             descriptor[0] = (uint)word;
             for (int c = 0; c < shape.ColumnCount; c++)
             {
-                ulong* column = values + c * PlaneShape.MaxPointsPerBlock;
-                ulong least = column[0], most = column[0];
-                for (int i = 1; i < count; i++)
+                int at = shape.MinimumWord(c), width;
+                ulong least, most;
+                if (shape.IsWide(c))
                 {
-                    least = math.min(least, column[i]);
-                    most = math.max(most, column[i]);
+                    ulong* column = WideOf(values, c);
+                    least = most = column[0];
+                    for (int i = 1; i < count; i++)
+                    {
+                        least = math.min(least, column[i]);
+                        most = math.max(most, column[i]);
+                    }
+                    width = BlockCodec.WidthOf(most - least);
+                    descriptor[at + 1] = (uint)(least >> 32);
+                    word += BlockCodec.PackWide(column, least, count, width, plane + word);
+                }
+                else
+                {
+                    uint* column = NarrowOf(values, c);
+                    uint leastNarrow = column[0], mostNarrow = column[0];
+                    for (int i = 1; i < count; i++)
+                    {
+                        leastNarrow = math.min(leastNarrow, column[i]);
+                        mostNarrow = math.max(mostNarrow, column[i]);
+                    }
+                    least = leastNarrow;
+                    most = mostNarrow;
+                    width = BlockCodec.WidthOf(most - least);
+                    word += BlockCodec.Pack(column, leastNarrow, count, width, plane + word);
                 }
                 min[c] = math.min(min[c], least);
                 max[c] = math.max(max[c], most);
-                int width = BlockCodec.WidthOf(most - least);
                 widths |= (uint)width << (8 * c);
-                int at = shape.MinimumWord(c);
                 descriptor[at] = (uint)least;
-                if (shape.IsWide(c))
-                    descriptor[at + 1] = (uint)(least >> 32);
-                word += BlockCodec.PackWide(column, least, count, width, plane + word);
             }
             descriptor[1] = widths;
             descriptor += shape.DescriptorWords;

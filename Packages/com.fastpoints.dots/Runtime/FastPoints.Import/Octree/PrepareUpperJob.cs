@@ -28,7 +28,7 @@ namespace FastPoints.Octree
 
         void Run()
         {
-            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), Count, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
+            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), 0, Count, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
                 (uint*)Priority.GetUnsafePtr());
         }
     }

@@ -159,13 +159,41 @@ namespace FastPoints.Octree
         void Visit(SampledRange range)
         {
             m_budget -= range.End - range.First;
-            if (Drafting.TakeWhole(ref range, out int top))
+            Look(range, out var look);
+            if (Drafting.TakeWhole(ref range, look, out int top))
             {
                 if (top >= 0 && !Tops[top].IsLeaf)
                     AddTop(range);
                 return;
             }
             Wait(range, Scratch.Ranges.Length);
+        }
+
+        void Look(in SampledRange range, out RangeLook look)
+        {
+            look = default;
+            var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            // By side: neighbours in the order whose smallest common cube has it; of all points, less those of the taken ones.
+            // A cell boundary lies between two points where their common cube is larger than the cell.
+            int taken = 0;
+            uint sinceTaken = 0, largest = 0;
+            for (int i = range.First; i < range.End; i++)
+            {
+                if (i > range.First)
+                {
+                    look.CellsBelow[common[i]]++;
+                    sinceTaken = math.max(sinceTaken, common[i]);
+                    largest = math.max(largest, common[i]);
+                }
+                if (m_nodeOfPoint[i] < 0)
+                    continue;
+                if (taken++ > 0)
+                    look.CellsBelow[sinceTaken]--;
+                sinceTaken = 0;
+            }
+            look.Left = range.End - range.First - taken;
+            look.AnyCell = taken > 0 ? 0 : 1;
+            look.Largest = (int)largest;
         }
 
         /// <summary>Ranges of one spacing wait in their order along the curve, wherever they come from.</summary>

@@ -2,6 +2,7 @@ using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
@@ -10,18 +11,45 @@ namespace FastPoints.Octree
     /// node above has a point of that cell already. Which points a node has depends on nothing but the points themselves.
     /// </summary>
     /// <remarks>
-    /// Points are in Morton order, so that cubes and cells are ranges, and one byte a point tells where they end. A node's cells
-    /// are as fine as the sizes say, and coarser where that made it too large: a filled volume. Cubes that would have their
-    /// points in one octant only are passed over, and so is a node that gets no point: its children hang on the node above.
+    /// Points are in Morton order, so that cubes and cells are ranges. A point that has the highest priority of a cell has it of
+    /// all finer ones that it is in, and so one number says in which cells a point wins: those smaller than the smallest cube in
+    /// which it has to give way. One pass finds it for all points, and then no priority is looked at again: a node takes the
+    /// points that win at its cells and did not at those of the node above. A node's cells are as fine as the sizes say, and
+    /// coarser where that made it too large: a filled volume. Cubes that would have their points in one octant only are passed
+    /// over, and so is a node that gets no point: its children hang on the node above. One run of the job is a slice: it is run
+    /// until it is done.
     /// </remarks>
     [BurstCompile]
     public unsafe struct SampleRandomJob : IJob
     {
+        /// <summary>What the next slice goes on with.</summary>
+        public enum Stage
+        {
+            Start,
+            FindWinners,
+            Sample,
+            Done,
+        }
+
+        /// <summary>Takes at most about 4 ms, but for a range that has more points.</summary>
+        public const int PointsOfSlice = 400000;
+
+        const byte Everywhere = byte.MaxValue;
+
         public int Count;
         public int RootSideLog2;
         public NodeSizes Sizes;
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
         [ReadOnly] public NativeArray<uint> Priority;
+
+        /// <summary>Scratch, by point: log2 of the side of the smallest cube in which another point has a higher priority.</summary>
+        public NativeArray<byte> GivesWayLog2;
+
+        /// <summary>Its <see cref="RandomScratch.Now"/> is reset before the first slice.</summary>
+        public RandomScratch Scratch;
+
+        /// <summary>About so many points are looked at in one run.</summary>
+        public int PointsPerSlice;
 
         /// <summary>Where the points are the tops of chunks, these: a range that lies in one of them becomes its node. Empty for
         /// whole points.</summary>
@@ -35,6 +63,9 @@ namespace FastPoints.Octree
 
         public SliceTimes Slices;
 
+        RandomScratch.State m_now;
+        long m_budget;
+
         public void Execute()
         {
             long begin = SliceTimes.Begin();
@@ -44,9 +75,73 @@ namespace FastPoints.Octree
 
         void Run()
         {
+            m_now = Scratch.Now.Value;
+            m_budget = PointsPerSlice;
+            if (m_now.Stage == Stage.Start)
+                Start();
+            if (m_now.Stage == Stage.FindWinners)
+                FindWinners();
+            if (m_now.Stage == Stage.Sample)
+                Sample();
+            Scratch.Now.Value = m_now;
+        }
+
+        void Start()
+        {
             Nodes.Clear();
-            if (Count == 0)
+            Scratch.Ranges.Clear();
+            if (Count > 0)
+                Scratch.Ranges.Add(new SampledRange
+                {
+                    First = 0,
+                    End = Count,
+                    Parent = -1,
+                    SideLog2 = (byte)RootSideLog2,
+                    CellLog2 = Everywhere,
+                });
+            m_now = new RandomScratch.State { Stage = Stage.FindWinners };
+        }
+
+        /// <summary>Where each point gives way: in the smaller of the cubes that it has in common with the next point of a higher
+        /// priority before it, and with that behind it. Of equal priorities the first in order counts as higher, so that content
+        /// decides.</summary>
+        void FindWinners()
+        {
+            var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
+            var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            var givesWay = (byte*)GivesWayLog2.GetUnsafePtr();
+            // No node is known yet: here are the points that none of a higher priority has come after, which fall in priority.
+            var rising = (int*)NodeOfPoint.GetUnsafePtr();
+            int depth = m_now.Rising, end = (int)math.min(Count, m_now.At + m_budget);
+            for (int i = m_now.At; i < end; i++)
+            {
+                uint own = priority[i];
+                byte cube = common[i];
+                while (depth > 0)
+                {
+                    int before = rising[depth - 1];
+                    if (priority[before] >= own)
+                        break;
+                    // What it has in common with the one that stands before it, it is known by already.
+                    byte wider = givesWay[before];
+                    givesWay[before] = (byte)math.min((uint)wider, cube);
+                    cube = (byte)math.max((uint)wider, cube);
+                    depth--;
+                }
+                givesWay[i] = depth == 0 ? Everywhere : cube;
+                rising[depth++] = i;
+            }
+            m_budget -= end - m_now.At;
+            m_now.At = end;
+            m_now.Rising = depth;
+            if (end < Count)
                 return;
+            UnsafeUtility.MemSet(NodeOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
+            m_now = new RandomScratch.State { Stage = Stage.Sample };
+        }
+
+        void Sample()
+        {
             var drafting = new NodeDrafting
             {
                 CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr(),
@@ -55,54 +150,72 @@ namespace FastPoints.Octree
                 Tops = Tops,
                 Nodes = Nodes,
             };
-            for (int i = 0; i < Count; i++)
-                drafting.NodeOfPoint[i] = Sampling.Unassigned;
-
-            var queue = new NativeList<SampledRange>(256, Allocator.Temp);
-            queue.Add(new SampledRange { First = 0, End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2 });
-            for (int q = 0; q < queue.Length; q++)
+            for (; m_now.At < Scratch.Ranges.Length; m_now.At++)
             {
-                var range = queue[q];
-                if (drafting.TakeWhole(ref range, out _))
+                if (m_budget <= 0)
+                    return;
+                var range = Scratch.Ranges[m_now.At];
+                m_budget -= range.End - range.First;
+                byte cellAbove = range.CellLog2;
+                Look(range, out var look);
+                if (drafting.TakeWhole(ref range, look, out _))
                     continue;
-                TakeOnePerCell(ref range, drafting);
+                TakeWinners(ref range, cellAbove);
                 int parent = drafting.AddSampled(range);
                 for (int first = range.First; first < range.End;)
                 {
                     int end = drafting.EndOfPart(range, first);
-                    queue.Add(new SampledRange { First = first, End = end, Parent = parent, SideLog2 = (byte)(range.SideLog2 - 1) });
+                    Scratch.Ranges.Add(new SampledRange
+                    {
+                        First = first,
+                        End = end,
+                        Parent = parent,
+                        SideLog2 = (byte)(range.SideLog2 - 1),
+                        CellLog2 = range.CellLog2,
+                    });
                     first = end;
                 }
             }
-            queue.Dispose();
+            m_now.Stage = Stage.Done;
         }
 
-        void TakeOnePerCell(ref SampledRange range, in NodeDrafting drafting)
+        /// <summary>Points that win at the cells of the node above are in nodes; of the others each is one cell more where cells are
+        /// so small that it wins.</summary>
+        void Look(in SampledRange range, out RangeLook look)
         {
-            var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
-            var common = drafting.CommonCubeLog2;
-            var nodeOfPoint = drafting.NodeOfPoint;
-            int node = drafting.Nodes.Length;
-            for (int first = range.First; first < range.End;)
+            look = default;
+            var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            var givesWay = (byte*)GivesWayLog2.GetUnsafeReadOnlyPtr();
+            int* winsBelow = stackalloc int[256];
+            UnsafeUtility.MemClear(winsBelow, 256 * sizeof(int));
+            int largest = 0;
+            winsBelow[givesWay[range.First]]++;
+            for (int i = range.First + 1; i < range.End; i++)
             {
-                int best = first, i = first;
-                bool isTaken = false;
-                do
-                {
-                    isTaken |= nodeOfPoint[i] >= 0;
-                    // Equal priorities: the first in order, so that content decides.
-                    if (priority[i] > priority[best])
-                        best = i;
-                    i++;
-                }
-                while (i < range.End && common[i] <= range.CellLog2);
-                if (!isTaken)
-                {
-                    nodeOfPoint[best] = node;
-                    range.Count++;
-                }
-                first = i;
+                winsBelow[givesWay[i]]++;
+                largest = math.max(largest, common[i]);
             }
+            look.Largest = largest;
+            for (int side = 0; side < 256 && side <= range.CellLog2; side++)
+            {
+                look.Left += winsBelow[side];
+                look.CellsBelow[math.min(side, RangeLook.Sides - 1)] += winsBelow[side];
+            }
+        }
+
+        void TakeWinners(ref SampledRange range, byte cellAbove)
+        {
+            var givesWay = (byte*)GivesWayLog2.GetUnsafeReadOnlyPtr();
+            var nodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
+            int node = Nodes.Length, count = 0;
+            for (int i = range.First; i < range.End; i++)
+            {
+                if (givesWay[i] <= range.CellLog2 || givesWay[i] > cellAbove)
+                    continue;
+                nodeOfPoint[i] = node;
+                count++;
+            }
+            range.Count = count;
         }
     }
 }

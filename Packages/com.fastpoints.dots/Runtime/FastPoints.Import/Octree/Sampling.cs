@@ -9,16 +9,17 @@ namespace FastPoints.Octree
         public const int Unassigned = -1;
 
         /// <summary>From records in order: where cubes end, and priorities.</summary>
+        /// <param name="first">Of the points that this is done for; of those before it, the last is looked at.</param>
         /// <returns>The sum of the records' hashes.</returns>
-        public static ulong Prepare(byte* records, int count, RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
+        public static ulong Prepare(byte* records, int first, int end, in RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
             uint* priority)
         {
             ulong sum = 0;
-            var before = default(Grid3);
-            int stride = layout.StrideBytes;
-            for (int i = 0; i < count; i++)
+            long stride = layout.StrideBytes;
+            var before = first > 0 ? layout.PlaceOf(records + (first - 1) * stride) - corner : default;
+            for (int i = first; i < end; i++)
             {
-                byte* record = records + (long)i * stride;
+                byte* record = records + i * stride;
                 var place = layout.PlaceOf(record);
                 ulong hash = Store.RecordHash.Of(place, layout.AttributesOf(record), layout.AttributeBytes,
                     Store.RecordHash.ChecksumSeed);

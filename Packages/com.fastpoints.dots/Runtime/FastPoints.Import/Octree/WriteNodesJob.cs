@@ -12,9 +12,26 @@ namespace FastPoints.Octree
     /// Writes a chunk's file, or the upper levels', in memory: every node's planes, then the table. A chunk's top node is not
     /// written: its points go to the merge of the upper levels.
     /// </summary>
+    /// <remarks>One run of the job is a slice: it is run until it is done. A node is written at once.</remarks>
     [BurstCompile]
     public unsafe struct WriteNodesJob : IJob
     {
+        /// <summary>What the next slice goes on with.</summary>
+        public enum Stage
+        {
+            Start,
+            SortPoints,
+            Plan,
+            Write,
+            Done,
+        }
+
+        /// <summary>Takes about 4 ms with a handful of attributes.</summary>
+        public const int PointsOfSlice = 60000;
+
+        /// <summary>That many points cost as much to sort as one to write.</summary>
+        public const int PointsSortedForOne = 8;
+
         /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
         public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
 
@@ -48,6 +65,15 @@ namespace FastPoints.Octree
         /// <summary>As the sampler left them.</summary>
         [ReadOnly] public AveragedColumns Averaged;
 
+        /// <summary>Scratch: points, those of one draft together.</summary>
+        public NativeArray<uint> Points;
+
+        /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
+        public WriteScratch Scratch;
+
+        /// <summary>About so many points are written in one run.</summary>
+        public int PointsPerSlice;
+
         /// <summary>Out: the file. Empty where a chunk has no node but its top.</summary>
         public NativeList<byte> File;
 
@@ -64,12 +90,10 @@ namespace FastPoints.Octree
         public NativeArray<long> BytesOfPlane;
 
         [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
-        [NativeDisableUnsafePtrRestriction] int* m_nodeOfDraft;
-        [NativeDisableUnsafePtrRestriction] int* m_draftOfNode;
-        [NativeDisableUnsafePtrRestriction] int* m_firstPointOfDraft;
         [NativeDisableUnsafePtrRestriction] uint* m_points;
-        int m_nodeCount;
         PlanePacker m_packer;
+        WriteScratch.State m_now;
+        long m_budget;
 
         public SliceTimes Slices;
 
@@ -82,64 +106,91 @@ namespace FastPoints.Octree
 
         void Run()
         {
-            File.Clear();
-            Table.Clear();
-            Top.Clear();
-            for (int p = 0; p < BytesOfPlane.Length; p++)
-                BytesOfPlane[p] = 0;
-            int drafts = Drafts.Length;
+            m_now = Scratch.Now.Value;
+            m_budget = PointsPerSlice;
             m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
-            NodeOfDraft.ResizeUninitialized(drafts);
-            m_nodeOfDraft = NodeOfDraft.GetUnsafePtr();
-            m_draftOfNode = Allocate<int>(drafts);
-            m_firstPointOfDraft = Allocate<int>(drafts);
-            m_points = Allocate<uint>(Count);
+            m_points = (uint*)Points.GetUnsafePtr();
             m_packer = new PlanePacker
             {
                 Records = (byte*)Records.GetUnsafeReadOnlyPtr(),
                 Layout = Layout,
                 Columns = (StoredColumn*)Columns.GetUnsafeReadOnlyPtr(),
             };
-
-            SortPoints(drafts);
-            int* firstChild = Allocate<int>(drafts);
-            int* childCount = Allocate<int>(drafts);
-            NumberNodes(drafts, firstChild, childCount);
-            if (KeepsTopOut && drafts > 0)
-                CopyTop();
-            if (m_nodeCount > 0)
-                WriteFile(firstChild, childCount);
-
-            UnsafeUtility.Free(childCount, Allocator.Temp);
-            UnsafeUtility.Free(firstChild, Allocator.Temp);
-            UnsafeUtility.Free(m_points, Allocator.Temp);
-            UnsafeUtility.Free(m_firstPointOfDraft, Allocator.Temp);
-            UnsafeUtility.Free(m_draftOfNode, Allocator.Temp);
+            if (m_now.Stage == Stage.Start)
+                Start();
+            if (m_now.Stage == Stage.SortPoints)
+                SortPoints();
+            if (m_now.Stage == Stage.Plan)
+                Plan();
+            if (m_now.Stage == Stage.Write)
+                WriteHosts();
+            Scratch.Now.Value = m_now;
         }
 
-        static T* Allocate<T>(int count) where T : unmanaged =>
-            (T*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(T), 16, Allocator.Temp);
-
-        /// <summary>Points of one node together, in their order along the curve.</summary>
-        void SortPoints(int drafts)
+        void Start()
         {
+            File.Clear();
+            Table.Clear();
+            Top.Clear();
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] = 0;
+            var firstPoint = Scratch.FirstPointOfDraft;
+            firstPoint.ResizeUninitialized(Drafts.Length);
             int sum = 0;
-            for (int d = 0; d < drafts; d++)
+            for (int d = 0; d < Drafts.Length; d++)
             {
-                m_firstPointOfDraft[d] = sum;
+                firstPoint[d] = sum;
                 sum += m_drafts[d].Count;
             }
+            m_now = new WriteScratch.State { Stage = Stage.SortPoints };
+        }
+
+        /// <summary>Points of one node together, in their order along the curve.</summary>
+        void SortPoints()
+        {
+            int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
             var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
-            for (int i = 0; i < Count; i++)
-                m_points[m_firstPointOfDraft[nodeOfPoint[i]]++] = (uint)i;
-            for (int d = 0; d < drafts; d++)
-                m_firstPointOfDraft[d] -= m_drafts[d].Count;
+            int end = (int)math.min(Count, m_now.At + m_budget * PointsSortedForOne);
+            for (int i = m_now.At; i < end; i++)
+                m_points[next[nodeOfPoint[i]]++] = (uint)i;
+            m_budget -= (end - m_now.At) / PointsSortedForOne;
+            m_now.At = end;
+            if (end < Count)
+                return;
+            for (int d = 0; d < Drafts.Length; d++)
+                next[d] -= m_drafts[d].Count;
+            m_now.Stage = Stage.Plan;
+        }
+
+        /// <summary>Everything but the points: which nodes there are, and the table without what is known when they are
+        /// written.</summary>
+        void Plan()
+        {
+            NodeOfDraft.ResizeUninitialized(Drafts.Length);
+            Scratch.DraftOfNode.ResizeUninitialized(Drafts.Length);
+            Scratch.FirstChild.ResizeUninitialized(Drafts.Length);
+            Scratch.ChildCount.ResizeUninitialized(Drafts.Length);
+            NumberNodes();
+            if (KeepsTopOut && Drafts.Length > 0)
+                CopyTop();
+            m_now.At = 0;
+            m_now.Stage = Stage.Done;
+            if (m_now.NodeCount == 0)
+                return;
+            Scratch.Nodes.ResizeUninitialized(m_now.NodeCount);
+            for (int node = 0; node < m_now.NodeCount; node++)
+                Scratch.Nodes[node] = Describe(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
+            Scratch.Ranges.ResizeUninitialized(m_now.NodeCount * (Shapes.Length + 1));
+            UnsafeUtility.MemClear(Scratch.Ranges.GetUnsafePtr(), (long)Scratch.Ranges.Length * sizeof(PlaneRange));
+            File.ResizeUninitialized(FileHeader.SizeBytes);
+            m_now.Stage = Stage.Write;
         }
 
         /// <summary>Breadth first by the parents that exist, so that children follow one another.</summary>
-        void NumberNodes(int drafts, int* firstChild, int* childCount)
+        void NumberNodes()
         {
             // Chains of children in the drafts' order.
+            int drafts = Drafts.Length;
             int* firstOf = Allocate<int>(drafts);
             int* nextOf = Allocate<int>(drafts);
             for (int d = 0; d < drafts; d++)
@@ -151,31 +202,36 @@ namespace FastPoints.Octree
                 firstOf[parent] = d;
             }
 
-            m_nodeCount = 0;
+            var nodeOfDraft = NodeOfDraft;
+            int count = 0;
             if (drafts > 0)
             {
-                m_nodeOfDraft[0] = -1;
+                nodeOfDraft[0] = -1;
                 if (KeepsTopOut)
-                    Append(firstOf[0], nextOf);
+                    Append(firstOf[0], nextOf, ref count);
                 else
-                    m_draftOfNode[m_nodeCount++] = 0;
+                    Scratch.DraftOfNode[count++] = 0;
             }
-            for (int node = 0; node < m_nodeCount; node++)
+            for (int node = 0; node < count; node++)
             {
-                int draft = m_draftOfNode[node];
-                m_nodeOfDraft[draft] = node;
-                firstChild[node] = m_nodeCount;
-                Append(firstOf[draft], nextOf);
-                childCount[node] = m_nodeCount - firstChild[node];
+                int draft = Scratch.DraftOfNode[node];
+                nodeOfDraft[draft] = node;
+                Scratch.FirstChild[node] = count;
+                Append(firstOf[draft], nextOf, ref count);
+                Scratch.ChildCount[node] = count - Scratch.FirstChild[node];
             }
+            m_now.NodeCount = count;
             UnsafeUtility.Free(nextOf, Allocator.Temp);
             UnsafeUtility.Free(firstOf, Allocator.Temp);
         }
 
-        void Append(int draft, int* nextOf)
+        static T* Allocate<T>(int count) where T : unmanaged =>
+            (T*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(T), 16, Allocator.Temp);
+
+        void Append(int draft, int* nextOf, ref int count)
         {
             for (; draft >= 0; draft = nextOf[draft])
-                m_draftOfNode[m_nodeCount++] = draft;
+                Scratch.DraftOfNode[count++] = draft;
         }
 
         void CopyTop()
@@ -186,7 +242,7 @@ namespace FastPoints.Octree
             byte* to = Top.GetUnsafePtr();
             for (int i = 0; i < count; i++, to += stride)
             {
-                int point = (int)m_points[m_firstPointOfDraft[0] + i];
+                int point = (int)m_points[Scratch.FirstPointOfDraft[0] + i];
                 byte* record = m_packer.Records + (long)point * Layout.StrideBytes;
                 UnsafeUtility.MemCpy(to, record, stride - layout.AverageBytes);
                 if (!Averaged.IsOn)
@@ -196,55 +252,54 @@ namespace FastPoints.Octree
             }
         }
 
-        void WriteFile(int* firstChild, int* childCount)
+        void WriteHosts()
         {
             int planes = Shapes.Length + 1;
-            var nodes = Allocate<NodeRecord>(m_nodeCount);
-            var ranges = Allocate<PlaneRange>(m_nodeCount * planes);
+            var nodes = Scratch.Nodes.GetUnsafePtr();
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (; m_now.At < m_now.NodeCount; m_now.At++)
+            {
+                if (m_budget <= 0)
+                    return;
+                if (nodes[m_now.At].Host == m_now.At)
+                    WriteHost(m_now.At, nodes, ranges + (long)m_now.At * planes);
+                m_budget -= nodes[m_now.At].PointCount;
+            }
+            WriteTable(planes, nodes, ranges);
+            m_now.Stage = Stage.Done;
+        }
+
+        void WriteTable(int planes, NodeRecord* nodes, PlaneRange* ranges)
+        {
             long points = 0;
-            for (int node = 0; node < m_nodeCount; node++)
-            {
-                nodes[node] = Describe(node, firstChild[node], childCount[node]);
+            for (int node = 0; node < m_now.NodeCount; node++)
                 points += nodes[node].PointCount;
-            }
-
-            File.ResizeUninitialized(FileHeader.SizeBytes);
-            for (int node = 0; node < m_nodeCount; node++)
-            {
-                if (nodes[node].Host == node)
-                    WriteHost(node, nodes, ranges + (long)node * planes);
-                else
-                    UnsafeUtility.MemClear(ranges + (long)node * planes, (long)planes * sizeof(PlaneRange));
-            }
-
             var header = new FileHeader
             {
                 Magic = IsChunk ? StoreFormat.ChunkMagic : StoreFormat.UpperMagic,
                 Version = StoreFormat.Version,
                 Number = Number,
                 PlaneCount = planes,
-                NodeCount = IsChunk ? m_nodeCount : 0,
+                NodeCount = IsChunk ? m_now.NodeCount : 0,
                 PointCount = points,
                 TableOffset = File.Length,
                 CloudId = CloudId,
             };
             var table = IsChunk ? File : Table;
             int tableStart = table.Length;
-            table.AddRange(nodes, m_nodeCount * sizeof(NodeRecord));
-            table.AddRange(ranges, m_nodeCount * planes * sizeof(PlaneRange));
+            table.AddRange(nodes, m_now.NodeCount * sizeof(NodeRecord));
+            table.AddRange(ranges, m_now.NodeCount * planes * sizeof(PlaneRange));
             if (IsChunk)
                 header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
             header.FileBytes = File.Length;
             header.HeaderHash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
             *(FileHeader*)File.GetUnsafePtr() = header;
-            UnsafeUtility.Free(ranges, Allocator.Temp);
-            UnsafeUtility.Free(nodes, Allocator.Temp);
         }
 
         NodeRecord Describe(int node, int firstChild, int childCount)
         {
-            var draft = m_drafts[m_draftOfNode[node]];
-            int parent = draft.Parent < 0 ? -1 : m_nodeOfDraft[draft.Parent];
+            var draft = m_drafts[Scratch.DraftOfNode[node]];
+            int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
             bool isGuest = draft.IsLeaf && draft.Count < TinyPoints && parent >= 0;
             var place = Layout.PlaceOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
             long whole = -1L << draft.SideLog2;
@@ -329,7 +384,7 @@ namespace FastPoints.Octree
             nodeOfRun[runCount] = node;
             runs[runCount++] = new PackedRun
             {
-                Points = m_points + m_firstPointOfDraft[m_draftOfNode[node]],
+                Points = m_points + Scratch.FirstPointOfDraft[Scratch.DraftOfNode[node]],
                 Count = nodes[node].PointCount,
             };
         }

@@ -20,17 +20,11 @@ namespace FastPoints.Pipeline
             public ChunkIndexer Indexer;
             public RecordLoad Load;
             public int Chunk = -1;
-            public WriteTicket Written;
-            public NativeArray<byte> Result;
 
             public void Dispose()
             {
                 Load?.Dispose();
                 Indexer.Dispose();
-                Written?.Wait();
-                if (Result.IsCreated)
-                    Result.Dispose();
-                Result = default;
             }
         }
 
@@ -51,6 +45,7 @@ namespace FastPoints.Pipeline
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
         NativeReference<PagePool> m_pool;
+        ChunkWrites m_writes;
         UpperMerge m_merge;
         long m_largestChunkBytes;
         int m_atOnce;
@@ -97,6 +92,7 @@ namespace FastPoints.Pipeline
             foreach (var slot in m_slots)
                 slot.Dispose();
             m_slots.Clear();
+            m_writes.Dispose();
             var pool = m_pool.Value;
             pool.FreeAll();
             m_pool.Value = pool;
@@ -124,6 +120,7 @@ namespace FastPoints.Pipeline
             foreach (var slot in m_slots)
                 slot.Dispose();
             m_slots.Clear();
+            m_writes?.Dispose();
             m_merge?.Dispose();
             for (int i = 0; i < m_topRecords.Length; i++)
             {
@@ -170,6 +167,7 @@ namespace FastPoints.Pipeline
                     Load = m_files == null ? null : new RecordLoad(m_files, m_records.StrideBytes),
                 });
             }
+            m_writes = new ChunkWrites(m_folder, m_chunks, m_files, atOnce);
             var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
             var check = default(JobHandle);
             try
@@ -181,15 +179,17 @@ namespace FastPoints.Pipeline
                     {
                         yield return slot.Indexer.Job;
                         slot.Indexer.Job.Complete();
+                        m_writes.Poll(0);
+                        while (!m_writes.HasRoom)
+                        {
+                            m_writes.Poll(1);
+                            yield return default;
+                        }
                         Finish(slot);
                         done += m_chunks.Chunks[slot.Chunk].Count;
                         progress?.Report(done / (double)total, done, 0);
                         finished++;
                     }
-                    // The file's memory is the indexer's: it is written before the next chunk overwrites it.
-                    while (slot.Written != null && !slot.Written.IsDone(1))
-                        yield return default;
-                    Clear(slot);
                     if (finished < order.Count && IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
                     {
                         double begin = watch.Elapsed.TotalSeconds;
@@ -222,6 +222,11 @@ namespace FastPoints.Pipeline
                     }
                     slot.Indexer.Begin(chunk.Cube, chunk.Pages, slot.Chunk);
                 }
+                while (!m_writes.IsDone)
+                {
+                    m_writes.Poll(1);
+                    yield return default;
+                }
             }
             finally
             {
@@ -251,17 +256,9 @@ namespace FastPoints.Pipeline
             {
                 cubes[i] = m_chunks.Chunks[i].Cube;
                 // A chunk whose file is still being written comes with the next generation.
-                finished[i] = IsBeingWritten(i) ? null : m_results[i];
+                finished[i] = m_writes.HasPending(i) ? null : m_results[i];
             }
             return m_generations.Write(whole, m_store, cubes, finished, m_topRecords);
-        }
-
-        bool IsBeingWritten(int chunk)
-        {
-            foreach (var slot in m_slots)
-                if (slot.Chunk == chunk && slot.Written != null)
-                    return true;
-            return false;
         }
 
         /// <summary>A chunk that the build before this one has done.</summary>
@@ -297,28 +294,10 @@ namespace FastPoints.Pipeline
             pool.Return(ref pages);
             m_pool.Value = pool;
             m_chunks.Chunks[slot.Chunk].Pages = default;
-            if (result.Top.HasNodes)
-                slot.Written = m_folder.Write(StoreFormat.ChunkPath(slot.Chunk), indexer.File.AsArray());
             if (m_files == null)
-            {
                 m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-                return;
-            }
-            // After the chunk's own file: where this one is, the chunk is done.
-            slot.Result = result.ToBytes(indexer.Top.AsArray(), m_cloudId);
-            slot.Written = m_folder.Write(BuildFiles.TopPath(slot.Chunk), slot.Result);
-        }
-
-        void Clear(Slot slot)
-        {
-            slot.Written = null;
-            if (slot.Result.IsCreated)
-            {
-                slot.Result.Dispose();
-                foreach (var run in m_chunks.Chunks[slot.Chunk].Runs)
-                    m_files.Release(run.File);
-            }
-            slot.Result = default;
+            indexer.File = m_writes.Write(slot.Chunk, indexer.File,
+                m_files == null ? default : result.ToBytes(indexer.Top.AsArray(), m_cloudId));
         }
     }
 }

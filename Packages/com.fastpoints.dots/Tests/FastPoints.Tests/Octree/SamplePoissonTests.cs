@@ -11,52 +11,7 @@ namespace FastPoints.Tests.Octree
     {
         static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };
 
-        static Grid3[] Make(int count, Func<Unity.Mathematics.Random, int, (Grid3, Unity.Mathematics.Random)> make)
-        {
-            var random = new Unity.Mathematics.Random(99);
-            var places = new Grid3[count];
-            for (int i = 0; i < count; i++)
-                (places[i], random) = make(random, i);
-            return places;
-        }
-
-        static Grid3[] Volume(int count, int side) => Make(count, (r, i) =>
-            (new Grid3(r.NextInt(side), r.NextInt(side), r.NextInt(side)), r));
-
-        static Grid3[] Surface(int count, int side) => Make(count, (r, i) =>
-        {
-            int x = r.NextInt(side), y = r.NextInt(side);
-            return (new Grid3(x, y, (long)(side * (0.5 + 0.2 * Math.Sin(9.0 * x / side) * Math.Cos(7.0 * y / side)))), r);
-        });
-
-        static Grid3[] Lattice(int edge, int step)
-        {
-            var places = new List<Grid3>();
-            for (int i = 0; i < edge * edge * edge; i++)
-                places.Add(new Grid3(i % edge * step, i / edge % edge * step, i / edge / edge * step));
-            return places.ToArray();
-        }
-
-        static IEnumerable<TestCaseData> Clouds()
-        {
-            yield return new TestCaseData((object)Volume(3000, 1 << 20)).SetArgDisplayNames("volume");
-            yield return new TestCaseData((object)Surface(3000, 1 << 16)).SetArgDisplayNames("surface");
-            yield return new TestCaseData((object)Make(2000, (r, i) => (new Grid3(i * 37, i * 37, i * 37), r))).SetArgDisplayNames("line");
-            yield return new TestCaseData((object)Lattice(14, 1)).SetArgDisplayNames("lattice of one step");
-            yield return new TestCaseData((object)Lattice(14, 64)).SetArgDisplayNames("lattice of the spacing");
-            yield return new TestCaseData((object)Make(1000, (r, i) => (new Grid3(7, 8, 9), r))).SetArgDisplayNames("all equal");
-            yield return new TestCaseData((object)Make(3000, (r, i) => (i % 1000 == 0
-                ? new Grid3(r.NextInt(1 << 30), r.NextInt(1 << 30), r.NextInt(1 << 30))
-                : new Grid3((1 << 29) + r.NextInt(1000), 77 + r.NextInt(1000), 5 + r.NextInt(1000)), r)))
-                .SetArgDisplayNames("density of a million to one");
-            yield return new TestCaseData((object)Make(2000, (r, i) => (new Grid3(r.NextInt(4), r.NextInt(4), r.NextInt(4)), r)))
-                .SetArgDisplayNames("four steps wide");
-            yield return new TestCaseData((object)Make(2000, (r, i) =>
-                (new Grid3(r.NextInt(int.MaxValue), r.NextInt(int.MaxValue), i % 2 * (long)int.MaxValue), r)))
-                .SetArgDisplayNames("as wide as integers");
-        }
-
-        [TestCaseSource(nameof(Clouds))]
+        [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
         public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] places)
         {
             var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
@@ -67,7 +22,7 @@ namespace FastPoints.Tests.Octree
             CheckNodes(sampled, s_small);
         }
 
-        [TestCaseSource(nameof(Clouds))]
+        [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
         public void Sample_InSlices_IsTheSame(Grid3[] places)
         {
             var whole = SampledPoints.Run(places, Sampler.Poisson, s_small);
@@ -80,7 +35,7 @@ namespace FastPoints.Tests.Octree
         [TestCase(61)]
         public void Sample_VastSpan_KeepsTheDistance(int bits)
         {
-            var places = Make(5000, (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
+            var places = SamplingClouds.Make(5000, (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
                 ? Long(ref r, bits)
                 : 0), r));
             var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
@@ -96,14 +51,14 @@ namespace FastPoints.Tests.Octree
         {
             // The cap is less than what would fit at the coarsest cells that it allows: neighbours at exactly the spacing.
             var sizes = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 10, MaxPointsPerNode = 64 };
-            var sampled = SampledPoints.Run(Lattice(16, 16), Sampler.Poisson, sizes);
+            var sampled = SampledPoints.Run(SamplingClouds.Lattice(16, 16), Sampler.Poisson, sizes);
             CheckNodes(sampled, sizes);
         }
 
         [Test]
         public void Sample_ManyLevels_KeepsTheDistanceAcrossNodes()
         {
-            foreach (var places in new[] { Volume(30000, 1 << 20), Surface(30000, 1 << 18) })
+            foreach (var places in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
             {
                 var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
                 var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
@@ -116,7 +71,7 @@ namespace FastPoints.Tests.Octree
         public void Sample_Spacing_IsAsEvenAsDartThrowingInRandomOrder()
         {
             var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
-            foreach (var places in new[] { Volume(6000, 1 << 20), Surface(6000, 1 << 18) })
+            foreach (var places in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
             {
                 var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
                 var order = new int[places.Length];

@@ -35,6 +35,8 @@ namespace FastPoints.Tests.Octree
                 side++;
             var layout = new RecordLayout(side > 32, default, 0);
             var scratch = new PoissonScratch(Allocator.Persistent);
+            var random = new RandomScratch(Allocator.Persistent);
+            var givesWay = new NativeArray<byte>(count, Allocator.Persistent);
             var records = new NativeArray<byte>(count * layout.StrideBytes, Allocator.Persistent);
             var common = new NativeArray<byte>(count, Allocator.Persistent);
             var priority = new NativeArray<uint>(count, Allocator.Persistent);
@@ -51,21 +53,27 @@ namespace FastPoints.Tests.Octree
             var record = (byte*)records.GetUnsafePtr();
             for (int i = 0; i < count; i++)
                 layout.SetPlace(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
-            Sampling.Prepare(record, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
+            Sampling.Prepare(record, 0, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
             if (sampler == Sampler.Random)
             {
-                new SampleRandomJob
+                var job = new SampleRandomJob
                 {
                     Count = count,
                     RootSideLog2 = side,
                     Sizes = sizes,
                     CommonCubeLog2 = common,
                     Priority = priority,
+                    GivesWayLog2 = givesWay,
                     Tops = tops,
                     NodeOfPoint = nodeOfPoint,
                     Nodes = nodes,
                     Slices = slices,
-                }.Schedule().Complete();
+                    Scratch = random,
+                    PointsPerSlice = pointsPerSlice,
+                };
+                do
+                    job.Schedule().Complete();
+                while (!random.IsDone);
             }
             else
             {
@@ -104,6 +112,8 @@ namespace FastPoints.Tests.Octree
             common.Dispose();
             records.Dispose();
             scratch.Dispose();
+            random.Dispose();
+            givesWay.Dispose();
             return result;
         }
 
