@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Octree;
@@ -22,14 +24,17 @@ namespace FastPoints.Tests.Octree
         {
             const int BlockPoints = 1 << 20;
 
-            public VirtualReader()
+            readonly long m_points;
+
+            public VirtualReader(long points = ManyPointsTests.Points)
             {
+                m_points = points;
                 Info = new SourceInfo
                 {
                     Path = "virtual",
                     Format = "virtual",
-                    PointsClaimed = (ulong)Points,
-                    PointsReadable = Points,
+                    PointsClaimed = (ulong)points,
+                    PointsReadable = points,
                     RecordBytes = 12,
                     Transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) },
                     Schema = new PointSchema(new[]
@@ -41,7 +46,7 @@ namespace FastPoints.Tests.Octree
                 };
             }
 
-            public override int BlockCount => (int)(Points / BlockPoints);
+            public override int BlockCount => (int)(m_points / BlockPoints);
             public override int MaxPointsPerBlock => BlockPoints;
             public override bool HasFixedStride => true;
             public override long FirstPointOfBlock(int block) => (long)block * BlockPoints;
@@ -182,6 +187,30 @@ namespace FastPoints.Tests.Octree
             Assert.That(back.Chunks[0].Runs[0].Count, Is.EqualTo(1L << 34));
             Assert.That(BuildJournal.FromJson(text.Substring(0, text.Length / 2)), Is.Null);
             Assert.That(BuildJournal.FromJson("{}"), Is.Null);
+        }
+
+        [Test]
+        public void Convert_MorePointsThanTheDiskHasRoomFor_SaysSoBeforeItReadsThem()
+        {
+            // 200 TB of records.
+            string folder = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(folder);
+            try
+            {
+                using (var reader = new VirtualReader(1L << 44))
+                {
+                    var work = ConvertCloud.Run(new[] { reader }, Path.Combine(folder, "cloud.fastpoints"), new ConvertSettings(),
+                        r => { }, null);
+                    var failure = Assert.Throws<PointCloudException>(() => WorkPump.RunToEnd(work));
+                    Assert.That(failure.Code, Is.EqualTo(FailureCode.DiskFull));
+                    Assert.That(failure.Message, Does.Contain("too little room"));
+                }
+                Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
         }
     }
 }
