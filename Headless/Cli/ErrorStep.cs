@@ -15,9 +15,6 @@ namespace FastPoints.Cli
     {
         public const string OursName = "ours, in waves", ScanName = "full scan";
 
-        /// <summary>Points at which the others are measured where ours says nothing.</summary>
-        static readonly int[] s_counts = [2_000, 20_000, 200_000, 1_000_000, 4_000_000];
-
         /// <summary>Shares of each block that the points are chosen from.</summary>
         static readonly (double Share, string Name)[] s_shares =
             [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
@@ -42,8 +39,8 @@ namespace FastPoints.Cli
 
         public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
 
-        /// <summary>The last of ours, or of the full scan where the source is only ever scanned.</summary>
-        public ErrorWave? Last => (Ours ?? Curves[0]).Waves.LastOrDefault();
+        /// <summary>The last of ours.</summary>
+        public ErrorWave? Last => Ours?.Waves.LastOrDefault();
 
         /// <param name="open">Opens the source anew: each way of sampling does so itself, and is timed from there.</param>
         public static ErrorStep Run(Func<PointReader> open, PreviewOptions options, CliRun run)
@@ -56,35 +53,27 @@ namespace FastPoints.Cli
             var step = new ErrorStep(run, comparison, takers);
             run.Progress.Group = "error";
             run.Pump(comparison.Prepare(run.Progress));
-            step.MeasureAll(reader, options.Points);
+            step.MeasureAll(reader);
             run.Pump(comparison.LookUp(run.Progress));
             run.Progress.Group = null;
             return step;
         }
 
-        void MeasureAll(PointReader reader, int points)
+        void MeasureAll(PointReader reader)
         {
-            bool hasWaves = SampleTakers.HasWaves(reader);
-            if (hasWaves)
-                m_run.Progress.Begin(OursName);
-            using var ours = hasWaves ? m_takers.Ours() : null;
-            var counts = ours != null
-                ? ours.Waves.Select(w => w.Wave.Points).Distinct().ToList()
-                : s_counts.Where(c => c < Math.Min(points, reader.PointCount))
-                    .Append((int)Math.Min(points, reader.PointCount)).ToList();
+            m_run.Progress.Begin(OursName);
+            using var ours = m_takers.Ours();
+            var counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
 
             // The scan comes before ours is measured: its views are what the views of others are compared with.
             var scan = new ErrorCurve(ScanName,
                 "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
             foreach (int count in counts)
                 Measure(scan, () => m_takers.FullScan(count));
-            if (ours != null)
-            {
-                var curve = new ErrorCurve(OursName,
-                    "the preview's own sample; each wave is the beginning of the next, or (LAZ, text) gives way to it");
-                Measure(curve, ours);
-                Curves.Add(curve);
-            }
+            var curve = new ErrorCurve(OursName,
+                "the preview's own sample; each wave is the beginning of the next, or (LAZ, text, tiles) gives way to it");
+            Measure(curve, ours);
+            Curves.Add(curve);
             Curves.Add(scan);
             var nth = new ErrorCurve("every n-th point", "as far apart in the file as it takes");
             foreach (int count in counts)

@@ -22,9 +22,6 @@ namespace FastPoints.Cli
         /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
         const int MostSinglePoints = 20_000;
 
-        /// <summary>Whether the source is sampled in waves, or only ever scanned.</summary>
-        public static bool HasWaves(PointReader reader) => reader.HasRunReads || !reader.HasFixedStride;
-
         /// <summary>The product's own sample, in its waves.</summary>
         public TakenSample Ours() => Timed((reader, opened) =>
         {

@@ -26,7 +26,7 @@ namespace FastPoints.Cli.Verbs
         };
         readonly Option<bool> m_quick = new("--quick")
         {
-            Description = "Stop at the first N points. Of LAZ, ascii PLY and text, these are the beginnings of blocks: all of "
+            Description = "Stop at the first N points. Of LAZ, text and several files, these are the beginnings of blocks: all of "
                 + "them are read in the end without this.",
         };
         readonly Option<bool> m_report = new("--report")

@@ -76,9 +76,7 @@ namespace FastPoints.Pipeline
             }
 
             progress?.Begin("sample");
-            // Several files as one have no runs yet.
-            bool scansOnly = m_options.Exact || m_reader.HasFixedStride && !m_reader.HasRunReads;
-            using (var sampling = scansOnly ? Scan(progress) : TakeWaves(progress))
+            using (var sampling = m_options.Exact ? Scan(progress) : TakeWaves(progress))
                 while (sampling.MoveNext())
                     yield return sampling.Current;
 

@@ -70,6 +70,8 @@ namespace FastPoints.Preview
                     int block = m_order[m_begun++];
                     Take(block, IsSliced ? SliceOf(block) : int.MaxValue, ranges);
                 }
+                // Blocks of one file one after the other.
+                ranges.Sort((a, b) => a.Block.CompareTo(b.Block));
                 return ranges;
             }
             var best = new List<int>();
