@@ -17,7 +17,6 @@ namespace FastPoints.Files
 
         readonly LazFormat m_format;
         readonly int m_tilePoints;
-        NativeArray<byte> m_transform;
         NativeArray<byte> m_items;
         NativeArray<byte> m_decoder;
         NativeArray<byte> m_tile;
@@ -39,7 +38,6 @@ namespace FastPoints.Files
                 Dispose();
                 throw;
             }
-            m_transform = new NativeArray<byte>(reader.Las.Header.TransformBytes(), allocator);
             m_items = new NativeArray<byte>(m_format.ItemBytesOfVlr(), allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * m_format.RecordBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<LazFileState>(allocator);
@@ -63,11 +61,12 @@ namespace FastPoints.Files
         protected override JobHandle Schedule(BlockRange range, in EptBlock block)
         {
             var decoded = BeginRead(block, 0, (int)block.FileBytes, RangeCode.PaddingBytes);
+            var header = Reader.Las.Header;
             var decode = new DecodeLazFileJob
             {
                 Input = Input,
                 InputBytes = (int)block.FileBytes,
-                Transform = m_transform,
+                Transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset },
                 Items = m_items,
                 Decoder = m_decoder,
                 Tile = m_tile,
@@ -94,7 +93,11 @@ namespace FastPoints.Files
         {
             if (result.Error == LazError.NoChunk)
                 Reader.TellBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
-                    "wanted LAZ of point format " + Reader.Las.Header.PointFormat + " with the scale and offset of the root", 0);
+                    "wanted LAZ of point format " + Reader.Las.Header.PointFormat + " with the items of the root", 0);
+            else if (result.Error == LazError.OffGrid)
+                Reader.TellBroken(Range.Block, "its positions do not lie on the root's grid: they are left out from there",
+                    "wanted scale and offset that are whole steps of the root's, and places within 32 bits; read "
+                    + result.Points + " points of " + Range.Count, result.ErrorOffset);
             else if (result.Error != LazError.None)
                 Reader.TellBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
                     result.ErrorOffset);
@@ -105,7 +108,6 @@ namespace FastPoints.Files
 
         protected override void DisposeTables()
         {
-            Dispose(ref m_transform);
             Dispose(ref m_items);
             Dispose(ref m_decoder);
             Dispose(ref m_tile);

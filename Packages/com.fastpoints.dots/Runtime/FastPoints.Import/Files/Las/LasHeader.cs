@@ -232,18 +232,6 @@ namespace FastPoints.Files
             return bytes;
         }
 
-        /// <summary>Scale and offset as they lie in the header: six doubles.</summary>
-        internal byte[] TransformBytes()
-        {
-            var bytes = new byte[6 * 8];
-            for (int axis = 0; axis < 3; axis++)
-            {
-                PutFloat(bytes, 8 * axis, Scale[axis]);
-                PutFloat(bytes, At.Offset - At.Scale + 8 * axis, Offset[axis]);
-            }
-            return bytes;
-        }
-
         internal static void Put(byte[] bytes, int at, int count, ulong value)
         {
             for (int i = 0; i < count; i++)

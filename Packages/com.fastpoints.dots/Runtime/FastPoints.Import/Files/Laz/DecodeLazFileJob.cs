@@ -1,3 +1,4 @@
+using FastPoints.Points;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -17,8 +18,8 @@ namespace FastPoints.Files
 
         public int InputBytes;
 
-        /// <summary>Scale and offset as the header must have them: six doubles.</summary>
-        [ReadOnly] public NativeArray<byte> Transform;
+        /// <summary>The grid of the columns: a file of another scale or offset is placed on it, where that is exact.</summary>
+        public PositionTransform Transform;
 
         /// <summary>The LASzip VLR's list of items, from their number on, as it must be.</summary>
         [ReadOnly] public NativeArray<byte> Items;
@@ -55,6 +56,8 @@ namespace FastPoints.Files
             var state = First == 0 ? default : State.Value;
             if (First == 0 && !ReadHeader(input, ref state))
                 result.Error = LazError.NoChunk;
+            else if (First == 0 && !LazFilePlacing.TryMake(input, Transform, out state.Placing))
+                result.Error = LazError.OffGrid;
             int done = 0;
             while (done < Count && result.Error == LazError.None)
             {
@@ -67,7 +70,14 @@ namespace FastPoints.Files
                 int wanted = Count - done < TilePoints ? Count - done : TilePoints;
                 wanted = left < wanted ? (int)left : wanted;
                 int got = Decode(input, state, wanted);
-                Keep(First + done, got, ref result);
+                int placed = state.Placing.IsSame ? got : Place(state.Placing, got);
+                Keep(First + done, placed, ref result);
+                if (placed < got)
+                {
+                    result.Error = LazError.OffGrid;
+                    result.ErrorOffset = state.ChunkOffset;
+                    break;
+                }
                 done += got;
                 state.ChunkDone += got;
                 if (got < wanted)
@@ -93,6 +103,17 @@ namespace FastPoints.Files
             byte* tile = (byte*)Tile.GetUnsafePtr();
             return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
                 : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
+        }
+
+        /// <summary>The tile's positions, which begin its records, onto the columns' grid.</summary>
+        /// <returns>Points before the first that 32 bits do not hold there.</returns>
+        int Place(in LazFilePlacing placing, int count)
+        {
+            byte* record = (byte*)Tile.GetUnsafePtr();
+            for (int i = 0; i < count; i++, record += RecordBytes)
+                if (!placing.TryPlace((int*)record))
+                    return i;
+            return count;
         }
 
         /// <summary>The tile's points to the columns, but for those in front of the range.</summary>
@@ -143,8 +164,7 @@ namespace FastPoints.Files
             const int CompressionBits = 0xC0;
             if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
                 || (input[LasHeader.At.PointFormat] & CompressionBits) == 0
-                || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes
-                || UnsafeUtility.MemCmp(input + LasHeader.At.Scale, Transform.GetUnsafeReadOnlyPtr(), Transform.Length) != 0)
+                || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes)
                 return false;
             long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
             state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);

@@ -16,5 +16,8 @@ namespace FastPoints.Files
 
         /// <summary>What lies there is no chunk: neither its count nor its length is what was told of it.</summary>
         public const int NoChunk = 3;
+
+        /// <summary>A file's positions do not lie on the grid that they are wanted on.</summary>
+        public const int OffGrid = 5;
     }
 }

@@ -21,5 +21,7 @@ namespace FastPoints.Files
 
         /// <summary>Behind the last chunk's last byte.</summary>
         public long End;
+
+        public LazFilePlacing Placing;
     }
 }

@@ -57,6 +57,39 @@ namespace FastPoints.Tests.Support
 
         public string PagePath(string node) => System.IO.Path.Combine(Path, "ept-hierarchy", node + ".json");
 
+        /// <summary>Writes a laszip node anew, its positions as whole numbers on a grid of its own: factor times as coarse as the
+        /// others' (negative: the other way round), its offset <paramref name="shift"/> of their steps beside theirs. The node's
+        /// records become what lies on that grid.</summary>
+        public void MoveToGrid(CopcFileWriter.Node node, long factor, long shift)
+        {
+            var stored = new List<byte[]>();
+            foreach (var record in node.Records)
+            {
+                var own = (byte[])record.Clone();
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    long whole = (BitConverter.ToInt32(record, 4 * axis) - shift) / factor;
+                    whole = Math.Max(int.MinValue, Math.Min(int.MaxValue, whole));
+                    BitConverter.GetBytes((int)whole).CopyTo(own, 4 * axis);
+                    BitConverter.GetBytes(checked((int)(whole * factor + shift))).CopyTo(record, 4 * axis);
+                }
+                stored.Add(own);
+            }
+            WriteNode(node, stored, 0.01 * factor, 0.01 * shift);
+        }
+
+        /// <summary>Writes a laszip node anew with a scale and offset for all three axes.</summary>
+        public void WriteNode(CopcFileWriter.Node node, List<byte[]> records, double scale, double offset)
+        {
+            var bytes = NodeFile(records);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                BitConverter.GetBytes(scale).CopyTo(bytes, LasHeader.At.Scale + 8 * axis);
+                BitConverter.GetBytes(offset).CopyTo(bytes, LasHeader.At.Offset + 8 * axis);
+            }
+            File.WriteAllBytes(DataPath(NameOf(node)), bytes);
+        }
+
         byte[] NodeFile(List<byte[]> records)
         {
             var flat = records.SelectMany(record => record).ToArray();
