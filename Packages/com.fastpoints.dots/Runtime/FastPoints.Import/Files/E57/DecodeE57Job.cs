@@ -163,8 +163,10 @@ namespace FastPoints.Files
                     misfits += Limit(raw, tile, read.Range);
                 if (read.Target == E57Target.Integers)
                 {
-                    StoreIntegers((long*)raw, tile, minimum + read.Bias, columns + read.ColumnOffsetBytes, read.ColumnType,
-                        first);
+                    if (read.Steps != 1)
+                        Multiply((long*)raw, tile, read.Steps);
+                    StoreIntegers((long*)raw, tile, minimum * read.Steps + read.Bias, columns + read.ColumnOffsetBytes,
+                        read.ColumnType, first);
                     continue;
                 }
                 if (read.Target == E57Target.Invalid && read.Kind == E57FieldKind.Integer)
@@ -202,7 +204,7 @@ namespace FastPoints.Files
             if (read.Bits != read.ColumnType.SizeOf() * 8)
                 return false;
             if (read.Kind == E57FieldKind.Integer)
-                return read.Target == E57Target.Integers && read.Minimum + read.Bias == 0
+                return read.Target == E57Target.Integers && read.Steps == 1 && read.Minimum + read.Bias == 0
                     && read.Range == E57Bits.Mask(read.Bits);
             return read.Target == E57Target.Reals && read.Factor == 1 && read.Addend == 0;
         }
@@ -238,6 +240,12 @@ namespace FastPoints.Files
                 return;
             for (int i = 0; i < count; i++)
                 reals[i] = reals[i] * factor + addend;
+        }
+
+        static void Multiply(long* values, int count, long factor)
+        {
+            for (int i = 0; i < count; i++)
+                values[i] *= factor;
         }
 
         static void StoreIntegers(long* values, int count, long bias, byte* column, AttributeType type, int first)

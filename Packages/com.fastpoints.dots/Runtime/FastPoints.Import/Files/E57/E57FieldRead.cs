@@ -26,6 +26,8 @@ namespace FastPoints.Files
         /// <summary>Vectors: 0 to 2 for positions, 3 to 5 for normals.</summary>
         public int Row;
 
+        /// <summary>Columns of integers: stored * Steps + Bias.</summary>
+        public long Steps;
         public long Bias;
         public double Factor;
         public double Addend;

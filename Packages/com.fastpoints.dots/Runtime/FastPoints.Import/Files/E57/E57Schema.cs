@@ -31,7 +31,8 @@ namespace FastPoints.Files
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
 
-        /// <summary>Grid positions: by scan, what is added to its integers.</summary>
+        /// <summary>Grid positions: by scan and axis, steps of the grid that one of the scan's is, and what is added then.</summary>
+        long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
 
         /// <summary>Grid positions: by axis.</summary>
@@ -97,7 +98,10 @@ namespace FastPoints.Files
                         continue;
                     var direct = Read(position[axis], batch, i);
                     if (m_positions == PositionKind.Grid)
+                    {
+                        direct.Steps = m_factorsOfScan[scanIndex][axis];
                         direct.Bias = m_shiftsOfScan[scanIndex][axis];
+                    }
                     reads.Add(direct);
                     continue;
                 }
@@ -128,7 +132,8 @@ namespace FastPoints.Files
             if (m_scans.Count > 0 && TryGrid())
             {
                 m_positions = PositionKind.Grid;
-                PositionSummary = "whole numbers, as stored";
+                PositionSummary = Array.TrueForAll(m_factorsOfScan, factors => Array.TrueForAll(factors, factor => factor == 1))
+                    ? "whole numbers, as stored" : "whole numbers of several scales, on one grid that holds all exactly";
             }
             else if (m_scans.TrueForAll(scan => scan.IsCartesian && scan.Pose.IsIdentity &&
                 Array.TrueForAll(scan.Three(E57Names.Cartesian), field => field.Kind == E57FieldKind.Float32)))
@@ -147,39 +152,51 @@ namespace FastPoints.Files
         AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
             : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
 
-        /// <summary>Whether all scans' integers lie on one grid, by shifts of whole steps.</summary>
+        /// <summary>Whether all scans' integers lie on one grid, by whole factors and shifts of whole steps.</summary>
         bool TryGrid()
         {
+            var factors = new long[m_scans.Count][];
             var shifts = new long[m_scans.Count][];
             for (int i = 0; i < shifts.Length; i++)
+            {
+                factors[i] = new long[3];
                 shifts[i] = new long[3];
+            }
+            var scales = new double[m_scans.Count];
+            var offsets = new double[m_scans.Count];
             double3 scale = default, offset = default;
             for (int axis = 0; axis < 3; axis++)
             {
-                double least = double.PositiveInfinity, most = double.NegativeInfinity;
                 for (int i = 0; i < m_scans.Count; i++)
                 {
                     var scan = m_scans[i];
                     var field = scan.IsCartesian ? scan.Field(E57Names.Cartesian[axis]) : null;
                     if (field == null || !field.IsInteger || !scan.Pose.IsShift)
                         return false;
-                    double at = field.Offset + scan.Pose.Translation[axis];
-                    if (i == 0)
-                    {
-                        scale[axis] = field.Scale;
-                        offset[axis] = at;
-                    }
-                    double steps = (at - offset[axis]) / field.Scale, whole = Math.Round(steps);
-                    if (field.Scale != scale[axis] || !(Math.Abs(steps - whole) <= GridToleranceSteps) ||
+                    scales[i] = field.Scale;
+                    offsets[i] = field.Offset + scan.Pose.Translation[axis];
+                }
+                bool isOneScale = Array.TrueForAll(scales, other => other == scales[0]);
+                scale[axis] = isOneScale ? scales[0] : CommonGrid.StepOf(scales, offsets);
+                offset[axis] = offsets[0];
+                double least = double.PositiveInfinity, most = double.NegativeInfinity;
+                for (int i = 0; i < m_scans.Count; i++)
+                {
+                    double steps = (offsets[i] - offset[axis]) / scale[axis];
+                    if (!CommonGrid.TryPlace(scales[i], offsets[i], scale[axis], offset[axis], out long factor, out long whole,
+                        out double loss) || loss > 0 || !(Math.Abs(steps - whole) <= GridToleranceSteps) ||
                         Math.Abs(whole) > uint.MaxValue)
                         return false;
-                    shifts[i][axis] = (long)whole;
-                    least = Math.Min(least, field.Minimum + whole);
-                    most = Math.Max(most, field.Maximum + whole);
+                    factors[i][axis] = factor;
+                    shifts[i][axis] = whole;
+                    var field = m_scans[i].Field(E57Names.Cartesian[axis]);
+                    double first = (double)field.Minimum * factor + whole, last = (double)field.Maximum * factor + whole;
+                    least = Math.Min(least, Math.Min(first, last));
+                    most = Math.Max(most, Math.Max(first, last));
                 }
                 // As doubles these limits are rounded, and wide of what 64 bits hold where a shift could leave them.
-                bool isShifted = shifts.Any(shift => shift[axis] != 0);
-                if (isShifted && !(Math.Abs(least) < 1L << 62 && Math.Abs(most) < 1L << 62))
+                bool isMoved = !isOneScale || shifts.Any(shift => shift[axis] != 0);
+                if (isMoved && !(Math.Abs(least) < 1L << 62 && Math.Abs(most) < 1L << 62))
                     return false;
                 bool isNarrow = most - least <= uint.MaxValue && Math.Abs(least) < 1L << 52;
                 m_gridTypes[axis] = isNarrow ? AttributeType.Int32 : AttributeType.Int64;
@@ -190,6 +207,7 @@ namespace FastPoints.Files
                     shifts[i][axis] += toInt;
                 offset[axis] -= toInt * scale[axis];
             }
+            m_factorsOfScan = factors;
             m_shiftsOfScan = shifts;
             Transform = new PositionTransform { Scale = scale, Offset = offset };
             return true;
@@ -362,6 +380,7 @@ namespace FastPoints.Files
             Kind = E57FieldKind.Integer,
             Stream = -1,
             Minimum = value,
+            Steps = 1,
             ColumnType = batch.Schema[column].Type,
             ColumnOffsetBytes = batch.Column(column).OffsetBytes,
             Target = batch.Schema[column].Type.IsFloat() ? E57Target.Reals : E57Target.Integers,
@@ -374,6 +393,7 @@ namespace FastPoints.Files
             Stream = field.Stream,
             Bits = field.Bits,
             Minimum = field.Minimum,
+            Steps = 1,
             Range = (ulong)field.Maximum - (ulong)field.Minimum,
             Factor = field.Scale,
             Addend = field.Offset,

@@ -3,7 +3,7 @@ namespace FastPoints.Files
     /// <summary>Where a field's values go.</summary>
     enum E57Target
     {
-        /// <summary>A column of an integer type: integer + bias.</summary>
+        /// <summary>A column of an integer type: integer * steps + bias.</summary>
         Integers,
 
         /// <summary>A column of an integer type: round(value * factor + addend), kept within 0 and 65,535.</summary>

@@ -323,6 +323,47 @@ namespace FastPoints.Files.Tests
             Assert.That(x[21], Is.EqualTo(0.25));
         }
 
+        [TestCase(0.001, 0.005, 0.001, 5)]
+        [TestCase(0.01, 0.025, 0.005, 5)]
+        [TestCase(0.001, -0.002, 0.001, -2)]
+        [TestCase(1, 0.25, 0.25, 1)]
+        [TestCase(1e-6, 1, 1e-6, 1000000)]
+        public void Read_ScansOfDifferentScales_LieOnOneGridExactly(double first, double second, double step, long factor)
+        {
+            var moved = Grid(40, second, 12, 2);
+            moved.Xml = E57TestScan.Pose(1, 0, 0, 0, 1000, -2, 0.5);
+            var scans = new[] { Grid(300, first, -3), moved };
+            var contents = E57Contents.Read(File(scans));
+            Assert.That(contents.HasFact("on one grid that holds all exactly"));
+            string[] names = { "X", "Y", "Z" };
+            double[] pose = { 1000, -2, 0.5 };
+            for (int axis = 0; axis < 3; axis++)
+            {
+                Assert.That(contents.Info.Transform.Scale[axis], Is.EqualTo(step).Within(1).Ulps);
+                double offset = contents.Info.Transform.Offset[axis];
+                long shiftOfFirst = (long)Math.Round((-3 - offset) / step), shift = (long)Math.Round((12 + pose[axis] - offset) / step);
+                long factorOfFirst = (long)Math.Round(first / step);
+                Assert.That(Math.Abs(offset + shift * step - 12 - pose[axis]), Is.LessThan(1e-9));
+                Assert.That(Integers(contents, names[axis]), Is.EqualTo(
+                    scans[0].Fields[axis].Integers.Select(v => v * factorOfFirst + shiftOfFirst).Concat(
+                    scans[1].Fields[axis].Integers.Select(v => v * factor + shift))));
+            }
+            var alone = E57Contents.Read(File(scans), "Y");
+            Assert.That(alone.Bytes("Y"), Is.EqualTo(contents.Bytes("Y")));
+        }
+
+        [TestCase(0.001, 0.0003, 0)]
+        [TestCase(0.01, 0.02, 0.0033333333)]
+        [TestCase(1, 1e-9, 0)]
+        public void Read_ScansWithoutACommonStep_AreDoubles(double first, double second, double offset)
+        {
+            var scans = new[] { Grid(20, first), Grid(30, second, offset, 2) };
+            var contents = E57Contents.Read(File(scans));
+            Assert.That(contents.TypeOf("X"), Is.EqualTo(AttributeType.Float64));
+            Assert.That(contents.Column<double>("X"), Is.EqualTo(scans[0].Fields[0].Integers.Select(v => v * first).Concat(
+                scans[1].Fields[0].Integers.Select(v => v * second + offset))));
+        }
+
         [Test]
         public void Read_ScansWithDifferentFields_HaveZeroWhereOneIsMissing()
         {
