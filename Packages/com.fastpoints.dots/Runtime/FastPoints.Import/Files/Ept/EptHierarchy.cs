@@ -14,17 +14,20 @@ namespace FastPoints.Files
     /// Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with what its file can hold: missing
     /// pages and files are holes, and warnings.
     /// </summary>
-    sealed class EptHierarchy : IDisposable
+    /// <remarks>Memory: some 50 bytes a node, up to 120 of those whose files are there, and 32 an entry of the page that is being
+    /// read: measured, 220 MB with as many nodes without files as there may be, all in one page.</remarks>
+    sealed class EptHierarchy
     {
         const string HierarchyFolder = "ept-hierarchy";
 
-        /// <summary>A page of more bytes is no page; writers begin new ones long before.</summary>
-        const int MaxPageBytes = 64 << 20;
+        /// <summary>A page of more bytes is not read; it has room for 1.5 million nodes, and writers begin new ones long
+        /// before.</summary>
+        const int MaxPageBytes = 32 << 20;
 
         /// <summary>Of a page that a job parses: about a millisecond.</summary>
         const int SliceBytes = 128 << 10;
 
-        /// <summary>More nodes than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
+        /// <summary>More nodes and pages than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
         const int MaxNodes = 1 << 21;
 
         /// <summary>A compressed node is read whole.</summary>
@@ -43,7 +46,6 @@ namespace FastPoints.Files
         readonly HashSet<int4> m_pages = new HashSet<int4>();
         readonly HashSet<int4> m_nodes = new HashSet<int4>();
         readonly Stopwatch m_stepWatch = new Stopwatch();
-        NativeList<EptEntry> m_entries;
         bool m_isFull;
 
         public EptHierarchy(EptReader reader, EptIndex index, SourceTree tree)
@@ -51,7 +53,6 @@ namespace FastPoints.Files
             m_reader = reader;
             m_index = index;
             m_tree = tree;
-            m_entries = new NativeList<EptEntry>(64, Allocator.Persistent);
             for (int level = 0; level < m_pagesOfLevel.Length; level++)
                 m_pagesOfLevel[level] = new Queue<int3>();
             m_pagesOfLevel[0].Enqueue(default);
@@ -68,28 +69,24 @@ namespace FastPoints.Files
                 {
                     // Given up between two yields, this begins the page again; nodes that it had added are known by their keys.
                     string path = Path.Combine(m_index.Folder, HierarchyFolder, EptEntry.NameOf(level, pages.Peek()) + ".json");
-                    using (var parsing = Parse(path, level, pages.Peek()))
-                        while (parsing.MoveNext())
-                            yield return parsing.Current;
-                    using (var adding = Add(path))
-                        while (adding.MoveNext())
-                            yield return adding.Current;
+                    using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
+                    {
+                        using (var parsing = Parse(path, level, pages.Peek(), entries))
+                            while (parsing.MoveNext())
+                                yield return parsing.Current;
+                        using (var adding = Add(entries, path))
+                            while (adding.MoveNext())
+                                yield return adding.Current;
+                    }
                     pages.Dequeue();
                     m_tree.PageCount++;
                 }
             }
         }
 
-        public void Dispose()
+        /// <summary>A page's entries; none for one that is not there.</summary>
+        IEnumerator<JobHandle> Parse(string path, int level, int3 cell, NativeList<EptEntry> entries)
         {
-            if (m_entries.IsCreated)
-                m_entries.Dispose();
-        }
-
-        /// <summary>A page's entries into <see cref="m_entries"/>; none for one that is not there.</summary>
-        IEnumerator<JobHandle> Parse(string path, int level, int3 cell)
-        {
-            m_entries.Clear();
             var file = new FileInfo(path);
             string problem = null;
             if (!file.Exists)
@@ -117,7 +114,7 @@ namespace FastPoints.Files
                         TextBytes = (int)file.Length,
                         SliceBytes = SliceBytes,
                         State = state,
-                        Entries = m_entries,
+                        Entries = entries,
                     };
                     do
                     {
@@ -138,27 +135,29 @@ namespace FastPoints.Files
         }
 
         /// <summary>The nodes of a page, level by level: a parent comes before its children.</summary>
-        IEnumerator<JobHandle> Add(string path)
+        IEnumerator<JobHandle> Add(NativeList<EptEntry> entries, string path)
         {
             int first = int.MaxValue, last = -1;
-            for (int i = 0; i < m_entries.Length; i++)
+            for (int i = 0; i < entries.Length; i++)
             {
-                int level = m_entries[i].Level;
-                if (!m_entries[i].HasKey)
+                int level = entries[i].Level;
+                if (!entries[i].HasKey)
                 {
-                    m_reader.Findings.Tell("an entry of the hierarchy is none", "?", null, m_entries[i].At, path);
+                    m_reader.Findings.Tell("an entry of the hierarchy is none", "?", null, entries[i].At, path);
                     continue;
                 }
                 first = Math.Min(first, level);
                 last = Math.Max(last, level);
             }
+            // Doubled as it grows, the set would be there twice for a while.
+            m_nodes.EnsureCapacity(Math.Min(MaxNodes, m_nodes.Count + entries.Length));
             m_stepWatch.Restart();
             for (int level = first; level <= last; level++)
-                for (int i = 0; i < m_entries.Length; i++)
+                for (int i = 0; i < entries.Length; i++)
                 {
-                    if (m_entries[i].Level != level || !m_entries[i].HasKey)
+                    if (entries[i].Level != level || !entries[i].HasKey)
                         continue;
-                    Add(m_entries[i], path);
+                    Add(entries[i], path);
                     if (m_stepWatch.Elapsed.TotalMilliseconds < StepMs)
                         continue;
                     yield return default;
@@ -168,19 +167,20 @@ namespace FastPoints.Files
 
         void Add(EptEntry entry, string path)
         {
+            if (m_nodes.Count + m_pages.Count > MaxNodes)
+            {
+                if (!m_isFull)
+                    m_reader.Info.Warn(-1, "the hierarchy has more than " + Text(MaxNodes)
+                        + " nodes and pages: the others are left out");
+                m_isFull = true;
+                return;
+            }
             if (entry.IsPage)
             {
                 if (m_pages.Add(entry.Key))
                     m_pagesOfLevel[entry.Level].Enqueue(entry.Cell);
                 else
                     m_reader.Findings.Tell("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
-                return;
-            }
-            if (m_tree.NodeCount >= MaxNodes)
-            {
-                if (!m_isFull)
-                    m_reader.Info.Warn(-1, "the hierarchy has more than " + Text(MaxNodes) + " nodes: the others are left out");
-                m_isFull = true;
                 return;
             }
             if (!m_nodes.Add(entry.Key))

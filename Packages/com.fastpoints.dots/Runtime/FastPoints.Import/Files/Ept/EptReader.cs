@@ -218,7 +218,6 @@ namespace FastPoints.Files
 
         public override void Dispose()
         {
-            m_hierarchy.Dispose();
             m_tree.Dispose();
         }
     }

@@ -317,6 +317,42 @@ namespace FastPoints.Files.Tests
             }
         }
 
+        [Test]
+        public void Page_OfTooManyBytes_IsAHole()
+        {
+            using (var folder = Make(EptDataType.Binary, 1500, 1))
+            {
+                using (var page = File.OpenWrite(folder.PagePath(folder.Pages.First(page => page[0] == '1'))))
+                    page.SetLength((32 << 20) + 1);
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(Count(reader), Is.InRange(100, 1499));
+                    CheckWarned(reader, "wanted at most 33554432");
+                }
+            }
+        }
+
+        [Test, Category("Long")]
+        public void Hierarchy_OfTooManyNodes_IsCutThere()
+        {
+            const int MaxNodes = 1 << 21;
+            using (var folder = Make(EptDataType.Binary))
+            {
+                using (var page = new StreamWriter(folder.PagePath("0-0-0-0")))
+                {
+                    page.Write("{\"0-0-0-0\":100");
+                    for (int i = 0; i < MaxNodes; i++)
+                        page.Write(",\"7-" + (i >> 14) + "-" + (i >> 7 & 127) + "-" + (i & 127) + "\":0");
+                    page.Write("}");
+                }
+                using (var reader = Open(folder.Path))
+                {
+                    Assert.That(reader.Tree.NodeCount, Is.EqualTo(MaxNodes));
+                    CheckWarned(reader, "the others are left out");
+                }
+            }
+        }
+
         [TestCase("\"json\"", "\"gzip\"", FailureCode.Unsupported, "hierarchyType")]
         [TestCase("\"binary\"", "\"quantized\"", FailureCode.Unsupported, "dataType")]
         [TestCase("\"name\": \"X\"", "\"name\": \"U\"", FailureCode.BadInput, "no X")]
