@@ -120,16 +120,22 @@ namespace FastPoints.Octree
             var layout = m_records.ForTops(m_store.HasAverages);
             int count = records.Length / layout.StrideBytes;
             Reserve(count);
-            var prepared = new PrepareUpperJob
+            var prepared = default(JobHandle);
+            var prepare = new PrepareUpperJob
             {
                 Slices = m_slices,
-                Count = count,
                 Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
                 CommonCubeLog2 = m_common,
                 Priority = m_priority,
-            }.Schedule();
+            };
+            while (prepare.End < count)
+            {
+                prepare.First = prepare.End;
+                prepare.End = Math.Min(count, prepare.First + PrepareUpperJob.PointsOfSlice);
+                prepared = prepare.Schedule(prepared);
+            }
             var sampled = Sample(count, cube, layout, records, tops, prepared);
             Job = Write(count, layout, m_rootCorner, false, !isRoot, records, m_nodeOfPoint, sampled);
             JobHandle.ScheduleBatchedJobs();

@@ -19,7 +19,7 @@ namespace FastPoints.Octree
     unsafe struct PoissonCover
     {
         /// <summary>Words of the memory that it works in.</summary>
-        public const int Words = CellsPerTile * CellsPerTile;
+        public const int Words = CellsPerTile * CellsPerTile + (RowsOfSample * RowsOfSample + 7) / 8;
 
         // A tile of 16 spacings.
         public const int TileSpacingsLog2 = CellsPerTileLog2 - CellsPerSpacingLog2;
@@ -31,24 +31,35 @@ namespace FastPoints.Octree
         const int Reach = (1 << CellsPerSpacingLog2) - 1;
         const int RowsOfSample = 2 * Reach + 1;
 
+        // By row around a sample's own, in the memory's last words: the cells that it covers, the first of them Reach before its
+        // own.
+        const int BeginOfMasks = CellsPerTile * CellsPerTile;
+
         [NativeDisableUnsafePtrRestriction] readonly ulong* m_rows;
+        [NativeDisableUnsafePtrRestriction] readonly byte* m_masks;
         readonly int m_shift;
         readonly Grid3 m_corner;
 
-        // By row around a sample's own: the cells that it covers, the first of them Reach before its own.
-        fixed byte m_covered[RowsOfSample * RowsOfSample];
-
-        /// <param name="rows">Room for <see cref="Words"/>: kept from slice to slice of a tile.</param>
+        /// <param name="memory">Room for <see cref="Words"/>: kept while the spacing is the same.</param>
         /// <param name="spacingLog2">Of the samples.</param>
         /// <param name="place">Any place in the tile.</param>
-        public PoissonCover(ulong* rows, int spacingLog2, Grid3 place)
+        public PoissonCover(ulong* memory, int spacingLog2, Grid3 place)
         {
-            m_rows = rows;
-            m_shift = math.max(0, spacingLog2 - CellsPerSpacingLog2);
+            m_rows = memory;
+            m_masks = (byte*)(memory + BeginOfMasks);
+            m_shift = ShiftOf(spacingLog2);
             long whole = -1L << m_shift + CellsPerTileLog2;
             m_corner = new Grid3(place.X & whole, place.Y & whole, place.Z & whole);
+        }
+
+        static int ShiftOf(int spacingLog2) => math.max(0, spacingLog2 - CellsPerSpacingLog2);
+
+        /// <summary>A new spacing: which cells a sample covers.</summary>
+        public static void Begin(ulong* memory, int spacingLog2)
+        {
+            var masks = (byte*)(memory + BeginOfMasks);
             // In steps: places are whole numbers. With cells of many steps the squares go by cells.
-            int step = math.min(m_shift, 8), spacing = spacingLog2 - m_shift + step;
+            int shift = ShiftOf(spacingLog2), step = math.min(shift, 8), spacing = spacingLog2 - shift + step;
             for (int z = -Reach; z <= Reach; z++)
             {
                 for (int y = -Reach; y <= Reach; y++)
@@ -57,13 +68,13 @@ namespace FastPoints.Octree
                     for (int x = -Reach; x <= Reach; x++)
                         if (FarthestSq(x, step) + FarthestSq(y, step) + FarthestSq(z, step) < 1 << 2 * spacing)
                             covered |= 1 << x + Reach;
-                    m_covered[(z + Reach) * RowsOfSample + y + Reach] = (byte)covered;
+                    masks[(z + Reach) * RowsOfSample + y + Reach] = (byte)covered;
                 }
             }
         }
 
         /// <summary>A new tile: nothing is covered.</summary>
-        public void Clear() => UnsafeUtility.MemClear(m_rows, Words * sizeof(ulong));
+        public void Clear() => UnsafeUtility.MemClear(m_rows, BeginOfMasks * sizeof(ulong));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsCovered(Grid3 place) =>
@@ -79,8 +90,9 @@ namespace FastPoints.Octree
             {
                 for (int dy = math.max(0, -y), endY = math.min(RowsOfSample, CellsPerTile - y); dy < endY; dy++)
                 {
-                    ulong covered = m_covered[dz * RowsOfSample + dy];
-                    m_rows[y + dy + CellsPerTile * (z + dz)] |= x >= 0 ? covered << x : covered >> -x;
+                    ulong covered = m_masks[dz * RowsOfSample + dy];
+                    if (covered != 0)
+                        m_rows[y + dy + CellsPerTile * (z + dz)] |= x >= 0 ? covered << x : covered >> -x;
                 }
             }
         }

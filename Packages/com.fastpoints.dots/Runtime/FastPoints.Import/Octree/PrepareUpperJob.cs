@@ -10,7 +10,12 @@ namespace FastPoints.Octree
     [BurstCompile]
     public unsafe struct PrepareUpperJob : IJob
     {
-        public int Count;
+        /// <summary>Takes about 4 ms.</summary>
+        public const int PointsOfSlice = 100000;
+
+        /// <summary>The points of this slice. The slices of one cloud follow one another.</summary>
+        public int First;
+        public int End;
         public RecordLayout Layout;
         public Grid3 Corner;
         [ReadOnly] public NativeArray<byte> Records;
@@ -28,7 +33,7 @@ namespace FastPoints.Octree
 
         void Run()
         {
-            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), 0, Count, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
+            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
                 (uint*)Priority.GetUnsafePtr());
         }
     }

@@ -37,7 +37,7 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Takes about 4 ms.</summary>
-        public const int PointsOfSlice = 200000;
+        public const int PointsOfSlice = 80000;
 
         /// <summary>Edge of a tile: log2 of the spacings.</summary>
         public const int TileSpacingsLog2 = PoissonCover.TileSpacingsLog2;
@@ -264,6 +264,7 @@ namespace FastPoints.Octree
                 samples[s].Next = heads[slot];
                 heads[slot] = s;
             }
+            PoissonCover.Begin((ulong*)Scratch.Covered.GetUnsafePtr(), cell);
             m_budget -= taken + ((1L << bits) >> 4);
 
             m_now.FirstRange = Scratch.FirstRange[cell];

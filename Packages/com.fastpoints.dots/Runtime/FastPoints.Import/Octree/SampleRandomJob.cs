@@ -32,7 +32,7 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Takes at most about 4 ms, but for a range that has more points.</summary>
-        public const int PointsOfSlice = 400000;
+        public const int PointsOfSlice = 150000;
 
         const byte Everywhere = byte.MaxValue;
 
