@@ -33,6 +33,15 @@ namespace FastPoints.Files
             yield break;
         }
 
+        /// <summary>Whether <see cref="FindBeginnings"/> has something to read long before <see cref="FindBlocks"/>
+        /// has.</summary>
+        public virtual bool HasBeginnings => false;
+
+        /// <summary>Work (for a pump) of bounded time that finds what can be read without looking through the file: afterwards
+        /// the blocks are these, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> takes all in
+        /// their place, when there are no slots.</summary>
+        public virtual IEnumerator<JobHandle> FindBeginnings() => FindBlocks();
+
         /// <summary>The octree that the source brings along, or null. Its blocks come level by level within each page of the
         /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         public virtual SourceTree Tree => null;

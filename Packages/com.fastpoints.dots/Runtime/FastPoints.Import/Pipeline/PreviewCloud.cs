@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
@@ -12,13 +13,14 @@ namespace FastPoints.Pipeline
 {
     /// <summary>
     /// From an open source to a first picture: find the blocks where need be, take a sample, see what it holds, draw it. Owns the
-    /// sample.
+    /// sample. Where blocks are found only by looking through all of the file, waves of its beginning come before that.
     /// </summary>
     public sealed class PreviewCloud : IDisposable
     {
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
 
         public PreviewCloud(PointReader reader, PreviewOptions options)
         {
@@ -38,7 +40,7 @@ namespace FastPoints.Pipeline
         /// <summary>Null before the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c>, <c>refine</c> and <c>draw</c>.</summary>
+        /// <summary>Work for a pump, with the stages <c>sample</c>, <c>find blocks</c>, <c>refine</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobHandle> Run(StageProgress progress)
         {
@@ -67,18 +69,25 @@ namespace FastPoints.Pipeline
         /// <summary>Work for a pump: all but the picture.</summary>
         public IEnumerator<JobHandle> TakeSample(StageProgress progress)
         {
-            if (!m_reader.BlocksAreKnown)
+            m_watch.Restart();
+            if (m_reader.HasBeginnings && !m_options.Exact)
             {
-                progress?.Begin("find blocks");
-                using (var finding = m_reader.FindBlocks())
+                using (var sampling = TakeBeginnings(progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                if (!m_options.Quick && !Sample.IsWhole)
+                    Drop();
+            }
+            if (Sample == null)
+            {
+                using (var finding = FindBlocks(progress))
                     while (finding.MoveNext())
                         yield return finding.Current;
+                progress?.Begin("sample");
+                using (var sampling = m_options.Exact ? Scan(progress) : TakeWaves(progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
             }
-
-            progress?.Begin("sample");
-            using (var sampling = m_options.Exact ? Scan(progress) : TakeWaves(progress))
-                while (sampling.MoveNext())
-                    yield return sampling.Current;
 
             using (var measuring = MeasureSample())
                 while (measuring.MoveNext())
@@ -104,7 +113,6 @@ namespace FastPoints.Pipeline
 
         IEnumerator<JobHandle> Scan(StageProgress progress)
         {
-            var watch = Stopwatch.StartNew();
             using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
             {
                 using (var sampling = uniform.Run(0, progress))
@@ -115,7 +123,7 @@ namespace FastPoints.Pipeline
             m_waves.Add(new SampleWave
             {
                 Points = Sample.Count,
-                Seconds = watch.Elapsed.TotalSeconds,
+                Seconds = m_watch.Elapsed.TotalSeconds,
                 BytesRead = Sample.BytesRead,
             });
         }
@@ -124,44 +132,92 @@ namespace FastPoints.Pipeline
         {
             bool refines = !m_options.Quick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.PointsBefore(m_reader.PointCount, m_options.Points) : m_options.Points;
-            var watch = Stopwatch.StartNew();
-            using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
-            {
-                using (var sampling = sampler.Run(0, progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
-                m_waves.AddRange(sampler.Waves);
-                Sample = sampler.TakeSample();
-            }
+            using (var taking = Take(wanted, progress))
+                while (taking.MoveNext())
+                    yield return taking.Current;
             if (!refines || Sample.IsWhole)
                 yield break;
             using (var measuring = MeasureSample())
                 while (measuring.MoveNext())
                     yield return measuring.Current;
-            double before = watch.Elapsed.TotalSeconds;
-            long bytesBefore = Sample.BytesRead;
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
             progress?.Begin("refine");
             using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Ranges.Robust))
             {
                 using (var refining = sampler.Run(0, progress))
                     while (refining.MoveNext())
                         yield return refining.Current;
-                foreach (var wave in sampler.Waves)
-                    m_waves.Add(new SampleWave
-                    {
-                        Points = wave.Points,
-                        Seconds = before + wave.Seconds,
-                        BytesRead = bytesBefore + wave.BytesRead,
-                    });
+                Add(sampler.Waves, before, bytesBefore);
                 Sample.Dispose();
                 Sample = sampler.TakeSample();
             }
         }
 
-        public void Dispose()
+        /// <summary>A sample of the blocks that are known.</summary>
+        IEnumerator<JobHandle> Take(int wanted, StageProgress progress)
+        {
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
+            using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
+            {
+                using (var sampling = sampler.Run(0, progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                Add(sampler.Waves, before, bytesBefore);
+                Sample = sampler.TakeSample();
+            }
+        }
+
+        void Add(IReadOnlyList<SampleWave> waves, double secondsBefore, long bytesBefore)
+        {
+            foreach (var wave in waves)
+                m_waves.Add(new SampleWave
+                {
+                    Points = wave.Points,
+                    Seconds = secondsBefore + wave.Seconds,
+                    BytesRead = bytesBefore + wave.BytesRead,
+                });
+        }
+
+        /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the
+        /// file.</summary>
+        IEnumerator<JobHandle> TakeBeginnings(StageProgress progress)
+        {
+            progress?.Begin("sample");
+            using (var finding = m_reader.FindBeginnings())
+                while (finding.MoveNext())
+                    yield return finding.Current;
+            using (var taking = Take(m_options.Points, progress))
+                while (taking.MoveNext())
+                    yield return taking.Current;
+            Sample.PointsInSource = (long)Math.Min(m_reader.Info.PointsClaimed, long.MaxValue);
+            Sample.IsOfBeginning = !Sample.IsWhole;
+            if (!Sample.IsOfBeginning)
+                yield break;
+            Sample.Method = "the file's beginning alone";
+            if (m_options.Quick)
+                m_reader.Info.Warn(0, "where the points lie is not known before all are decoded: the sample is of the file's "
+                    + "beginning alone, " + (100 * Sample.Share).ToString("0.##", CultureInfo.InvariantCulture)
+                    + " % of the points, and shows nothing of the rest");
+        }
+
+        IEnumerator<JobHandle> FindBlocks(StageProgress progress)
+        {
+            if (m_reader.BlocksAreKnown)
+                yield break;
+            progress?.Begin("find blocks");
+            using (var finding = m_reader.FindBlocks())
+                while (finding.MoveNext())
+                    yield return finding.Current;
+        }
+
+        void Drop()
         {
             Sample?.Dispose();
             Sample = null;
         }
+
+        public void Dispose() => Drop();
     }
 }

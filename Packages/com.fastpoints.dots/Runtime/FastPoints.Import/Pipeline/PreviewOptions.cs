@@ -13,7 +13,8 @@ namespace FastPoints.Pipeline
         /// <summary>Choose from a scan of all points, not from short runs.</summary>
         public bool Exact;
 
-        /// <summary>Stop at the sample that reads little, also where it is of the beginnings of blocks alone.</summary>
+        /// <summary>Stop at the sample that reads little, also where it is of the beginnings of blocks alone, or of
+        /// the file's.</summary>
         public bool Quick;
 
         public PictureOptions Picture = new PictureOptions();

@@ -44,6 +44,10 @@ namespace FastPoints.Preview
         /// numbers of the source's points each.</summary>
         public int Substitutes { get; internal set; }
 
+        /// <summary>Whether they are of the source's beginning alone, where the rest cannot be read without looking through all
+        /// of it.</summary>
+        public bool IsOfBeginning { get; internal set; }
+
         /// <summary>How the points were chosen, and what kept it from being otherwise: a line for people.</summary>
         public string Method { get; internal set; }
 

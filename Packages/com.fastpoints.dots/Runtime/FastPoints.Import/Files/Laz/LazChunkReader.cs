@@ -177,6 +177,13 @@ namespace FastPoints.Files
                     part + LongChunkPoints >= of.Points, -1);
         }
 
+        /// <summary>Makes way for other blocks of the same chunks.</summary>
+        private protected void ClearBlocks()
+        {
+            m_blocks.Clear();
+            m_maxPointsPerBlock = 0;
+        }
+
         private protected void AddBlock(int chunk, long firstInChunk, long points, long end, bool isToEnd, int checkpoint)
         {
             if (points <= 0)

@@ -17,6 +17,8 @@ namespace FastPoints.Files
     /// </remarks>
     public sealed class LazReader : LazChunkReader
     {
+        const int MaxPointsOfBeginning = 1 << 18;
+
         readonly List<LazCheckpoint> m_checkpoints = new List<LazCheckpoint>();
         readonly bool m_isTableLost;
         bool m_areBlocksKnown;
@@ -54,10 +56,37 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
+        /// <summary>Not those of layered files, whose chunks say how long they are: all are soon found.</summary>
+        public override bool HasBeginnings => !m_areBlocksKnown && !Format.IsLayered;
+
+        /// <summary>Points of a long chunk's beginning, which takes no checkpoint; the first chunks of a file without a table are
+        /// found up to as many: about 50 ms of decoding.</summary>
+        internal int PointsOfBeginning => Math.Min(LongChunkPoints, MaxPointsOfBeginning);
+
+        public override IEnumerator<JobHandle> FindBeginnings()
+        {
+            if (!HasBeginnings)
+                yield break;
+            Forget();
+            if (m_isTableLost)
+            {
+                using (var steps = new LazWalk(this, Source, m_checkpoints).WalkBeginning(Chunks))
+                    while (steps.MoveNext())
+                        yield return steps.Current;
+                Source.Dispose();
+            }
+            for (int c = 0; c < Chunks.Count; c++)
+            {
+                bool isLong = Chunks[c].Points > LongChunkPoints;
+                AddBlock(c, 0, isLong ? PointsOfBeginning : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes, !isLong, -1);
+            }
+        }
+
         public override IEnumerator<JobHandle> FindBlocks()
         {
             if (m_areBlocksKnown)
                 yield break;
+            Forget();
             var walk = new LazWalk(this, Source, m_checkpoints);
             var steps = walk.Run(Chunks, m_isTableLost);
             try
@@ -73,6 +102,15 @@ namespace FastPoints.Files
             MakeBlocks(walk);
             Source.Dispose();
             m_areBlocksKnown = true;
+        }
+
+        /// <summary>Drops what an earlier look at the file's beginning, or one that was cancelled, has found.</summary>
+        void Forget()
+        {
+            ClearBlocks();
+            m_checkpoints.Clear();
+            if (m_isTableLost)
+                Chunks.Clear();
         }
 
         internal override LazCheckpoint CheckpointOf(LazBlock block) =>

@@ -53,7 +53,31 @@ namespace FastPoints.Files
         {
             if (isTableLost && m_format.IsLayered)
                 return WalkHeaders(chunks);
-            return isTableLost ? WalkStreams(chunks) : WalkLongChunks(chunks);
+            return isTableLost ? WalkStreams(chunks, false) : WalkLongChunks(chunks);
+        }
+
+        /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PointsOfBeginning"/>
+        /// points or a little more; one that is too long for a block is taken to be as long as it may be, and not
+        /// walked.</summary>
+        public IEnumerator<JobHandle> WalkBeginning(List<LazChunk> chunks)
+        {
+            ulong claimed = m_reader.Info.PointsClaimed;
+            if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_reader.LongChunkPoints)
+                return WalkStreams(chunks, true);
+            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
+            if (at + m_format.RecordBytes <= m_source.Length)
+                chunks.Add(new LazChunk
+                {
+                    Offset = at,
+                    Bytes = m_source.Length - at,
+                    Points = (long)Math.Min(claimed, m_format.ChunkPoints),
+                });
+            return NoSteps();
+        }
+
+        static IEnumerator<JobHandle> NoSteps()
+        {
+            yield break;
         }
 
         IEnumerator<JobHandle> WalkHeaders(List<LazChunk> chunks)
@@ -86,13 +110,15 @@ namespace FastPoints.Files
             Tell(chunks);
         }
 
-        IEnumerator<JobHandle> WalkStreams(List<LazChunk> chunks)
+        /// <param name="isBeginning">Stop at <see cref="LazReader.PointsOfBeginning"/>.</param>
+        IEnumerator<JobHandle> WalkStreams(List<LazChunk> chunks, bool isBeginning)
         {
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
+            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)m_reader.PointsOfBeginning) : 0;
             using (var stream = new LazWalkStream(m_reader, m_format))
             {
-                while (pointsLeft > 0 && at + m_format.RecordBytes <= m_source.Length)
+                while (pointsLeft > pointsBehind && at + m_format.RecordBytes <= m_source.Length)
                 {
                     if (chunks.Count > 0 && IsNoChunk(at, chunks.Count))
                         break;
@@ -113,7 +139,8 @@ namespace FastPoints.Files
                     pointsLeft -= (ulong)stream.Point;
                 }
             }
-            Tell(chunks);
+            if (!isBeginning)
+                Tell(chunks);
         }
 
         /// <summary>Whether the chunk table follows here, whose place was lost, or nothing but zeros, as in a file that was made
