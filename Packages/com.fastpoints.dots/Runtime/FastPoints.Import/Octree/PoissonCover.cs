@@ -98,7 +98,8 @@ namespace FastPoints.Octree
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        int RowOf(Grid3 place) => (int)(place.Y - m_corner.Y >> m_shift) + CellsPerTile * (int)(place.Z - m_corner.Z >> m_shift);
+        int RowOf(Grid3 place) =>
+            (int)(place.Y - m_corner.Y >> m_shift) + CellsPerTile * (int)(place.Z - m_corner.Z >> m_shift);
 
         /// <summary>Square of the farthest that places of two cells are apart along one axis.</summary>
         static int FarthestSq(int cells, int shift)

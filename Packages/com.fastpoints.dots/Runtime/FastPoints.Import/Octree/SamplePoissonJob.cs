@@ -302,7 +302,8 @@ namespace FastPoints.Octree
             {
                 if (nodeOfPoint[end] >= 0)
                 {
-                    if (!isBegun)
+                    // Those that the grid has.
+                    if (!isBegun && Nodes[nodeOfPoint[end]].CellLog2 >= m_now.CellLog2)
                         cover.Cover(PlaceAt(end));
                     continue;
                 }
