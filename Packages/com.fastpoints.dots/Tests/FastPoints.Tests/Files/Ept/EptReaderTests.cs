@@ -9,6 +9,7 @@ using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
+using static FastPoints.Files.Tests.EptTestClouds;
 using Random = System.Random;
 
 namespace FastPoints.Files.Tests
@@ -16,35 +17,11 @@ namespace FastPoints.Files.Tests
     /// <summary>Octrees of the tests' own writer, in each data type: every node's points, holes, and indexes that lie.</summary>
     public class EptReaderTests
     {
-        static readonly (string, string, int)[] s_dimensions =
-        {
-            ("Intensity", "unsigned", 2), ("ScanAngleRank", "float", 4), ("GpsTime", "float", 8), ("Red", "unsigned", 2),
-            ("Green", "unsigned", 2), ("Blue", "unsigned", 2), ("Odd", "signed", 1), ("Big", "unsigned", 8), ("Low", "signed", 8),
-        };
-
         [SetUp]
         public void Register() => Decompressors.Zstandard = () => new StoredZstandard();
 
         [TearDown]
         public void Forget() => Decompressors.Zstandard = null;
-
-        static EptFolder Make(EptDataType type, int points = 1500, int levelsPerPage = 99, int format = 3, int maxNodePoints = 100)
-        {
-            if (type == EptDataType.Laszip)
-                return new EptFolder(type, LazRecords.Make(format, 4, points, 21), new (string, string, int)[0], format, maxNodePoints,
-                    levelsPerPage);
-            var random = new Random(points);
-            var records = new List<byte[]>();
-            for (int i = 0; i < points; i++)
-            {
-                var record = new byte[12 + s_dimensions.Sum(dimension => dimension.Item3)];
-                random.NextBytes(record);
-                for (int axis = 0; axis < 3; axis++)
-                    BitConverter.GetBytes(random.Next(-100000, 100000) >> random.Next(8)).CopyTo(record, 4 * axis);
-                records.Add(record);
-            }
-            return new EptFolder(type, records, s_dimensions, 0, maxNodePoints, levelsPerPage);
-        }
 
         [TestCase(EptDataType.Binary, 99, 0)]
         [TestCase(EptDataType.Binary, 1, 0)]
@@ -170,101 +147,6 @@ namespace FastPoints.Files.Tests
                 {
                     Assert.That(Count(reader), Is.EqualTo(1500));
                     CheckWarned(reader, "more than the points");
-                }
-            }
-        }
-
-        [TestCase(0, 3, 100)]
-        [TestCase(1, 0, 100)]
-        [TestCase(4, 7, 100)]
-        [TestCase(2, 7, 3000)]
-        public void LazNode_OnAnotherGrid_IsPlacedExactly(int workers, int format, int maxNodePoints)
-        {
-            var grids = new (long Factor, long Shift)[] { (1, 0), (1, -123456), (5, 7), (-1, 40), (1000, -1), (1, 1L << 20) };
-            using (new WorkerCount(workers))
-            using (var folder = Make(EptDataType.Laszip, 6000, 99, format, maxNodePoints))
-            {
-                for (int i = 1; i < folder.Nodes.Count; i++)
-                    folder.MoveToGrid(folder.Nodes[i], grids[i % grids.Length].Factor, grids[i % grids.Length].Shift);
-                using (var reader = Open(folder.Path))
-                {
-                    CheckNodes(reader, folder, 3, false);
-                    Assert.That(reader.Info.Warnings, Is.Empty);
-                    Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
-                }
-            }
-        }
-
-        [TestCase(0.003, 0)]
-        [TestCase(0.02, 0.015)]
-        [TestCase(0.01, 1e9)]
-        [TestCase(1e9, 0)]
-        [TestCase(0, 0)]
-        [TestCase(double.NaN, 0)]
-        [TestCase(0.01, double.PositiveInfinity)]
-        public void LazNode_OffTheGrid_IsAHole(double scale, double offset)
-        {
-            using (var folder = Make(EptDataType.Laszip))
-            {
-                var node = folder.Nodes[1];
-                folder.WriteNode(node, node.Records, scale, offset);
-                using (var reader = Open(folder.Path))
-                {
-                    Assert.That(Count(reader), Is.EqualTo(1500 - node.Records.Count));
-                    CheckWarned(reader, "do not lie on the root's grid");
-                }
-            }
-        }
-
-        [Test]
-        public void LazNode_PlaceBeyond32Bits_EndsBeforeIt()
-        {
-            using (var folder = Make(EptDataType.Laszip))
-            {
-                var node = folder.Nodes[1];
-                foreach (var record in node.Records)
-                    Array.Clear(record, 0, 12);
-                BitConverter.GetBytes(int.MinValue + 7).CopyTo(node.Records[19], 4);
-                BitConverter.GetBytes(int.MinValue + 6).CopyTo(node.Records[20], 4);
-                folder.WriteNode(node, node.Records, 0.01, -0.07);
-                using (var reader = Open(folder.Path))
-                {
-                    Assert.That(Count(reader), Is.EqualTo(1500 - node.Records.Count + 20));
-                    CheckWarned(reader, "do not lie on the root's grid");
-                }
-            }
-        }
-
-        [TestCase(LasHeader.At.RecordBytes)]
-        [TestCase(LasHeader.At.PointFormat)]
-        [TestCase(0)]
-        public void LazNode_OfAnotherKind_IsAHole(int at)
-        {
-            using (var folder = Make(EptDataType.Laszip))
-            {
-                string path = folder.DataPath(EptFolder.NameOf(folder.Nodes[1]));
-                var bytes = File.ReadAllBytes(path);
-                bytes[at] ^= 1;
-                File.WriteAllBytes(path, bytes);
-                using (var reader = Open(folder.Path))
-                {
-                    Assert.That(Count(reader), Is.EqualTo(1500 - folder.Nodes[1].Records.Count));
-                    CheckWarned(reader, "not what the other nodes' are");
-                }
-            }
-        }
-
-        [Test]
-        public void LazNode_WithMorePointsThanClaimed_IsTold()
-        {
-            using (var folder = Make(EptDataType.Laszip))
-            {
-                string page = File.ReadAllText(folder.PagePath("0-0-0-0"));
-                File.WriteAllText(folder.PagePath("0-0-0-0"), page.Replace("\"0-0-0-0\": 100", "\"0-0-0-0\": 90"));
-                using (var reader = Open(folder.Path))
-                {
-                    Assert.That(Count(reader), Is.EqualTo(1490));
-                    CheckWarned(reader, "another number of points");
                 }
             }
         }
@@ -452,77 +334,6 @@ namespace FastPoints.Files.Tests
             for (int i = random.Next(1, 6); i > 0 && bytes.Length > 0; i--)
                 bytes[random.Next(bytes.Length)] = random.Next(2) == 0 ? (byte)random.Next(256) : (byte)random.Next('0', '9' + 1);
             return bytes;
-        }
-
-        internal static PointReader Open(string path)
-        {
-            var reader = PointReaders.Open(path);
-            try
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                return reader;
-            }
-            catch
-            {
-                reader.Dispose();
-                throw;
-            }
-        }
-
-        static long Count(PointReader reader) => ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
-
-        static void CheckWarned(PointReader reader, string story) =>
-            Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.Some.Contains(story));
-
-        /// <summary>Each node's columns against its records.</summary>
-        static unsafe void CheckNodes(PointReader reader, EptFolder folder, int slots, bool isReversed)
-        {
-            var nodes = folder.Nodes.ToDictionary(node => new int4(node.Cell, node.Level));
-            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes.Count));
-            var order = Enumerable.Range(0, reader.Tree.NodeCount).Where(i => reader.Tree[i].Block >= 0).ToList();
-            if (isReversed)
-                order.Reverse();
-            var reads = new BlockRead[slots];
-            for (int i = 0; i < slots; i++)
-                reads[i] = reader.CreateRead(reader.Info.Schema, reader.MaxPointsPerBlock, Allocator.Persistent);
-            for (int i = 0; i < order.Count + slots; i++)
-            {
-                var read = reads[i % slots];
-                if (i >= slots && i - slots < order.Count)
-                {
-                    var node = reader.Tree[order[i - slots]];
-                    read.Complete();
-                    var records = nodes[new int4(node.Cell, node.Level)].Records;
-                    Assert.That(read.Points.Count, Is.EqualTo(records.Count));
-                    var fields = new LasField[reader.Info.Schema.Count];
-                    var columns = new PointColumn[fields.Length];
-                    int at = 0;
-                    for (int k = 0; k < fields.Length; k++)
-                    {
-                        var attribute = reader.Info.Schema[k];
-                        if (folder.DataType != EptDataType.Laszip)
-                            fields[k] = new LasField(attribute.Name, attribute.Type, at);
-                        at += attribute.Type.SizeOf();
-                        columns[k] = read.Points.Column(k);
-                    }
-                    var copies = folder.DataType == EptDataType.Laszip
-                        ? LasCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))), read.Points)
-                        : LasCopyPlan.Make(fields, columns);
-                    var got = new byte[records.Count * folder.RecordBytes];
-                    fixed (byte* first = got)
-                    fixed (LasFieldCopy* plan = copies)
-                        LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, records.Count, plan, copies.Length,
-                            first, folder.RecordBytes);
-                    Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes), Is.Null);
-                }
-                if (i < order.Count)
-                {
-                    int block = reader.Tree[order[i]].Block;
-                    read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                }
-            }
-            foreach (var read in reads)
-                read.Dispose();
         }
 
         static void CheckRange(PointReader reader, PointSchema wanted, PointBatch whole, int first, int count)

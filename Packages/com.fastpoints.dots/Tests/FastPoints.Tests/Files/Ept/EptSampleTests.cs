@@ -18,7 +18,7 @@ namespace FastPoints.Files.Tests
         [TestCase("lion_takanawa_ept_bin", 341989, 16, 3, 1)]
         public void Sample_Tree_IsAsKnown(string name, int points, int nodes, int levels, int pages)
         {
-            using (var reader = EptReaderTests.Open(Folder(name)))
+            using (var reader = EptTestClouds.Open(Folder(name)))
             {
                 Assert.That(reader.PointCount, Is.EqualTo(points));
                 Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
@@ -34,7 +34,7 @@ namespace FastPoints.Files.Tests
         [TestCase("lion_takanawa_ept_bin", "potree/lion_takanawa_laz/cloud.js", 341989)]
         public void Sample_Twin_HasTheSamePoints(string name, string twin, int points)
         {
-            using (var reader = EptReaderTests.Open(Folder(name)))
+            using (var reader = EptTestClouds.Open(Folder(name)))
             using (var other = PointReaders.Open(TestData.SampleOrIgnore(twin)))
             {
                 var names = PointMultiset.CommonNames(reader, other);
