@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -76,5 +77,10 @@ namespace FastPoints.Picture
             var fromEye = geo - EyeGeo;
             return new double3(math.dot(fromEye, Right), math.dot(fromEye, Up), math.dot(fromEye, Forward));
         }
+
+        /// <summary>The same camera for choosing nodes; the world is the cloud's georeferenced space.</summary>
+        public StreamView ToStreamView(int widthPx, int heightPx) => IsOrthographic
+            ? StreamView.Orthographic(EyeGeo, Right, Up, HeightGeo, widthPx, heightPx)
+            : StreamView.Perspective(EyeGeo, Right, Up, Forward, FovRadians, widthPx, heightPx);
     }
 }

@@ -1,0 +1,35 @@
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double, where
+    /// local is in CRS units from the corner of the cloud's root cube. Any affine transform: moved, turned, mirrored, scaled.
+    /// </summary>
+    public struct CloudPlacement
+    {
+        public double3x3 Linear;
+        public double3 OriginWorld;
+
+        public CloudPlacement(double3x3 linear, double3 originWorld)
+        {
+            Linear = linear;
+            OriginWorld = originWorld;
+        }
+
+        /// <summary>The world is the cloud's own georeferenced space.</summary>
+        public static CloudPlacement Geo(CloudGrid grid, GridCube root) =>
+            new CloudPlacement(double3x3.identity, grid.ToGeo(root.Corner));
+
+        /// <summary>Whether it has a volume: a cloud that is flattened to nothing is not shown.</summary>
+        public bool IsSound
+        {
+            get
+            {
+                double volume = math.determinant(Linear);
+                return math.all(math.isfinite(OriginWorld)) && volume - volume == 0 && volume != 0;
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+using System;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>The memory of selections, from frame to frame: clouds and views go in, chosen nodes and missing pages come
+    /// out. Main thread.</summary>
+    public sealed unsafe class NodeSelector : IDisposable
+    {
+        NativeList<SelectionCloud> m_clouds;
+        NativeList<CloudPlacement> m_placements;
+        NativeList<CloudView> m_views;
+        NativeList<SelectedNode> m_selected;
+        NativeList<SelectedNode> m_forecast;
+        NativeList<MissingPage> m_missing;
+        NativeList<MissingPage> m_missingOfForecast;
+        NativeReference<long> m_points;
+        NativeReference<long> m_pointsOfForecast;
+        SelectionHeap m_heap;
+
+        public NodeSelector()
+        {
+            m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
+            m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
+            m_views = new NativeList<CloudView>(Allocator.Persistent);
+            m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
+            m_forecast = new NativeList<SelectedNode>(256, Allocator.Persistent);
+            m_missing = new NativeList<MissingPage>(Allocator.Persistent);
+            m_missingOfForecast = new NativeList<MissingPage>(Allocator.Persistent);
+            m_points = new NativeReference<long>(Allocator.Persistent);
+            m_pointsOfForecast = new NativeReference<long>(Allocator.Persistent);
+            m_heap = new SelectionHeap(Allocator.Persistent);
+        }
+
+        /// <summary>Begins at 2, so that a node's 0 is no selection's and not that of the one before.</summary>
+        public uint Frame { get; private set; } = 1;
+
+        /// <summary>Parents before children, the most needed first.</summary>
+        public NativeArray<SelectedNode> Selected => m_selected.AsArray();
+
+        /// <summary>Of the last <see cref="Forecast"/>, without what is chosen already; places of parents mean nothing.</summary>
+        public NativeArray<SelectedNode> Forecasted => m_forecast.AsArray();
+
+        /// <summary>The most needed first.</summary>
+        public NativeArray<MissingPage> Missing => m_missing.AsArray();
+
+        /// <summary>Of all that is chosen.</summary>
+        public long Points => m_points.Value;
+
+        /// <summary>A new frame, without clouds.</summary>
+        public void Begin()
+        {
+            Frame++;
+            m_clouds.Clear();
+            m_placements.Clear();
+            m_forecast.Clear();
+        }
+
+        /// <param name="cloud">Its number in what is chosen; clouds are added in rising order.</param>
+        /// <param name="pages">Stay where they are until the frame's last selection.</param>
+        /// <param name="placement">A cloud without volume is left out.</param>
+        public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
+        {
+            if (!placement.IsSound)
+                return;
+            m_clouds.Add(new SelectionCloud { Cloud = cloud, Pages = pages });
+            m_placements.Add(placement);
+        }
+
+        /// <param name="missingToStopAt">See <see cref="SelectNodesJob.MissingToStopAt"/>.</param>
+        public void Choose(NativeArray<StreamView> views, in SelectionSettings settings, int missingToStopAt = int.MaxValue)
+        {
+            var job = JobFor(views, settings);
+            job.MissingToStopAt = missingToStopAt;
+            job.Selected = m_selected;
+            job.Missing = m_missing;
+            job.Points = m_points;
+            job.Run();
+        }
+
+        /// <summary>What the same clouds need for views that are to come, beyond what is chosen for this frame.</summary>
+        /// <param name="points">At most about so many.</param>
+        public void Forecast(NativeArray<StreamView> views, in SelectionSettings settings, long points)
+        {
+            var job = JobFor(views, settings);
+            job.MissingToStopAt = int.MaxValue;
+            job.IsForecast = true;
+            job.ForecastPoints = points;
+            job.Selected = m_forecast;
+            job.Missing = m_missingOfForecast;
+            job.Points = m_pointsOfForecast;
+            job.Run();
+        }
+
+        public void Dispose()
+        {
+            if (!m_clouds.IsCreated)
+                return;
+            m_clouds.Dispose();
+            m_placements.Dispose();
+            m_views.Dispose();
+            m_selected.Dispose();
+            m_forecast.Dispose();
+            m_missing.Dispose();
+            m_missingOfForecast.Dispose();
+            m_points.Dispose();
+            m_pointsOfForecast.Dispose();
+            m_heap.Dispose();
+        }
+
+        SelectNodesJob JobFor(NativeArray<StreamView> views, in SelectionSettings settings)
+        {
+            m_views.Clear();
+            for (int c = 0; c < m_clouds.Length; c++)
+                for (int v = 0; v < views.Length; v++)
+                    m_views.Add(new CloudView(views[v], m_placements[c]));
+            return new SelectNodesJob
+            {
+                Clouds = m_clouds.AsArray(),
+                Views = m_views.AsArray(),
+                ViewCount = views.Length,
+                Settings = settings,
+                Frame = Frame,
+                Heap = m_heap,
+            };
+        }
+    }
+}

@@ -1,0 +1,20 @@
+namespace FastPoints.Streaming
+{
+    /// <summary>What changes about a node: the only place where it is kept.</summary>
+    public struct NodeState
+    {
+        public const int NoSlot = -1;
+
+        /// <summary>Frame of the last selection that chose the node.</summary>
+        public uint SelectedFrame;
+
+        /// <summary>Frame of the last selection that had it in view, with its parent chosen.</summary>
+        public uint SeenFrame;
+
+        /// <summary>Its place in the cache, or <see cref="NoSlot"/>.</summary>
+        public int Slot;
+
+        /// <summary>Reads that failed.</summary>
+        public int Failures;
+    }
+}

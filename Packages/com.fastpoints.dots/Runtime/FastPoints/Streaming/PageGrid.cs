@@ -1,0 +1,40 @@
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>From grid places to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
+    public struct PageGrid
+    {
+        public Grid3 Corner;
+        public double3 Step;
+        public Grid3 BoundsMin;
+        public Grid3 BoundsMax;
+
+        public PageGrid(CloudManifest manifest)
+        {
+            Corner = manifest.Root.Corner;
+            Step = manifest.Grid.Step;
+            BoundsMin = manifest.BoundsMin;
+            BoundsMax = manifest.BoundsMax;
+        }
+
+        public double3 ToLocal(Grid3 place)
+        {
+            var from = place - Corner;
+            return new double3(from.X, from.Y, from.Z) * Step;
+        }
+
+        /// <summary>The box from one place to another, both included. Rounded outwards.</summary>
+        public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
+            Box(ToLocal(min), ToLocal(max), out center, out half);
+
+        public static void Box(double3 min, double3 max, out double3 center, out float3 half)
+        {
+            center = (min + max) * 0.5;
+            // A float's last place is 1.2e-7 of it; the centre's rounding in double is far below.
+            half = (float3)((max - min) * (0.5 * (1 + 2.4e-7)));
+        }
+    }
+}

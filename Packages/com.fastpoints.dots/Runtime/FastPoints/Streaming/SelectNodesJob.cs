@@ -1,0 +1,157 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// Which nodes of some clouds some views need most: those whose parents' points lie farthest apart on a screen first, until a
+    /// budget of points for all clouds together is used up. A parent always comes before its children. Looks at what it
+    /// chooses and at the children of that, whatever else there is.
+    /// </summary>
+    [BurstCompile]
+    public unsafe struct SelectNodesJob : IJob
+    {
+        [ReadOnly] public NativeArray<SelectionCloud> Clouds;
+
+        /// <summary>By cloud times <see cref="ViewCount"/>, plus view.</summary>
+        [ReadOnly] public NativeArray<CloudView> Views;
+        public int ViewCount;
+        public SelectionSettings Settings;
+
+        /// <summary>See <see cref="NodeSelector.Frame"/>.</summary>
+        public uint Frame;
+
+        /// <summary>Chooses on top of what the selection of this frame chose, for views that are to come: changes no node's
+        /// state.</summary>
+        public bool IsForecast;
+
+        /// <summary>A forecast ends after so many points that were not chosen before.</summary>
+        public long ForecastPoints;
+
+        /// <summary>Ends when so many pages are missing; what was chosen until then is the beginning of the whole choice.</summary>
+        public int MissingToStopAt;
+
+        public SelectionHeap Heap;
+        public NativeList<SelectedNode> Selected;
+        public NativeList<MissingPage> Missing;
+
+        /// <summary>Points of all that is chosen.</summary>
+        public NativeReference<long> Points;
+
+        public void Execute()
+        {
+            Heap.Clear();
+            Selected.Clear();
+            Missing.Clear();
+            for (int c = 0; c < Clouds.Length; c++)
+                if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0)
+                    Heap.Push(new SelectionCandidate { SpacingPx = float.MaxValue, Cloud = c, Parent = -1 });
+            long points = 0, more = 0;
+            while (!Heap.IsEmpty)
+            {
+                var best = Heap.Pop();
+                var cloud = Clouds[best.Cloud];
+                var page = cloud.Pages + best.Page;
+                if (best.Node < 0)
+                {
+                    Missing.Add(new MissingPage { Cloud = cloud.Cloud, Page = best.Page });
+                    if (Missing.Length >= MissingToStopAt)
+                        break;
+                    continue;
+                }
+                var node = page->Nodes + best.Node;
+                if (points > 0 && points + node->PointCount > Settings.PointBudget)
+                    break;
+                points += node->PointCount;
+                int place = Choose(best, cloud, page, ref more);
+                if (IsForecast && more >= ForecastPoints)
+                    break;
+                for (int i = 0; i < node->ChildCount; i++)
+                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, place);
+                for (int i = 0; i < node->ChunkCount; i++)
+                    PushPage(best.Cloud, cloud.Pages, 1 + node->FirstChunk + i, node->Spacing, place);
+            }
+            Points.Value = points;
+        }
+
+        int Choose(in SelectionCandidate best, in SelectionCloud cloud, HierarchyPage* page, ref long more)
+        {
+            var state = page->States + best.Node;
+            if (IsForecast)
+            {
+                if (state->SelectedFrame == Frame)
+                    return -1;
+                more += page->Nodes[best.Node].PointCount;
+            }
+            else
+            {
+                state->SeenFrame = Frame;
+                state->SelectedFrame = Frame;
+            }
+            Selected.Add(new SelectedNode { Cloud = cloud.Cloud, Page = best.Page, Node = best.Node, Parent = best.Parent });
+            return Selected.Length - 1;
+        }
+
+        /// <param name="spacing">Of the points above.</param>
+        void PushNode(int cloud, HierarchyPage* page, int pageIndex, int index, float spacing, int parent)
+        {
+            var node = page->Nodes + index;
+            if (node->PointCount == 0 || !IsInView(cloud, node->Center, node->Half, spacing, out float spacingPx))
+                return;
+            var state = page->States + index;
+            // Stamped by the selection before this one, or by this frame's where this is a forecast.
+            if (Frame - state->SelectedFrame <= 1)
+                spacingPx *= Settings.Hysteresis;
+            if (!IsForecast)
+                state->SeenFrame = Frame;
+            if (spacingPx >= Settings.FinestSpacingPx)
+                Heap.Push(new SelectionCandidate
+                {
+                    SpacingPx = spacingPx,
+                    Cloud = cloud,
+                    Page = pageIndex,
+                    Node = index,
+                    Parent = parent,
+                });
+        }
+
+        void PushPage(int cloud, HierarchyPage* pages, int index, float spacing, int parent)
+        {
+            var page = pages + index;
+            if (!IsInView(cloud, page->Center, page->Half, spacing, out float spacingPx))
+                return;
+            page->SeenFrame = Frame;
+            if (page->IsLoaded)
+            {
+                for (int n = 0; n < page->RootCount; n++)
+                    PushNode(cloud, page, index, n, spacing, parent);
+            }
+            else if (page->Status != PageStatus.Failed && spacingPx >= Settings.FinestSpacingPx)
+            {
+                Heap.Push(new SelectionCandidate { SpacingPx = spacingPx, Cloud = cloud, Page = index, Node = -1 });
+            }
+        }
+
+        /// <param name="spacingPx">In the view that sees it largest.</param>
+        bool IsInView(int cloud, double3 center, double3 half, float spacing, out float spacingPx)
+        {
+            spacingPx = 0;
+            var views = (CloudView*)Views.GetUnsafeReadOnlyPtr() + cloud * ViewCount;
+            for (int v = 0; v < ViewCount; v++)
+            {
+                if (!views[v].Sees(center, half))
+                    continue;
+                double distance = views[v].DistanceTo(center, half);
+                double size = 2 * math.length(half * views[v].AxisScale);
+                // A box without extent, one point or many at one place, is as large as the gap that it fills.
+                size = math.max(size, spacing * views[v].LargestScale);
+                if (views[v].LengthPx(size, distance) >= Settings.SmallestNodePx)
+                    spacingPx = math.max(spacingPx, (float)views[v].LengthPx(spacing * views[v].LargestScale, distance));
+            }
+            return spacingPx > 0;
+        }
+    }
+}

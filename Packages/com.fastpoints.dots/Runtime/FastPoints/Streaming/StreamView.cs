@@ -1,0 +1,71 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes look
+    /// inwards and count from the eye, so that nothing is lost far from the world's origin.
+    /// </summary>
+    public unsafe struct StreamView
+    {
+        public const int MaxPlanes = 6;
+
+        public double3 EyeWorld;
+        public bool IsOrthographic;
+
+        /// <summary>Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).</summary>
+        public double ScalePx;
+
+        /// <summary>0: everything is in view.</summary>
+        public int PlaneCount;
+
+        /// <summary>A unit normal n and a distance w: inside is dot(n, place - eye) + w >= 0.</summary>
+        public double4 Plane0;
+        public double4 Plane1;
+        public double4 Plane2;
+        public double4 Plane3;
+        public double4 Plane4;
+        public double4 Plane5;
+
+        /// <summary>Sees everything, from nowhere: a length of one unit has <paramref name="scalePx"/> pixels.</summary>
+        public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
+
+        /// <param name="right">Unit vector, as are <paramref name="up"/> and <paramref name="forward"/> (into the
+        /// picture).</param>
+        /// <param name="fovRadians">Vertical field of view.</param>
+        public static StreamView Perspective(double3 eyeWorld, double3 right, double3 up, double3 forward, double fovRadians,
+            double widthPx, double heightPx)
+        {
+            double tanY = math.tan(fovRadians / 2), tanX = tanY * widthPx / heightPx;
+            var view = new StreamView { EyeWorld = eyeWorld, ScalePx = heightPx * 0.5 / tanY };
+            view.Add(right + forward * tanX, 0);
+            view.Add(forward * tanX - right, 0);
+            view.Add(up + forward * tanY, 0);
+            view.Add(forward * tanY - up, 0);
+            view.Add(forward, 0);
+            return view;
+        }
+
+        /// <summary>What lies along the axis, behind the eye too.</summary>
+        /// <param name="heightWorld">Of what the picture shows.</param>
+        public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double widthPx,
+            double heightPx)
+        {
+            double halfHeight = heightWorld / 2, halfWidth = halfHeight * widthPx / heightPx;
+            var view = new StreamView { EyeWorld = eyeWorld, IsOrthographic = true, ScalePx = heightPx / heightWorld };
+            view.Add(right, halfWidth);
+            view.Add(-right, halfWidth);
+            view.Add(up, halfHeight);
+            view.Add(-up, halfHeight);
+            return view;
+        }
+
+        /// <summary>One more plane that the view ends at, a clip plane of the camera's for example; at most six in all.</summary>
+        public void Add(double3 normal, double distance)
+        {
+            double length = math.length(normal);
+            fixed (double4* planes = &Plane0)
+                planes[PlaneCount++] = new double4(normal / length, distance / length);
+        }
+    }
+}
