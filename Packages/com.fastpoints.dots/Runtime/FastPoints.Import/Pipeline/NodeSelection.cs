@@ -70,8 +70,8 @@ namespace FastPoints.Pipeline
             }
         }
 
-        /// <summary>Whether all below a chosen node that the picture could show is chosen too, so that the node's points stand for
-        /// themselves alone. Asked after <see cref="Choose"/>.</summary>
+        /// <summary>Whether all below a chosen node that the picture could show is chosen too, so that the node's points
+        /// stand for themselves alone. Asked after <see cref="Choose"/>.</summary>
         public bool IsRefined(int file, int node)
         {
             var record = TableOf(file).Nodes[node];

@@ -31,7 +31,7 @@ namespace FastPoints.Streaming
         /// <summary>A forecast ends after so many points that were not chosen before.</summary>
         public long ForecastPoints;
 
-        /// <summary>Ends when so many pages are missing; what was chosen until then is the beginning of the whole choice.</summary>
+        /// <summary>Ends when so many pages are missing; what was chosen until then begins the whole choice.</summary>
         public int MissingToStopAt;
 
         public SelectionHeap Heap;

@@ -16,7 +16,7 @@ namespace FastPoints.Streaming
         public int FirstChild;
         public int ChildCount;
 
-        /// <summary>Chunks that hang on the node: page <see cref="FirstChunk"/> + 1 and on. In the upper levels' page only.</summary>
+        /// <summary>Chunks that hang on the node, page <see cref="FirstChunk"/> + 1 and on: in page 0 only.</summary>
         public int FirstChunk;
         public int ChunkCount;
 

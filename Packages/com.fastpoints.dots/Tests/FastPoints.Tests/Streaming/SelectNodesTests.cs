@@ -221,8 +221,11 @@ namespace FastPoints.Tests.Streaming
                 List<(int, int, int)> before = null;
                 for (int i = 0; i < 60; i++)
                 {
-                    var eye = s_middle + 2 * new double3(math.sin(i * 1.7), math.cos(i * 2.3), math.sin(i * 3.1));
-                    var now = Choose(Looking(eye, new double3(1, 0.3 + 0.002 * math.sin(i), -0.4)), At(0));
+                    var eye = s_middle + 5 * new double3(math.sin(i * 1.7), math.cos(i * 2.3), math.sin(i * 3.1));
+                    // All around: what comes and goes at the picture's edge is another matter.
+                    var view = Looking(eye, new double3(1, 0.3, -0.4));
+                    view.PlaneCount = 0;
+                    var now = Choose(view, At(0));
                     changes += before == null ? 0 : before.Except(now).Count() + now.Except(before).Count();
                     before = now;
                 }
@@ -230,7 +233,7 @@ namespace FastPoints.Tests.Streaming
             }
             int without = Changes(1);
             Assert.That(without, Is.GreaterThan(20), "the test would prove nothing");
-            Assert.That(Changes(1.15f), Is.LessThan(without / 2));
+            Assert.That(Changes(1.15f), Is.LessThanOrEqualTo(without / 4));
         }
 
         [Test]
