@@ -22,7 +22,8 @@ namespace FastPoints.Octree
         {
             top = -1;
             int left = look.Left, firstTop = 0, endTop = 0;
-            bool isLeaf = left <= Sizes.MaxPointsPerLeaf;
+            byte finest = (byte)look.FinestCell(Sizes, out int cells);
+            bool isLeaf = Sizes.IsLeaf(left, cells);
             if (Tops.Length > 0)
             {
                 firstTop = TopOf(range.First);
@@ -55,7 +56,7 @@ namespace FastPoints.Octree
                 return true;
             }
             range.SideLog2 = (byte)look.Largest;
-            range.CellLog2 = (byte)look.FinestCell(Sizes);
+            range.CellLog2 = finest;
             return false;
         }
 

@@ -9,11 +9,19 @@ namespace FastPoints.Octree
         /// large.</summary>
         public int CellsLog2;
 
-        /// <summary>A cube with no more points left than this is a leaf and takes them all.</summary>
+        /// <summary>A cube with no more points left than this is a leaf and takes them all; see <see cref="IsLeaf"/> for larger
+        /// ones.</summary>
         public int MaxPointsPerLeaf;
 
         /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
         public int MaxPointsPerNode;
+
+        /// <summary>Whether a cube becomes a leaf: also where a node that samples it would take most of its points, and its children a
+        /// few each.</summary>
+        /// <param name="left">Its points that no node above has.</param>
+        /// <param name="cells">At the finest cells that a node may have, those with such points only.</param>
+        public readonly bool IsLeaf(int left, int cells) =>
+            left <= MaxPointsPerLeaf || (left <= MaxPointsPerNode && cells >= left - left / 4);
 
         public static NodeSizes Default => new NodeSizes
         {

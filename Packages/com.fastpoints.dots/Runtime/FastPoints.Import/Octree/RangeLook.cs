@@ -20,18 +20,21 @@ namespace FastPoints.Octree
 
         /// <summary>The finest cells with which a node does not become too large: those that the sizes say, coarser in a filled
         /// volume.</summary>
-        public readonly int FinestCell(in NodeSizes sizes)
+        /// <param name="cells">How many of them have points of which none is in a node above.</param>
+        public readonly int FinestCell(in NodeSizes sizes, out int cells)
         {
             int finest = Largest > sizes.CellsLog2 ? Largest - sizes.CellsLog2 : 0;
-            int cells = AnyCell, best = Largest;
+            int best = Largest, more = AnyCell;
             for (int side = Sides - 1; side > Largest; side--)
-                cells += CellsBelow[side];
+                more += CellsBelow[side];
+            cells = more;
             for (int cell = Largest - 1; cell >= finest; cell--)
             {
-                cells += CellsBelow[cell + 1];
-                if (cells > sizes.MaxPointsPerNode)
+                more += CellsBelow[cell + 1];
+                if (more > sizes.MaxPointsPerNode)
                     break;
                 best = cell;
+                cells = more;
             }
             return best;
         }

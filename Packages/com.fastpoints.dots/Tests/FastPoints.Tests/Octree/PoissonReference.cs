@@ -121,15 +121,9 @@ namespace FastPoints.Tests.Octree
                 for (long differs = d.X ^ first.X | d.Y ^ first.Y | d.Z ^ first.Z; differs >> side != 0;)
                     side++;
             }
-            if (left <= m_sizes.MaxPointsPerLeaf || side == 0)
-            {
-                foreach (int point in cube.Points)
-                    if (CellOfPoint[point] == Untaken)
-                        CellOfPoint[point] = InLeaf;
-                return;
-            }
             cube.SideLog2 = side;
             cube.CellLog2 = side;
+            int cells = Math.Min(1, left);
             for (int cell = side - 1; cell >= Math.Max(0, side - m_sizes.CellsLog2); cell--)
             {
                 var all = new HashSet<Grid3>();
@@ -145,6 +139,15 @@ namespace FastPoints.Tests.Octree
                 if (all.Count - taken.Count > m_sizes.MaxPointsPerNode)
                     break;
                 cube.CellLog2 = cell;
+                cells = all.Count - taken.Count;
+            }
+            bool isTakenAlmostWhole = left <= m_sizes.MaxPointsPerNode && cells >= left - left / 4;
+            if (left <= m_sizes.MaxPointsPerLeaf || isTakenAlmostWhole || side == 0)
+            {
+                foreach (int point in cube.Points)
+                    if (CellOfPoint[point] == Untaken)
+                        CellOfPoint[point] = InLeaf;
+                return;
             }
             m_waiting.Add(cube);
         }

@@ -44,19 +44,20 @@ namespace FastPoints.Tests.Octree
                 for (long differs = d.X ^ first.X | d.Y ^ first.Y | d.Z ^ first.Z; differs >> side != 0;)
                     side++;
             }
-            if (left <= m_sizes.MaxPointsPerLeaf || side == 0)
-            {
-                foreach (int point in points)
-                    if (CellOfPoint[point] == Untaken)
-                        CellOfPoint[point] = InLeaf;
-                return;
-            }
             int cell = side;
             for (int finer = side - 1; finer >= Math.Max(0, side - m_sizes.CellsLog2); finer--)
             {
                 if (WinnersAt(points, finer).Count > m_sizes.MaxPointsPerNode)
                     break;
                 cell = finer;
+            }
+            bool isTakenAlmostWhole = left <= m_sizes.MaxPointsPerNode && WinnersAt(points, cell).Count >= left - left / 4;
+            if (left <= m_sizes.MaxPointsPerLeaf || isTakenAlmostWhole || side == 0)
+            {
+                foreach (int point in points)
+                    if (CellOfPoint[point] == Untaken)
+                        CellOfPoint[point] = InLeaf;
+                return;
             }
             foreach (int winner in WinnersAt(points, cell))
                 CellOfPoint[winner] = cell;

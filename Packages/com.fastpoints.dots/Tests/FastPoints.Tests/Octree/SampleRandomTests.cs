@@ -26,5 +26,21 @@ namespace FastPoints.Tests.Octree
             Assert.That(sliced.NodeOfPoint, Is.EqualTo(whole.NodeOfPoint));
             Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
         }
+
+        // 16 cells along an edge: of 280 places in a volume a node would take all but a few, of so many on two lines 64 at most.
+        [TestCase(Sampler.Random)]
+        [TestCase(Sampler.Poisson)]
+        public void Sample_CubeThatANodeWouldTakeAlmostWhole_IsALeaf(Sampler sampler)
+        {
+            var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);
+            Assert.That(scattered.Nodes, Has.Length.EqualTo(1));
+            Assert.That(scattered.Nodes[0].IsLeaf, Is.True);
+            var lines = SampledPoints.Run(SamplingClouds.Make(280, (r, i) => (new Grid3(r.NextInt(1 << 20), 0, i % 2 << 19), r)), sampler,
+                s_small);
+            Assert.That(lines.Nodes.Length, Is.GreaterThan(1));
+            Assert.That(lines.Nodes[0].IsLeaf, Is.False);
+            var more = SampledPoints.Run(SamplingClouds.Volume(301, 1 << 20), sampler, s_small);
+            Assert.That(more.Nodes.Length, Is.GreaterThan(1));
+        }
     }
 }
