@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Pipeline
         [Test]
         public void Convert_UniformCube_KeepsEveryPointInSmallNodes([Values(Sampler.Random, Sampler.Poisson)] Sampler sampler)
         {
-            var made = Prove(MemoryReader.Of(Uniform(240000, 100000), s_centimetres, 20000),
+            var made = Prove(MemoryReader.Of(Uniform(440000, 100000), s_centimetres, 20000),
                 new ConvertSettings { PointsPerChunk = 100000, Sampler = sampler });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
             using (var folder = CloudFolder.Open(Target()))
