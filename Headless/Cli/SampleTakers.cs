@@ -17,7 +17,7 @@ namespace FastPoints.Cli
         const int RunsOfQuick = 3;
 
         /// <summary>What takes longer is run once.</summary>
-        const double QuickSeconds = 1;
+        const double QuickSeconds = 3;
 
         /// <summary>Up to so many points a source of fixed stride is sooner read point by point than as a whole.</summary>
         const int MostSinglePoints = 20_000;
@@ -27,7 +27,7 @@ namespace FastPoints.Cli
         {
             var taken = new TakenSample(reader.Info.Transform);
             bool refines = PreviewCloud.Refines(reader);
-            int wanted = refines ? RefiningSampler.PointsBefore(reader.PointCount, options.Points) : options.Points;
+            int wanted = refines ? RefiningSampler.PointsBefore(reader, options.Points) : options.Points;
             var watch = Stopwatch.StartNew();
             using (var sampler = PreviewSampler.Create(reader, wanted, options.Seed))
             {
@@ -39,7 +39,7 @@ namespace FastPoints.Cli
                     return taken;
                 var ranges = new DisplayRanges();
                 run.Pump(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
-                using var refining = new RefiningSampler(reader, options.Points, options.Seed, ranges.Robust);
+                using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
                 double before = opened + watch.Elapsed.TotalSeconds;
                 refining.WaveReady += wave => taken.Add(wave, before, refining.TakeSample().Points);
                 run.Pump(refining.Run(0, run.Progress));

@@ -28,7 +28,12 @@ namespace FastPoints.Pipeline
             m_options = options;
         }
 
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is that of
+        /// the wave until the work goes on.</summary>
+        public event Action<PreviewSample, SampleWave> WaveReady;
+
         public PreviewSample Sample { get; private set; }
+
         /// <summary>When which sample was there, coarse to fine; the last one is <see cref="Sample"/>.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
@@ -120,18 +125,14 @@ namespace FastPoints.Pipeline
                         yield return sampling.Current;
                 Sample = uniform.TakeSample();
             }
-            m_waves.Add(new SampleWave
-            {
-                Points = Sample.Count,
-                Seconds = m_watch.Elapsed.TotalSeconds,
-                BytesRead = Sample.BytesRead,
-            });
+            var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
+            Add(Sample, wave, m_watch.Elapsed.TotalSeconds, 0);
         }
 
         IEnumerator<JobHandle> TakeWaves(StageProgress progress)
         {
             bool refines = !m_options.Quick && Refines(m_reader);
-            int wanted = refines ? RefiningSampler.PointsBefore(m_reader.PointCount, m_options.Points) : m_options.Points;
+            int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
             using (var taking = Take(wanted, progress))
                 while (taking.MoveNext())
                     yield return taking.Current;
@@ -143,12 +144,12 @@ namespace FastPoints.Pipeline
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
             progress?.Begin("refine");
-            using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Ranges.Robust))
+            using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust))
             {
+                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
                 using (var refining = sampler.Run(0, progress))
                     while (refining.MoveNext())
                         yield return refining.Current;
-                Add(sampler.Waves, before, bytesBefore);
                 Sample.Dispose();
                 Sample = sampler.TakeSample();
             }
@@ -161,23 +162,20 @@ namespace FastPoints.Pipeline
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
             using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
             {
+                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
                 using (var sampling = sampler.Run(0, progress))
                     while (sampling.MoveNext())
                         yield return sampling.Current;
-                Add(sampler.Waves, before, bytesBefore);
                 Sample = sampler.TakeSample();
             }
         }
 
-        void Add(IReadOnlyList<SampleWave> waves, double secondsBefore, long bytesBefore)
+        void Add(PreviewSample sample, SampleWave wave, double secondsBefore, long bytesBefore)
         {
-            foreach (var wave in waves)
-                m_waves.Add(new SampleWave
-                {
-                    Points = wave.Points,
-                    Seconds = secondsBefore + wave.Seconds,
-                    BytesRead = bytesBefore + wave.BytesRead,
-                });
+            wave.Seconds += secondsBefore;
+            wave.BytesRead += bytesBefore;
+            m_waves.Add(wave);
+            WaveReady?.Invoke(sample, wave);
         }
 
         /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the

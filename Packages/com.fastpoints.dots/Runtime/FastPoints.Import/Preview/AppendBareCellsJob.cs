@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Appends, of a decoded range, the first point of each cell in which there is none so far: neither one of those that stand
+    /// Appends, of decoded points, the first one of each cell in which there is none so far: neither one of those that stand
     /// for a stratum, nor one that was appended. One of these after the other.
     /// </summary>
     [BurstCompile]
@@ -19,27 +19,26 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
         [ReadOnly] public NativeReference<DecodeResult> Result;
+
+        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        public int First;
+        public int End;
         public PositionColumns Positions;
         public PositionTransform Transform;
 
-        /// <summary>Index of the range's first point over the whole source.</summary>
+        /// <summary>Index of the block's first point over the whole source.</summary>
         public long FirstPoint;
+
+        /// <summary>None where the points are of no range.</summary>
         public SampleStrata Strata;
 
         public BareCells Cells;
-
-        /// <summary>Larger ones, in the same table, which are counted.</summary>
-        public BareCells Coarse;
         public NativeArray<ulong> Table;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
         public NativeArray<byte> Sample;
         public int Capacity;
         public NativeReference<int> Filled;
-
-        /// <summary>Of each slot, of which this one's is set: cells that were bare.</summary>
-        [NativeDisableContainerSafetyRestriction] public NativeArray<int> CellsOfSlot;
-        public int Slot;
 
         public unsafe void Execute()
         {
@@ -50,20 +49,17 @@ namespace FastPoints.Preview
             int* to = stackalloc int[RunLength];
             byte* block = (byte*)Block.GetUnsafeReadOnlyPtr();
             var table = (ulong*)Table.GetUnsafePtr();
-            int count = Result.Value.Points;
-            int cells = MarkChosen(block, table, count, x, y, z);
+            int end = End < Result.Value.Points ? End : Result.Value.Points;
+            MarkChosen(block, table, end, x, y, z);
             int filled = Filled.Value;
-            for (int first = 0; first < count; first += RunLength)
+            for (int first = First; first < end; first += RunLength)
             {
-                int run = count - first < RunLength ? count - first : RunLength;
+                int run = end - first < RunLength ? end - first : RunLength;
                 Positions.LoadGeo(block, Transform, first, run, x, y, z);
                 int chosen = 0;
                 for (int i = 0; i < run; i++)
                 {
-                    if (!PositionBounds.IsFinite(x[i], y[i], z[i]) || !Cells.Mark(table, x[i], y[i], z[i]))
-                        continue;
-                    cells += Coarse.Mark(table, x[i], y[i], z[i]) ? 1 : 0;
-                    if (filled == Capacity)
+                    if (!PositionBounds.IsFinite(x[i], y[i], z[i]) || !Cells.Mark(table, x[i], y[i], z[i]) || filled == Capacity)
                         continue;
                     from[chosen] = first + i;
                     to[chosen++] = filled++;
@@ -74,28 +70,25 @@ namespace FastPoints.Preview
                         from, to, chosen);
             }
             Filled.Value = filled;
-            CellsOfSlot[Slot] = cells;
         }
 
         /// <summary>Marks the cells of the points that stand for a stratum.</summary>
-        /// <returns>Those that were bare.</returns>
-        unsafe int MarkChosen(byte* block, ulong* table, int count, double* x, double* y, double* z)
+        unsafe void MarkChosen(byte* block, ulong* table, int endOfRange, double* x, double* y, double* z)
         {
-            long end = FirstPoint + count < Strata.Points ? FirstPoint + count : Strata.Points;
-            int cells = 0;
-            if (Strata.Count == 0 || end <= FirstPoint)
-                return cells;
+            long begin = FirstPoint + First;
+            long end = FirstPoint + endOfRange < Strata.Points ? FirstPoint + endOfRange : Strata.Points;
+            if (Strata.Count == 0 || end <= begin)
+                return;
             int last = Strata.StratumOf(end - 1);
-            for (int stratum = Strata.StratumOf(FirstPoint); stratum <= last; stratum++)
+            for (int stratum = Strata.StratumOf(begin); stratum <= last; stratum++)
             {
                 long point = Strata.Chosen(stratum);
-                if (point < FirstPoint || point >= end)
+                if (point < begin || point >= end)
                     continue;
                 Positions.LoadGeo(block, Transform, (int)(point - FirstPoint), 1, x, y, z);
-                if (PositionBounds.IsFinite(*x, *y, *z) && Cells.Mark(table, *x, *y, *z))
-                    cells += Coarse.Mark(table, *x, *y, *z) ? 1 : 0;
+                if (PositionBounds.IsFinite(*x, *y, *z))
+                    Cells.Mark(table, *x, *y, *z);
             }
-            return cells;
         }
     }
 }

@@ -20,6 +20,10 @@ namespace FastPoints.Preview
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
 
+        /// <summary>A wave that comes so near to all goes on to the end: another one would show hardly more, and may decode all
+        /// beginnings again.</summary>
+        const double LeastShareOfLast = 0.75;
+
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
         PreviewSample m_sample;
@@ -74,7 +78,7 @@ namespace FastPoints.Preview
                 for (int wave = 0; EndPlace < Buffer.Places; wave++)
                 {
                     int first = EndPlace;
-                    bool isLast = wave >= s_waves.Length || s_waves[wave] >= Buffer.Places;
+                    bool isLast = wave >= s_waves.Length || s_waves[wave] >= LeastShareOfLast * Buffer.Places;
                     using (var reading = Read(isLast ? Buffer.Places : s_waves[wave], slots, progress))
                         while (reading.MoveNext())
                             yield return reading.Current;

@@ -11,9 +11,8 @@ using Unity.Mathematics;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Reads every block of a source once, in an order that leaves little of it bare on the way (<see cref="DepthPlan"/>), and
-    /// has a sample to draw at a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>,
-    /// point for point.
+    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and has a sample to draw
+    /// at a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>, point for point.
     /// </summary>
     /// <remarks>
     /// Until then the sample has those of its points that were come to, and in place of the others the first point of each cell
@@ -22,21 +21,17 @@ namespace FastPoints.Preview
     /// </remarks>
     public sealed class RefiningSampler : IDisposable
     {
-        /// <summary>Shares of the points at which a wave ends. At a fifteenth not every block has been come to: it was worse than the
-        /// beginnings that are there before.</summary>
+        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding does, for the states that
+        /// are kept and the sample that is put together: one more, at a fifteenth, kept all others waiting.</summary>
         static readonly double[] s_shares = { 0.2, 0.5, 1 };
 
-        /// <summary>A first sample of so many points is worth its time anywhere, of one in so many wherever more are
-        /// wanted.</summary>
+        /// <summary>A first sample of so many points is worth its time anywhere; of one in so many where blocks are too many to be
+        /// come to together.</summary>
         const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
 
         /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there
         /// are points, or a few more.</summary>
         const double CellsPerRootOfPoints = 1.05;
-
-        /// <summary>Cells so much larger decide which blocks are gone on with: by those as small as points lie apart the dense
-        /// ones would always win (on ca13_d at a half, RMS 0.0092 of the diagonal with four, 0.0100 with two).</summary>
-        const double FineCellsPerCoarse = 4;
 
         /// <summary>With this share of their places taken, the points that stand in for others are thinned: cells so much
         /// larger.</summary>
@@ -60,22 +55,26 @@ namespace FastPoints.Preview
         NativeArray<PointColumn>[] m_columnsOfSlot;
         JobHandle[] m_done;
         JobHandle m_lastAppended;
-        NativeArray<int> m_cellsOfSlot;
         NativeArray<ulong> m_table;
         PointBatch m_others;
         NativeArray<PointColumn> m_columnsOfOthers;
         NativeReference<int> m_otherCount;
+        readonly PreviewSample m_before;
         PreviewSample m_sample;
         long m_pointsFound;
         long m_bytesRead;
+        int m_rangesRead;
         bool m_isLastWave;
 
         /// <param name="reader">Its blocks are known.</param>
         /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
-        /// <param name="bounds">Where nearly all points are, by a first sample.</param>
+        /// <param name="before">A first sample, which is shown where nothing else has been come to; stays the caller's, until the
+        /// first wave.</param>
+        /// <param name="bounds">Where nearly all points are, by that sample.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public RefiningSampler(PointReader reader, int wanted, uint seed, BoundsGeo bounds)
+        public RefiningSampler(PointReader reader, int wanted, uint seed, PreviewSample before, BoundsGeo bounds)
         {
+            m_before = before;
             m_reader = reader;
             m_seed = seed;
             m_schema = SampleSchema.Of(reader.Info);
@@ -89,8 +88,9 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Points of the first sample that comes before: what it decodes is decoded again.</summary>
-        public static int PointsBefore(long pointsOfSource, int wanted) =>
-            (int)Math.Min(wanted, Math.Max(LeastPointsBefore, pointsOfSource / PointsPerPointBefore));
+        public static int PointsBefore(PointReader reader, int wanted) => (int)Math.Min(wanted,
+            reader.BlockCount <= DepthPlan.MostSlicedBlocks ? LeastPointsBefore
+                : Math.Max(LeastPointsBefore, reader.PointCount / PointsPerPointBefore));
 
         /// <summary>Raised after each wave.</summary>
         public event Action<SampleWave> WaveReady;
@@ -112,20 +112,24 @@ namespace FastPoints.Preview
             try
             {
                 Allocate(slots < 1 ? SourceScan.SlotsFor(m_reader, m_schema) : slots);
+                if (!m_plan.IsSliced && m_before != null)
+                    using (var beginning = AppendBefore())
+                        while (beginning.MoveNext())
+                            yield return beginning.Current;
                 foreach (double share in s_shares)
                 {
                     m_isLastWave = share == 1;
-                    long until = share < 1 ? (long)Math.Ceiling(share * m_reader.PointCount) : m_reader.PointCount;
-                    for (var ranges = m_plan.Next(until); ranges.Count > 0; ranges = m_plan.Next(until))
+                    for (var ranges = m_plan.Next(share); ranges.Count > 0; ranges = m_plan.Next(share))
                     {
                         using (var reading = Read(ranges, progress))
                             while (reading.MoveNext())
                                 yield return reading.Current;
                         while (!m_isLastWave && m_otherCount.Value > MostOthers * m_others.Capacity)
                         {
-                            var coarsened = Coarsen();
-                            yield return coarsened;
-                            coarsened.Complete();
+                            m_cells.CellsPerUnit /= CoarserCells;
+                            using (var thinning = Thin())
+                                while (thinning.MoveNext())
+                                    yield return thinning.Current;
                         }
                     }
                     using (var ending = share < 1 ? Compose() : Close())
@@ -155,7 +159,6 @@ namespace FastPoints.Preview
             }
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = new DecoderState[m_reader.BlockCount];
-            m_cellsOfSlot = new NativeArray<int>(slots, Allocator.Persistent);
             m_table = new NativeArray<ulong>(BareCells.Words, Allocator.Persistent);
             // At a half, half of the sample's places are free.
             m_others = new PointBatch(m_schema, Math.Max(1, m_strata.Count / 2), Allocator.Persistent);
@@ -212,54 +215,102 @@ namespace FastPoints.Preview
             // In the end no point stands in for another one.
             if (m_strata.Count > 0 && !m_isLastWave)
             {
-                m_lastAppended = new AppendBareCellsJob
-                {
-                    Block = read.Points.Bytes,
-                    ColumnsOfBlock = m_columnsOfSlot[slot],
-                    Result = read.Result,
-                    Positions = PositionColumns.Of(read.Points),
-                    Transform = m_reader.Info.Transform,
-                    FirstPoint = read.FirstPoint,
-                    Strata = m_strata,
-                    Cells = m_cells,
-                    Coarse = Larger(m_cells),
-                    Table = m_table,
-                    ColumnsOfSample = m_columnsOfOthers,
-                    Sample = m_others.Bytes,
-                    Capacity = m_others.Capacity,
-                    Filled = m_otherCount,
-                    CellsOfSlot = m_cellsOfSlot,
-                    Slot = slot,
-                }.Schedule(JobHandle.CombineDependencies(read.Decoded, m_lastAppended));
+                m_lastAppended = Append(read.Points, m_columnsOfSlot[slot], read.Result, 0, range.Count, read.FirstPoint, m_strata)
+                    .Schedule(JobHandle.CombineDependencies(read.Decoded, m_lastAppended));
                 m_done[slot] = JobHandle.CombineDependencies(m_done[slot], m_lastAppended);
             }
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Larger cells, so that there are places left for those that come.</summary>
-        JobHandle Coarsen()
-        {
-            m_cells.CellsPerUnit /= CoarserCells;
-            return m_lastAppended = new CoarsenCellsJob
+        AppendBareCellsJob Append(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result, int first,
+            int end, long firstPoint, SampleStrata strata) => new AppendBareCellsJob
             {
-                Sample = m_buffer.Points.Bytes,
-                Filled = m_buffer.Filled,
-                Positions = PositionColumns.Of(m_buffer.Points),
+                Block = points.Bytes,
+                ColumnsOfBlock = columns,
+                Result = result,
+                First = first,
+                End = end,
+                Positions = PositionColumns.Of(points),
                 Transform = m_reader.Info.Transform,
+                FirstPoint = firstPoint,
+                Strata = strata,
                 Cells = m_cells,
-                Coarse = Larger(m_cells),
                 Table = m_table,
-                ColumnsOfOthers = m_columnsOfOthers,
-                Others = m_others.Bytes,
-                PositionsOfOthers = PositionColumns.Of(m_others),
-                OtherCount = m_otherCount,
-            }.Schedule();
+                ColumnsOfSample = m_columnsOfOthers,
+                Sample = m_others.Bytes,
+                Capacity = m_others.Capacity,
+                Filled = m_otherCount,
+            };
+
+        /// <summary>The first sample's points stand in for those of blocks that are not come to.</summary>
+        IEnumerator<JobHandle> AppendBefore()
+        {
+            var columns = SampleBuffer.ColumnsOf(m_before.Points);
+            var all = new NativeReference<DecodeResult>(new DecodeResult { Points = m_before.Count }, Allocator.Persistent);
+            try
+            {
+                for (int first = 0; first < m_before.Count; first += PlacesPerSlice)
+                {
+                    m_lastAppended = Append(m_before.Points, columns, all, first, first + PlacesPerSlice, 0, default)
+                        .Schedule(m_lastAppended);
+                    yield return m_lastAppended;
+                    m_lastAppended.Complete();
+                }
+            }
+            finally
+            {
+                m_lastAppended.Complete();
+                columns.Dispose();
+                all.Dispose();
+            }
         }
 
-        static BareCells Larger(BareCells cells)
+        /// <summary>Marks the sample's own points anew, and keeps of the others those that stand where none of these
+        /// does.</summary>
+        IEnumerator<JobHandle> Thin()
         {
-            cells.CellsPerUnit /= FineCellsPerCoarse;
-            return cells;
+            int count = m_otherCount.Value;
+            JobHandle thinning = default;
+            try
+            {
+                for (int first = 0; first < m_strata.Count; first += PlacesPerSlice)
+                {
+                    thinning = new MarkCellsJob
+                    {
+                        Sample = m_buffer.Points.Bytes,
+                        Filled = m_buffer.Filled,
+                        Positions = PositionColumns.Of(m_buffer.Points),
+                        Transform = m_reader.Info.Transform,
+                        First = first,
+                        End = Math.Min(m_strata.Count, first + PlacesPerSlice),
+                        Cells = m_cells,
+                        Table = m_table,
+                    }.Schedule();
+                    yield return thinning;
+                    thinning.Complete();
+                }
+                for (int first = 0; first < count; first += PlacesPerSlice)
+                {
+                    thinning = new KeepBareCellsJob
+                    {
+                        Columns = m_columnsOfOthers,
+                        Points = m_others.Bytes,
+                        Positions = PositionColumns.Of(m_others),
+                        Transform = m_reader.Info.Transform,
+                        First = first,
+                        End = Math.Min(count, first + PlacesPerSlice),
+                        Cells = m_cells,
+                        Table = m_table,
+                        Kept = m_otherCount,
+                    }.Schedule();
+                    yield return thinning;
+                    thinning.Complete();
+                }
+            }
+            finally
+            {
+                thinning.Complete();
+            }
         }
 
         void Complete(int slot)
@@ -269,9 +320,10 @@ namespace FastPoints.Preview
             read.Complete();
             int block = read.Range.Block;
             m_pointsFound += read.Points.Count;
+            m_rangesRead++;
             m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
                 : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
-            m_plan.Tell(read.Range, read.Points.Count, m_cellsOfSlot[slot]);
+            m_plan.Tell(read.Range, read.Points.Count);
             if (m_plan.IsSliced && !m_plan.IsTaken(block))
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
         }
@@ -279,42 +331,62 @@ namespace FastPoints.Preview
         /// <summary>A sample of what is there: its own points, and others where there are none.</summary>
         IEnumerator<JobHandle> Compose()
         {
-            var drawn = new SampleBuffer(m_schema, m_strata.Count);
-            var placed = new NativeReference<int>(Allocator.Persistent);
-            JobHandle filling = default;
+            // A point of the first sample may have been come to again.
+            if (!m_plan.IsSliced)
+                using (var thinning = Thin())
+                    while (thinning.MoveNext())
+                        yield return thinning.Current;
+            // Of points in a row, no more strata than they are long are chosen from, and one at either end.
+            long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
+            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_otherCount.Value));
+            var gathered = new NativeReference<int>(Allocator.Persistent);
+            var others = new NativeReference<DecodeResult>(Allocator.Persistent);
+            JobHandle gathering = default;
             try
             {
                 for (int first = 0; first < m_strata.Count; first += PlacesPerSlice)
                 {
-                    filling = new FillPlacesJob
+                    gathering = new GatherPlacesJob
                     {
-                        ColumnsOfSample = m_buffer.Columns,
                         Sample = m_buffer.Points.Bytes,
                         Filled = m_buffer.Filled,
-                        ColumnsOfOthers = m_columnsOfOthers,
-                        Others = m_others.Bytes,
-                        OtherCount = m_otherCount.Value,
-                        OthersPlaced = placed,
                         First = first,
                         End = Math.Min(m_strata.Count, first + PlacesPerSlice),
+                        Columns = m_buffer.Columns,
+                        ColumnsOfTarget = drawn.Columns,
                         Target = drawn.Points.Bytes,
                         TargetFilled = drawn.Filled,
+                        Gathered = gathered,
                     }.Schedule();
-                    yield return filling;
-                    filling.Complete();
+                    yield return gathering;
+                    gathering.Complete();
                 }
-                using (var closing = drawn.Close(m_reader.Info.Transform))
+                others.Value = new DecodeResult { Points = Math.Min(m_otherCount.Value, drawn.Places - gathered.Value) };
+                gathering = new CopyPrefixJob
+                {
+                    Decoded = m_others.Bytes,
+                    ColumnsOfDecoded = m_columnsOfOthers,
+                    Result = others,
+                    ColumnsOfSample = drawn.Columns,
+                    FirstPlace = gathered.Value,
+                    Sample = drawn.Points.Bytes,
+                    Filled = drawn.Filled,
+                }.Schedule();
+                yield return gathering;
+                gathering.Complete();
+                using (var closing = drawn.Close(m_reader.Info.Transform, 0, gathered.Value + others.Value.Points))
                     while (closing.MoveNext())
                         yield return closing.Current;
                 Replace(drawn.TakeSample(m_reader.Info.Transform));
                 m_sample.PointsInSource = m_reader.PointCount;
-                m_sample.Substitutes = placed.Value;
+                m_sample.Substitutes = others.Value.Points;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
             }
             finally
             {
-                filling.Complete();
-                placed.Dispose();
+                gathering.Complete();
+                gathered.Dispose();
+                others.Dispose();
                 drawn.Dispose();
             }
         }
@@ -374,7 +446,6 @@ namespace FastPoints.Preview
             if (m_table.IsCreated)
             {
                 m_table.Dispose();
-                m_cellsOfSlot.Dispose();
                 m_columnsOfOthers.Dispose();
                 m_otherCount.Dispose();
             }

@@ -24,40 +24,37 @@ namespace FastPoints.Tests.Preview
             using var reader = Blocks(count, pointsPerBlock);
             var plan = new DepthPlan(reader, canSlice, 1);
             var taken = new int[reader.BlockCount];
-            foreach (long until in new long[] { count / 15, count / 5, count / 2, count })
+            foreach (double share in new[] { 1 / 15.0, 0.2, 0.5, 1 })
             {
-                for (var ranges = plan.Next(until); ranges.Count > 0; ranges = plan.Next(until))
+                for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
                 {
                     foreach (var range in ranges)
                     {
                         Assert.That(range.First, Is.EqualTo(taken[range.Block]));
                         taken[range.Block] += range.Count;
-                        plan.Tell(range, range.Count, range.Block % 3);
+                        plan.Tell(range, range.Count);
                     }
                 }
-                Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(until));
-                Assert.That(plan.Taken, Is.LessThan(until + pointsPerBlock));
+                Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(share * count));
+                Assert.That(plan.Taken, Is.LessThanOrEqualTo(share * count + (plan.IsSliced ? reader.BlockCount : pointsPerBlock)));
             }
             for (int block = 0; block < taken.Length; block++)
                 Assert.That(plan.IsTaken(block) && taken[block] == reader.PointsInBlock(block), Is.True);
         }
 
         [Test]
-        public void Next_BlocksThatFindBareCells_AreGoneOnWithFirst()
+        public void Next_BlocksWithStates_AreAllReadToTheSameShare()
         {
-            using var reader = Blocks(16_000, 1000);
+            using var reader = Blocks(100_000, 1000);
             var plan = new DepthPlan(reader, true, 1);
             var taken = new int[reader.BlockCount];
-            for (var ranges = plan.Next(8000); ranges.Count > 0; ranges = plan.Next(8000))
+            foreach (double share in new[] { 0.2, 0.5 })
             {
-                foreach (var range in ranges)
-                {
-                    taken[range.Block] += range.Count;
-                    plan.Tell(range, range.Count, range.Block < 4 ? range.Count : 1);
-                }
+                for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
+                    foreach (var range in ranges)
+                        taken[range.Block] += range.Count;
+                Assert.That(taken, Has.All.EqualTo((int)(1000 * share)));
             }
-            Assert.That(taken.Take(4), Has.All.EqualTo(1000));
-            Assert.That(taken.Skip(4), Has.All.InRange(125, 500));
         }
 
         [Test]
@@ -66,14 +63,14 @@ namespace FastPoints.Tests.Preview
             using var reader = Blocks(800, 100);
             var plan = new DepthPlan(reader, true, 1);
             int ofThird = 0;
-            foreach (long until in new long[] { 400, 800 })
+            foreach (double share in new[] { 0.5, 1 })
             {
-                for (var ranges = plan.Next(until); ranges.Count > 0; ranges = plan.Next(until))
+                for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
                 {
                     foreach (var range in ranges)
                     {
                         ofThird += range.Block == 3 ? 1 : 0;
-                        plan.Tell(range, range.Block == 3 ? range.Count - 1 : range.Count, 0);
+                        plan.Tell(range, range.Block == 3 ? range.Count - 1 : range.Count);
                     }
                 }
             }
@@ -88,7 +85,7 @@ namespace FastPoints.Tests.Preview
             var plan = new DepthPlan(reader, true, 1);
             Assert.That(plan.IsSliced, Is.False);
             var ranges = new List<BlockRange>();
-            for (var round = plan.Next(10_000); round.Count > 0; round = plan.Next(10_000))
+            for (var round = plan.Next(0.25); round.Count > 0; round = plan.Next(0.25))
                 ranges.AddRange(round);
             Assert.That(ranges, Has.Count.EqualTo(100));
             Assert.That(ranges.Select(r => r.Count), Has.All.EqualTo(100));

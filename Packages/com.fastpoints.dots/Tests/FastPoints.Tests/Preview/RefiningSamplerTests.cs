@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Preview
         static List<(int, int, int)[]> Waves(PointReader reader, int wanted, int slots, List<int> substitutes = null)
         {
             var waves = new List<(int, int, int)[]>();
-            using var sampler = new RefiningSampler(reader, wanted, 1, Bounds);
+            using var sampler = new RefiningSampler(reader, wanted, 1, null, Bounds);
             sampler.WaveReady += wave =>
             {
                 Assert.That(wave.Points, Is.EqualTo(sampler.Sample.Count));
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Preview
             using var exact = new UniformSampler(reader, 30_000, 5);
             WorkPump.RunToEnd(exact.Run(0, null));
             using var expected = exact.TakeSample();
-            using var sampler = new RefiningSampler(reader, 30_000, 5, Bounds);
+            using var sampler = new RefiningSampler(reader, 30_000, 5, null, Bounds);
             WorkPump.RunToEnd(sampler.Run(3, null));
             using var sample = sampler.TakeSample();
             Assert.That(Positions(sample), Is.EqualTo(Positions(expected)));
@@ -114,6 +114,28 @@ namespace FastPoints.Tests.Preview
         }
 
         [Test]
+        public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoneHasBeenComeTo()
+        {
+            using var reader = Square(500);
+            using var first = PreviewSampler.Create(reader, 8000, 1);
+            WorkPump.RunToEnd(first.Run(2, null));
+            using var before = first.TakeSample();
+            var places = new HashSet<(int, int)>(Positions(before).Select(p => (p.Item1 / 10, p.Item2 / 10)));
+            using var sampler = new RefiningSampler(reader, 20_000, 1, before, Bounds);
+            int waves = 0;
+            sampler.WaveReady += wave =>
+            {
+                var positions = Positions(sampler.Sample);
+                Assert.That(new HashSet<(int, int, int)>(positions), Has.Count.EqualTo(positions.Length));
+                if (++waves < 3)
+                    Assert.That(places.Except(positions.Select(p => (p.Item1 / 10, p.Item2 / 10))), Is.Empty);
+            };
+            WorkPump.RunToEnd(sampler.Run(2, null));
+            Assert.That(waves, Is.EqualTo(3));
+            Assert.That(places, Has.Count.GreaterThan(250));
+        }
+
+        [Test]
         public void Waves_AtAHalf_LeaveNoRegionBareOfWhichPointsWereRead()
         {
             // One point in 20 is anywhere in the square, all others are in a tenth of its edges.
@@ -127,7 +149,7 @@ namespace FastPoints.Tests.Preview
             }
             using var reader = new MemoryPointReader(batch, 1600, fixedStride: false);
             var waves = new List<(int, int, int)[]>();
-            using var sampler = new RefiningSampler(reader, 20_000, 1, new BoundsGeo(default, new double3(20_000, 20_000, 1)));
+            using var sampler = new RefiningSampler(reader, 20_000, 1, null, new BoundsGeo(default, new double3(20_000, 20_000, 1)));
             sampler.WaveReady += wave => waves.Add(Positions(sampler.Sample));
             WorkPump.RunToEnd(sampler.Run(2, null));
             // A 32nd of the edge: 1,024 cells; of the 4,000 points that were read anywhere about a tenth is the scan's.
@@ -142,7 +164,7 @@ namespace FastPoints.Tests.Preview
         public void Sample_OfASourceThatBreaksOff_IsOfWhatIsThere()
         {
             using var reader = Square(1600, 100_000);
-            using var sampler = new RefiningSampler(reader, 16_000, 1, Bounds);
+            using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
             WorkPump.RunToEnd(sampler.Run(3, null));
             using var sample = sampler.TakeSample();
             Assert.That(sample.Count, Is.EqualTo(10_000).Within(1));
@@ -161,7 +183,7 @@ namespace FastPoints.Tests.Preview
         public void Sample_WithoutExtent_IsTheFullScans()
         {
             using var reader = Square(1600);
-            using var sampler = new RefiningSampler(reader, 1000, 1, BoundsGeo.Empty);
+            using var sampler = new RefiningSampler(reader, 1000, 1, null, BoundsGeo.Empty);
             WorkPump.RunToEnd(sampler.Run(3, null));
             Assert.That(sampler.Sample.Count, Is.EqualTo(1000));
         }
@@ -172,7 +194,7 @@ namespace FastPoints.Tests.Preview
             using var reader = Square(1600);
             for (int steps = 0; steps < 400; steps += 23)
             {
-                using var sampler = new RefiningSampler(reader, 16_000, 1, Bounds);
+                using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
                 var work = sampler.Run(3, null);
                 for (int step = 0; step < steps && work.MoveNext(); step++)
                 {
@@ -187,7 +209,7 @@ namespace FastPoints.Tests.Preview
         public void Run_WhilePaused_ReadsNothingAndGoesOnAfterwards()
         {
             using var reader = Square(1600);
-            using var sampler = new RefiningSampler(reader, 16_000, 1, Bounds) { IsPaused = true };
+            using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds) { IsPaused = true };
             var work = sampler.Run(3, null);
             for (int step = 0; step < 1000; step++)
             {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -48,24 +49,39 @@ namespace FastPoints.Files
         public void Restore(NativeArray<byte> state)
         {
             byte* to = (byte*)state.GetUnsafePtr();
-            UnsafeUtility.MemClear(to, state.Length);
+            int next = 0;
             fixed (byte* from = m_content)
+            {
                 for (int i = 0; i < m_pages.Count; i++)
+                {
+                    Clear(to, next, m_pages[i], state.Length);
                     UnsafeUtility.MemCpy(to + (long)m_pages[i] * PageBytes, from + (long)i * PageBytes,
                         LengthOf(m_pages[i], state.Length));
+                    next = m_pages[i] + 1;
+                }
+            }
+            Clear(to, next, (state.Length + PageBytes - 1) / PageBytes, state.Length);
+        }
+
+        static void Clear(byte* state, int firstPage, int endPage, int bytes)
+        {
+            long end = Math.Min((long)endPage * PageBytes, bytes);
+            if (end > (long)firstPage * PageBytes)
+                UnsafeUtility.MemClear(state + (long)firstPage * PageBytes, end - (long)firstPage * PageBytes);
         }
 
         static int LengthOf(int page, int bytes) =>
             bytes - page * PageBytes < PageBytes ? bytes - page * PageBytes : PageBytes;
 
+        /// <summary>Each byte the one before it, and the first eight of them zero: compared at the speed of memory.</summary>
         static bool IsZero(byte* state, int page, int bytes)
         {
             byte* at = state + (long)page * PageBytes;
             int length = LengthOf(page, bytes);
-            for (int i = 0; i + 8 <= length; i += 8)
-                if (*(ulong*)(at + i) != 0)
+            for (int i = 0; i < 8 && i < length; i++)
+                if (at[i] != 0)
                     return false;
-            return true;
+            return length <= 8 || UnsafeUtility.MemCmp(at, at + 8, length - 8) == 0;
         }
     }
 }
