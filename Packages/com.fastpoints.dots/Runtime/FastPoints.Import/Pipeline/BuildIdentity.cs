@@ -29,7 +29,7 @@ namespace FastPoints.Pipeline
             text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
                 .Append('|').Append(StoreFormat.Version).Append('|').Append(grid.Records.StrideBytes).Append('|')
                 .Append(map.Chunks.Length).Append('|').Append(map.Cube).Append('|').Append(settings.Sampler)
-                .Append('|').Append(settings.CellsLog2);
+                .Append('|').Append(settings.CellsLog2).Append('|').Append(settings.MaxPointsPerLeaf);
             string all = text.ToString();
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^

@@ -131,6 +131,8 @@ namespace FastPoints.Pipeline
                 var sizes = NodeSizes.Default;
                 if (m_settings.CellsLog2 > 0)
                     sizes.CellsLog2 = m_settings.CellsLog2;
+                if (m_settings.MaxPointsPerLeaf > 0)
+                    sizes.MaxPointsPerLeaf = m_settings.MaxPointsPerLeaf;
                 return sizes;
             }
         }
@@ -402,7 +404,8 @@ namespace FastPoints.Pipeline
             CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_scatter.Attributes, m_readers[0].Info.Crs, m_manifest);
             // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
             m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_plan.PointsPerChunk << 40 ^
-                (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56;
+                (ulong)m_attributes.Count << 32 ^ (ulong)m_settings.Sampler << 60 ^ (ulong)m_settings.CellsLog2 << 56 ^
+                (ulong)m_settings.MaxPointsPerLeaf;
 
             m_store = new NativeStoreLayout(m_manifest.CreateLayout());
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,

@@ -15,6 +15,9 @@ namespace FastPoints.Pipeline
         /// of <see cref="NodeSizes"/>.</summary>
         public int CellsLog2;
 
+        /// <summary>A cube with no more points left is a leaf; 0 for the default of <see cref="NodeSizes"/>.</summary>
+        public int MaxPointsPerLeaf;
+
         /// <summary>Chunks have at most about so many points, and are no smaller than they need be; 0 for a number that suits the
         /// cloud. The stored bytes depend on it, and on nothing about the machine.</summary>
         public long PointsPerChunk;

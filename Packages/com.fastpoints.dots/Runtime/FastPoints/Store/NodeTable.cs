@@ -1,6 +1,7 @@
 using System;
 using FastPoints.Points;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
@@ -31,105 +32,82 @@ namespace FastPoints.Store
             m_planes.Dispose();
         }
 
-        /// <summary>What is wrong with the table, or null: nothing that it says is used before.</summary>
-        /// <param name="region">All nodes lie inside.</param>
-        /// <param name="dataBytes">Planes lie between the header and here.</param>
-        /// <param name="layout">Of the cloud.</param>
-        /// <param name="isChunk">Whether several nodes may have no parent.</param>
-        public string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
+        /// <summary>What is wrong with the table, or null: nothing that it says is used before. See
+        /// <see cref="TableCheck"/>.</summary>
+        public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
-            long nextChild = 0;
-            while (nextChild < m_nodes.Length && m_nodes[(int)nextChild].Parent == -1)
-                nextChild++;
-            if (m_nodes.Length > 0 && (nextChild == 0 || (!isChunk && nextChild != 1)))
-                return "wanted " + (isChunk ? "nodes" : "one node") + " without a parent at the table's start, got " + nextChild;
-            for (int i = 0; i < m_nodes.Length; i++)
+            using (var shapes = layout.CreateShapes(Allocator.Temp))
             {
-                string problem = FindProblem(i, region, ref nextChild) ?? FindPlaneProblem(i, dataBytes, layout);
-                if (problem != null)
-                    return "node " + i + ": " + problem;
-            }
-            return nextChild == m_nodes.Length ? null : "nodes " + nextChild + " and on are no node's children";
-        }
-
-        string FindProblem(int index, GridCube region, ref long nextChild)
-        {
-            var node = m_nodes[index];
-            if (node.SideLog2 > GridCube.MaxSideLog2 || node.CellLog2 > node.SideLog2)
-                return "side 2^" + node.SideLog2 + " with cells of 2^" + node.CellLog2;
-            if (!region.Contains(node.Cube))
-                return "cube " + node.Cube + " outside of " + region;
-            if (((node.Corner.X - region.Corner.X) | (node.Corner.Y - region.Corner.Y) |
-                (node.Corner.Z - region.Corner.Z)) << (64 - node.SideLog2) != 0
-                && node.SideLog2 > 0)
-                return "cube " + node.Cube + " is not of the octree of " + region;
-            if (node.Parent >= index || node.Parent < -1)
-                return "parent " + node.Parent;
-            if (node.Parent >= 0)
-            {
-                var parent = m_nodes[node.Parent];
-                if (!parent.Cube.Contains(node.Cube) || (parent.SideLog2 == node.SideLog2 && node.SideLog2 != 0))
-                    return "cube " + node.Cube + " in a parent of " + parent.Cube;
-                if (index < parent.FirstChild || index >= (long)parent.FirstChild + parent.ChildCount)
-                    return "is none of its parent's children";
-            }
-            if (node.ChildCount < 0 || (node.ChildCount > 0 && node.FirstChild != nextChild) ||
-                node.ChildCount > m_nodes.Length - nextChild)
-                return "children " + node.FirstChild + " to " + ((long)node.FirstChild + node.ChildCount);
-            nextChild += node.ChildCount;
-            if (node.PointCount < 1 || node.PointCount > StoreFormat.MaxPointsPerNode)
-                return "wanted 1 to " + StoreFormat.MaxPointsPerNode + " points, got " + node.PointCount;
-            if (node.BlockCount != PlaneShape.BlocksOf(node.PointCount))
-                return "wanted " + PlaneShape.BlocksOf(node.PointCount) + " blocks, got " + node.BlockCount;
-            if (node.MinX > node.MaxX || node.MinY > node.MaxY || node.MinZ > node.MaxZ)
-                return "bounds are turned round";
-            return FindHostProblem(index, node);
-        }
-
-        string FindHostProblem(int index, NodeRecord node)
-        {
-            if (node.Host != index)
-            {
-                bool isGuest = node.Host == node.Parent && node.Host >= 0 && node.ChildCount == 0 && node.HostedBlocks == 0 &&
-                    node.ChunkCount == 0 && m_nodes[node.Host].Host == node.Host;
-                return isGuest ? null : "is no guest of node " + node.Host;
-            }
-            if (node.FirstBlock != 0)
-                return "its own blocks begin at " + node.FirstBlock;
-            // Children were checked for nothing yet, but they are in the table.
-            long blocks = node.BlockCount;
-            long end = Math.Min(m_nodes.Length, (long)node.FirstChild + node.ChildCount);
-            for (int child = node.FirstChild; child < end; child++)
-            {
-                if (m_nodes[child].Host != index)
-                    continue;
-                if (m_nodes[child].FirstBlock != blocks)
-                    return "guest " + child + ": wanted blocks from " + blocks + ", got " + m_nodes[child].FirstBlock;
-                blocks += m_nodes[child].BlockCount;
-            }
-            return blocks == node.HostedBlocks ? null : "wanted " + blocks + " hosted blocks, got " + node.HostedBlocks;
-        }
-
-        string FindPlaneProblem(int index, long dataBytes, StoreLayout layout)
-        {
-            var node = m_nodes[index];
-            for (int p = 0; p < PlaneCount; p++)
-            {
-                var range = m_planes[index * PlaneCount + p];
-                if (node.Host != index)
+                var check = new TableCheck
                 {
-                    if (range.LengthBytes != 0)
-                        return "a guest with a plane of its own";
-                    continue;
-                }
-                long shortest = PlaneShape.LengthBytes((long)node.HostedBlocks * layout.ShapeOf(p, node.IsWide).DescriptorWords);
-                if (range.OffsetBytes < FileHeader.SizeBytes || range.OffsetBytes % PlaneShape.AlignmentBytes != 0 ||
-                    range.LengthBytes < shortest || range.LengthBytes % PlaneShape.AlignmentBytes != 0 ||
-                    range.OffsetBytes > dataBytes - range.LengthBytes)
-                    return "plane " + p + ": " + range.LengthBytes + " bytes from " + range.OffsetBytes +
-                        " in a file with room to " + dataBytes;
+                    Nodes = (NodeRecord*)m_nodes.GetUnsafeReadOnlyPtr(),
+                    Planes = (PlaneRange*)m_planes.GetUnsafeReadOnlyPtr(),
+                    NodeCount = m_nodes.Length,
+                    PlaneCount = PlaneCount,
+                    Shapes = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(),
+                    Region = region,
+                    DataBytes = dataBytes,
+                    IsChunk = isChunk,
+                };
+                var problem = check.Find();
+                return problem.IsNone ? null : Describe(problem, check);
             }
-            return null;
+        }
+
+        /// <summary>A problem in words; <paramref name="check"/> is what found it, and its memory is still there.</summary>
+        public static unsafe string Describe(TableProblem problem, in TableCheck check)
+        {
+            switch (problem.Fault)
+            {
+                case TableFault.Hash:
+                    return "the node table is damaged: its hash does not fit";
+                case TableFault.Roots:
+                    return "wanted " + (check.IsChunk ? "nodes" : "one node") +
+                        " without a parent at the table's start, got " + problem.Got;
+                case TableFault.Orphans:
+                    return "nodes " + problem.Node + " and on are no node's children";
+                case TableFault.PointSum:
+                    return "wanted " + problem.Wanted + " points in all nodes, got " + problem.Got;
+            }
+            var node = check.Nodes[problem.Node];
+            string what = "node " + problem.Node + ": ";
+            switch (problem.Fault)
+            {
+                case TableFault.Side:
+                    return what + "side 2^" + node.SideLog2 + " with cells of 2^" + node.CellLog2;
+                case TableFault.OutsideRegion:
+                    return what + "cube " + node.Cube + " outside of " + check.Region;
+                case TableFault.NotOfOctree:
+                    return what + "cube " + node.Cube + " is not of the octree of " + check.Region;
+                case TableFault.Parent:
+                    return what + "parent " + node.Parent;
+                case TableFault.ParentCube:
+                    return what + "cube " + node.Cube + " in a parent of " + check.Nodes[node.Parent].Cube;
+                case TableFault.NotAChild:
+                    return what + "is none of its parent's children";
+                case TableFault.Children:
+                    return what + "children " + node.FirstChild + " to " + ((long)node.FirstChild + node.ChildCount);
+                case TableFault.PointCount:
+                    return what + "wanted 1 to " + StoreFormat.MaxPointsPerNode + " points, got " + node.PointCount;
+                case TableFault.BlockCount:
+                    return what + "wanted " + PlaneShape.BlocksOf(node.PointCount) + " blocks, got " + node.BlockCount;
+                case TableFault.Bounds:
+                    return what + "bounds are turned round";
+                case TableFault.Guest:
+                    return what + "is no guest of node " + node.Host;
+                case TableFault.FirstBlock:
+                    return what + "its own blocks begin at " + node.FirstBlock;
+                case TableFault.GuestBlocks:
+                    return what + "is a guest: wanted blocks from " + problem.Wanted + ", got " + problem.Got;
+                case TableFault.HostedBlocks:
+                    return what + "wanted " + problem.Wanted + " hosted blocks, got " + problem.Got;
+                case TableFault.GuestPlane:
+                    return what + "a guest with a plane of its own";
+                default:
+                    var range = check.Planes[(long)problem.Node * check.PlaneCount + problem.Got];
+                    return what + "plane " + problem.Got + ": " + range.LengthBytes + " bytes from " + range.OffsetBytes +
+                        " in a file with room to " + check.DataBytes;
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Points;
+using Unity.Collections;
 
 namespace FastPoints.Store
 {
@@ -129,6 +130,15 @@ namespace FastPoints.Store
 
         /// <returns>The plane of that name, or -1.</returns>
         public int PlaneOf(string name) => m_planes.FindIndex(p => p.Name == name);
+
+        /// <summary>The shapes of all planes, as nodes that are not wide have them; for jobs.</summary>
+        public NativeArray<PlaneShape> CreateShapes(Allocator allocator)
+        {
+            var shapes = new NativeArray<PlaneShape>(m_planes.Count, allocator);
+            for (int p = 0; p < shapes.Length; p++)
+                shapes[p] = ShapeOf(p, false);
+            return shapes;
+        }
 
         /// <summary>Shape of one plane of one node.</summary>
         public PlaneShape ShapeOf(int plane, bool isWide) =>

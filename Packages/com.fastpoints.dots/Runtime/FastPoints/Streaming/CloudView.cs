@@ -44,7 +44,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Whether a box reaches inside of every plane. One beyond an edge of the view may pass for one inside.</summary>
+        /// <summary>Whether a box reaches inside of every plane. One beyond an edge of the view may pass.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Sees(double3 center, double3 half)
         {

@@ -15,6 +15,7 @@ namespace FastPoints.Streaming
         /// <summary>Null while the page is not loaded, as are the others.</summary>
         public StreamNode* Nodes;
         public NodeState* States;
+        public NodePlace* Places;
 
         /// <summary>By node times planes that are streamed, plus plane.</summary>
         public PlaneRange* Planes;
@@ -32,21 +33,36 @@ namespace FastPoints.Streaming
 
         /// <summary>Nodes that are on their way or in the cache.</summary>
         public int NodesInCache;
+
+        /// <summary>Reads of its file that failed one after the other, when the last one did, and until when none is
+        /// tried.</summary>
         public int Failures;
+        public uint LastFailureFrame;
+        public uint RetryFrame;
+
+        /// <summary>Its file cannot be read: what is not in the cache is a hole.</summary>
+        public bool IsBroken;
         public PageStatus Status;
 
         public bool IsLoaded => Status == PageStatus.Loaded;
 
+        /// <summary>Whether a node will never be there: it takes nothing of the budget, and what is below it is shown
+        /// without it.</summary>
+        public bool IsHole(int node) =>
+            States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
+
         /// <summary>Bytes that a loaded page takes.</summary>
         public static long BytesFor(int nodeCount, int planeCount) =>
-            nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + (long)planeCount * sizeof(PlaneRange));
+            nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + sizeof(NodePlace) +
+                (long)planeCount * sizeof(PlaneRange));
 
         /// <summary>Makes room for the nodes, in one piece; the page is not loaded yet.</summary>
         public void Allocate(int nodeCount, int planeCount)
         {
             Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
             States = (NodeState*)(Nodes + nodeCount);
-            Planes = (PlaneRange*)(States + nodeCount);
+            Places = (NodePlace*)(States + nodeCount);
+            Planes = (PlaneRange*)(Places + nodeCount);
             NodeCount = nodeCount;
             RootCount = 0;
         }
@@ -57,6 +73,7 @@ namespace FastPoints.Streaming
             UnsafeUtility.Free(Nodes, Allocator.Persistent);
             Nodes = null;
             States = null;
+            Places = null;
             Planes = null;
             NodeCount = 0;
             Status = PageStatus.Absent;

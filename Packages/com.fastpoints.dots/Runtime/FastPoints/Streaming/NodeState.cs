@@ -4,6 +4,7 @@ namespace FastPoints.Streaming
     public struct NodeState
     {
         public const int NoSlot = -1;
+        public const int IsHole = int.MaxValue;
 
         /// <summary>Frame of the last selection that chose the node.</summary>
         public uint SelectedFrame;
@@ -14,7 +15,7 @@ namespace FastPoints.Streaming
         /// <summary>Its place in the cache, or <see cref="NoSlot"/>.</summary>
         public int Slot;
 
-        /// <summary>Reads that failed.</summary>
+        /// <summary>Times that its bytes were damaged, or <see cref="IsHole"/>: it is not asked for any more.</summary>
         public int Failures;
     }
 }

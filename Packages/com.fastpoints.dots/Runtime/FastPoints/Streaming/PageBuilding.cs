@@ -36,7 +36,10 @@ namespace FastPoints.Streaming
             {
                 page.RootCount += records[n].Parent < 0 ? 1 : 0;
                 page.Nodes[n] = NodeOf(records, n, boxes[n], grid);
+                // Only what hangs on the upper levels has pages of its own.
+                page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
+                page.Places[n] = new NodePlace { Corner = records[n].Corner - grid.Corner, IsWide = records[n].IsWide };
                 for (int p = 0; p < wantedCount; p++)
                     page.Planes[n * wantedCount + p] = ranges[(long)n * planesInTable + wanted[p]];
             }

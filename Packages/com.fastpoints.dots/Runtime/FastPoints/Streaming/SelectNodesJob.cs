@@ -63,9 +63,10 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 var node = page->Nodes + best.Node;
-                if (points > 0 && points + node->PointCount > Settings.PointBudget)
+                int cost = page->IsHole(best.Node) ? 0 : node->PointCount;
+                if (points > 0 && points + cost > Settings.PointBudget)
                     break;
-                points += node->PointCount;
+                points += cost;
                 int place = Choose(best, cloud, page, ref more);
                 if (IsForecast && more >= ForecastPoints)
                     break;

@@ -1,0 +1,132 @@
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Store
+{
+    /// <summary>
+    /// Whether a table of nodes makes sense: nothing that it says is used before. Looks at memory alone, so that a job can ask as
+    /// well.
+    /// </summary>
+    public unsafe struct TableCheck
+    {
+        public NodeRecord* Nodes;
+
+        /// <summary>By node times <see cref="PlaneCount"/>, plus plane.</summary>
+        public PlaneRange* Planes;
+        public int NodeCount;
+        public int PlaneCount;
+
+        /// <summary>By plane; the position's as it is in nodes that are not wide.</summary>
+        public PlaneShape* Shapes;
+
+        /// <summary>All nodes lie inside.</summary>
+        public GridCube Region;
+
+        /// <summary>Planes lie between the header and here.</summary>
+        public long DataBytes;
+
+        /// <summary>Whether several nodes may have no parent.</summary>
+        public bool IsChunk;
+
+        public TableProblem Find()
+        {
+            long nextChild = 0;
+            while (nextChild < NodeCount && Nodes[nextChild].Parent == -1)
+                nextChild++;
+            if (NodeCount > 0 && (nextChild == 0 || (!IsChunk && nextChild != 1)))
+                return new TableProblem(TableFault.Roots, 0, 1, nextChild);
+            for (int i = 0; i < NodeCount; i++)
+            {
+                var problem = FindInTree(i, ref nextChild);
+                if (problem.IsNone)
+                    problem = FindInHost(i);
+                if (problem.IsNone)
+                    problem = FindInPlanes(i);
+                if (!problem.IsNone)
+                    return problem;
+            }
+            return nextChild == NodeCount ? default : new TableProblem(TableFault.Orphans, (int)nextChild);
+        }
+
+        TableProblem FindInTree(int index, ref long nextChild)
+        {
+            var node = Nodes[index];
+            if (node.SideLog2 > GridCube.MaxSideLog2 || node.CellLog2 > node.SideLog2)
+                return new TableProblem(TableFault.Side, index);
+            if (!Region.Contains(node.Cube))
+                return new TableProblem(TableFault.OutsideRegion, index);
+            var from = node.Corner - Region.Corner;
+            if ((from.X | from.Y | from.Z) << (64 - node.SideLog2) != 0 && node.SideLog2 > 0)
+                return new TableProblem(TableFault.NotOfOctree, index);
+            if (node.Parent >= index || node.Parent < -1)
+                return new TableProblem(TableFault.Parent, index);
+            if (node.Parent >= 0)
+            {
+                var parent = Nodes[node.Parent];
+                if (!parent.Cube.Contains(node.Cube) || (parent.SideLog2 == node.SideLog2 && node.SideLog2 != 0))
+                    return new TableProblem(TableFault.ParentCube, index);
+                if (index < parent.FirstChild || index >= (long)parent.FirstChild + parent.ChildCount)
+                    return new TableProblem(TableFault.NotAChild, index);
+            }
+            if (node.ChildCount < 0 || (node.ChildCount > 0 && node.FirstChild != nextChild) ||
+                node.ChildCount > NodeCount - nextChild)
+                return new TableProblem(TableFault.Children, index);
+            nextChild += node.ChildCount;
+            if (node.PointCount < 1 || node.PointCount > StoreFormat.MaxPointsPerNode)
+                return new TableProblem(TableFault.PointCount, index);
+            if (node.BlockCount != PlaneShape.BlocksOf(node.PointCount))
+                return new TableProblem(TableFault.BlockCount, index);
+            if (node.MinX > node.MaxX || node.MinY > node.MaxY || node.MinZ > node.MaxZ)
+                return new TableProblem(TableFault.Bounds, index);
+            return default;
+        }
+
+        TableProblem FindInHost(int index)
+        {
+            var node = Nodes[index];
+            if (node.Host != index)
+            {
+                bool isGuest = node.Host == node.Parent && node.Host >= 0 && node.ChildCount == 0 && node.HostedBlocks == 0 &&
+                    node.ChunkCount == 0 && Nodes[node.Host].Host == node.Host;
+                return isGuest ? default : new TableProblem(TableFault.Guest, index);
+            }
+            if (node.FirstBlock != 0)
+                return new TableProblem(TableFault.FirstBlock, index);
+            // Children were checked for nothing yet, but they are in the table.
+            long blocks = node.BlockCount;
+            long end = math.min(NodeCount, (long)node.FirstChild + node.ChildCount);
+            for (long child = node.FirstChild; child < end; child++)
+            {
+                if (Nodes[child].Host != index)
+                    continue;
+                if (Nodes[child].FirstBlock != blocks)
+                    return new TableProblem(TableFault.GuestBlocks, (int)child, blocks, Nodes[child].FirstBlock);
+                blocks += Nodes[child].BlockCount;
+            }
+            return blocks == node.HostedBlocks ? default
+                : new TableProblem(TableFault.HostedBlocks, index, blocks, node.HostedBlocks);
+        }
+
+        TableProblem FindInPlanes(int index)
+        {
+            var node = Nodes[index];
+            for (int p = 0; p < PlaneCount; p++)
+            {
+                var range = Planes[(long)index * PlaneCount + p];
+                if (node.Host != index)
+                {
+                    if (range.LengthBytes != 0)
+                        return new TableProblem(TableFault.GuestPlane, index);
+                    continue;
+                }
+                var shape = p == StoreLayout.PositionPlane && node.IsWide ? new PlaneShape(3, 7) : Shapes[p];
+                long shortest = PlaneShape.LengthBytes((long)node.HostedBlocks * shape.DescriptorWords);
+                if (range.OffsetBytes < FileHeader.SizeBytes || range.OffsetBytes % PlaneShape.AlignmentBytes != 0 ||
+                    range.LengthBytes < shortest || range.LengthBytes % PlaneShape.AlignmentBytes != 0 ||
+                    range.OffsetBytes > DataBytes - range.LengthBytes)
+                    return new TableProblem(TableFault.Plane, index, 0, p);
+            }
+            return default;
+        }
+    }
+}

@@ -1,0 +1,56 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>Where cameras will be if they go on as they do.</summary>
+    public sealed class CameraMotion : IDisposable
+    {
+        /// <summary>A step of so many times the one before is a cut, and no motion.</summary>
+        const double MostSpeedUp = 4;
+
+        NativeList<StreamView> m_last;
+        NativeList<StreamView> m_ahead;
+        double m_lastStep;
+
+        public CameraMotion()
+        {
+            m_last = new NativeList<StreamView>(Allocator.Persistent);
+            m_ahead = new NativeList<StreamView>(Allocator.Persistent);
+        }
+
+        /// <summary>The views of <see cref="TryForesee"/>.</summary>
+        public NativeArray<StreamView> Ahead => m_ahead.AsArray();
+
+        /// <summary>Takes this frame's views.</summary>
+        /// <returns>Whether they move, and not by a cut.</returns>
+        public bool TryForesee(NativeArray<StreamView> views, int frames)
+        {
+            double step = 0;
+            bool isKnown = views.Length == m_last.Length && frames > 0;
+            m_ahead.Clear();
+            for (int v = 0; v < views.Length && isKnown; v++)
+            {
+                var view = views[v];
+                var motion = view.EyeWorld - m_last[v].EyeWorld;
+                step = math.max(step, math.length(motion));
+                view.EyeWorld += motion * frames;
+                m_ahead.Add(view);
+            }
+            m_last.Clear();
+            m_last.AddRange(views);
+            bool isMoving = isKnown && step > 0 && step <= MostSpeedUp * m_lastStep;
+            m_lastStep = step;
+            return isMoving;
+        }
+
+        public void Dispose()
+        {
+            if (!m_last.IsCreated)
+                return;
+            m_last.Dispose();
+            m_ahead.Dispose();
+        }
+    }
+}

@@ -1,0 +1,13 @@
+namespace FastPoints.Streaming
+{
+    /// <summary>A node to draw: complete, as are all above it.</summary>
+    public struct DrawnNode
+    {
+        public int Cloud;
+        public int Page;
+        public int Node;
+
+        /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
+        public PoolRun Run;
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using Unity.Collections;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// The nodes that have memory, from the least to the most useful: what no selection wanted for longest first, then what the
+    /// last one wanted, its end before its beginning. Main thread.
+    /// </summary>
+    public sealed class NodeCache : IDisposable
+    {
+        public const int None = -1;
+
+        NativeList<CacheSlot> m_slots;
+        NativeList<int> m_free;
+        int m_mostUseful = None;
+
+        public NodeCache()
+        {
+            m_slots = new NativeList<CacheSlot>(1024, Allocator.Persistent);
+            m_free = new NativeList<int>(1024, Allocator.Persistent);
+        }
+
+        public int Count { get; private set; }
+
+        /// <summary>The one to give up first, or <see cref="None"/>.</summary>
+        public int LeastUseful { get; private set; } = None;
+
+        public CacheSlot this[int slot] => m_slots[slot];
+
+        /// <summary>Slots that were ever in use: free ones among them.</summary>
+        public int SlotCount => m_slots.Length;
+
+        public bool IsAlive(int slot, int version) => m_slots[slot].Version == version;
+
+        /// <summary>A new slot, the most useful of all.</summary>
+        public int Add(int cloud, int page, int node, PoolRun run)
+        {
+            int slot;
+            if (m_free.Length > 0)
+            {
+                slot = m_free[m_free.Length - 1];
+                m_free.RemoveAt(m_free.Length - 1);
+            }
+            else
+            {
+                slot = m_slots.Length;
+                m_slots.Add(default);
+            }
+            m_slots[slot] = new CacheSlot
+            {
+                Cloud = cloud,
+                Page = page,
+                Node = node,
+                Run = run,
+                Phase = CachePhase.Requested,
+                Version = m_slots[slot].Version,
+            };
+            Append(slot);
+            Count++;
+            return slot;
+        }
+
+        public void Remove(int slot)
+        {
+            Unlink(slot);
+            int version = m_slots[slot].Version;
+            m_slots[slot] = new CacheSlot { Version = version + 1 };
+            m_free.Add(slot);
+            Count--;
+        }
+
+        public void SetPhase(int slot, CachePhase phase) => m_slots.ElementAt(slot).Phase = phase;
+
+        /// <summary>Makes it the most useful.</summary>
+        public void Use(int slot, uint frame, int rank)
+        {
+            ref var used = ref m_slots.ElementAt(slot);
+            used.UsedFrame = frame;
+            used.Rank = rank;
+            if (m_mostUseful == slot)
+                return;
+            Unlink(slot);
+            Append(slot);
+        }
+
+        public void Dispose()
+        {
+            if (!m_slots.IsCreated)
+                return;
+            m_slots.Dispose();
+            m_free.Dispose();
+        }
+
+        void Append(int slot)
+        {
+            ref var added = ref m_slots.ElementAt(slot);
+            added.LessUseful = m_mostUseful;
+            added.MoreUseful = None;
+            if (m_mostUseful != None)
+                m_slots.ElementAt(m_mostUseful).MoreUseful = slot;
+            else
+                LeastUseful = slot;
+            m_mostUseful = slot;
+        }
+
+        void Unlink(int slot)
+        {
+            var gone = m_slots[slot];
+            if (gone.LessUseful != None)
+                m_slots.ElementAt(gone.LessUseful).MoreUseful = gone.MoreUseful;
+            else
+                LeastUseful = gone.MoreUseful;
+            if (gone.MoreUseful != None)
+                m_slots.ElementAt(gone.MoreUseful).LessUseful = gone.LessUseful;
+            else
+                m_mostUseful = gone.LessUseful;
+        }
+    }
+}

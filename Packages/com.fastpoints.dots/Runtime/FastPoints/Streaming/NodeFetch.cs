@@ -1,0 +1,255 @@
+using System;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// One read, from its beginning until its memory can be used for the next: a page's table, or some nodes of one file, whose
+    /// planes are read in as few pieces as they lie in. Main thread; never waits, but for <see cref="Await"/>.
+    /// </summary>
+    public sealed unsafe class NodeFetch : IDisposable
+    {
+        NativeArray<byte> m_bytes;
+        NativeList<ReadCommand> m_commands;
+        NativeList<FetchPart> m_parts;
+        NativeList<FetchedNode> m_nodes;
+
+        /// <summary>By node times planes, plus plane: where its bytes are in what was read.</summary>
+        NativeList<long> m_offsets;
+        NativeReference<HierarchyPage> m_built;
+        NativeReference<TableProblem> m_problem;
+        ReadHandle m_read;
+        JobHandle m_building;
+        long m_readBytes;
+
+        public NodeFetch()
+        {
+            m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
+            m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
+            m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
+            m_offsets = new NativeList<long>(256, Allocator.Persistent);
+            m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
+            m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
+        }
+
+        public FetchPhase Phase { get; private set; }
+
+        /// <summary>Rises from read to read.</summary>
+        public long Number { get; private set; }
+        public int CloudIndex { get; private set; }
+        public StreamedCloud Cloud { get; private set; }
+        public int Page { get; private set; }
+        public bool IsTable { get; private set; }
+        public bool IsCancelled { get; private set; }
+
+        /// <summary>Nodes of which the copying has not begun start here.</summary>
+        public int FirstWaiting { get; set; }
+
+        /// <summary>A job copies from this read's memory.</summary>
+        public bool IsBeingCopied { get; set; }
+
+        public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
+
+        /// <summary>Begins to read a page's table.</summary>
+        public void BeginTable(long number, int cloudIndex, StreamedCloud cloud, int page)
+        {
+            Begin(number, cloudIndex, cloud, page, true);
+            var piece = cloud.Source.TableOf(page);
+            m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
+            Read(piece.Path, piece.LengthBytes);
+        }
+
+        /// <summary>An empty read: <see cref="Add"/> some nodes, then <see cref="ReadNodes"/>.</summary>
+        public void BeginNodes(long number, int cloudIndex, StreamedCloud cloud, int page) =>
+            Begin(number, cloudIndex, cloud, page, false);
+
+        public void Add(FetchedNode node)
+        {
+            for (int p = 0; p < Cloud.Source.Planes.Length; p++)
+            {
+                var range = Cloud.RangeOf(Page, node.Node, p);
+                m_parts.Add(new FetchPart
+                {
+                    OffsetBytes = range.OffsetBytes,
+                    LengthBytes = range.LengthBytes,
+                    Node = m_nodes.Length,
+                    Plane = p,
+                });
+            }
+            m_nodes.Add(node);
+        }
+
+        /// <summary>Begins to read the nodes.</summary>
+        /// <param name="gapBytes">Pieces that are no farther apart are read as one.</param>
+        public void ReadNodes(int gapBytes)
+        {
+            m_parts.AsArray().Sort();
+            m_offsets.ResizeUninitialized(m_parts.Length);
+            long total = 0;
+            for (int i = 0; i < m_parts.Length; i++)
+            {
+                var part = m_parts[i];
+                long end = part.OffsetBytes + part.LengthBytes;
+                int last = m_commands.Length - 1;
+                long lastEnd = last < 0 ? 0 : m_commands[last].Offset + m_commands[last].Size;
+                if (last >= 0 && part.OffsetBytes >= lastEnd && part.OffsetBytes - lastEnd <= gapBytes)
+                {
+                    total += end - lastEnd;
+                    m_commands.ElementAt(last).Size += end - lastEnd;
+                }
+                else
+                {
+                    m_commands.Add(new ReadCommand { Offset = part.OffsetBytes, Size = part.LengthBytes });
+                    total += part.LengthBytes;
+                }
+                m_offsets[part.Node * Cloud.Source.Planes.Length + part.Plane] = total - part.LengthBytes;
+            }
+            Read(Cloud.Source.PathOf(Page), total);
+        }
+
+        /// <summary>Calls the read off; it goes on until it says that it has ended.</summary>
+        public void Cancel()
+        {
+            if (Phase == FetchPhase.Reading && !IsCancelled)
+                m_read.Cancel();
+            IsCancelled = true;
+        }
+
+        /// <returns>Whether the read has ended, as <paramref name="status"/>.</returns>
+        public bool TryEndRead(out ReadStatus status, out long bytes)
+        {
+            status = m_read.Status;
+            bytes = m_readBytes;
+            if (status == ReadStatus.InProgress)
+                return false;
+            m_read.JobHandle.Complete();
+            m_read.Dispose();
+            m_read = default;
+            Phase = FetchPhase.Arrived;
+            return true;
+        }
+
+        /// <summary>Begins to make a page of the table that was read.</summary>
+        public void Build()
+        {
+            m_building = Cloud.Source.ScheduleBuild(Page, m_bytes.GetSubArray(0, (int)m_readBytes), m_built, m_problem);
+            Phase = FetchPhase.Building;
+        }
+
+        /// <returns>Whether the page is made, or something is wrong with it, and this read is free for another.</returns>
+        public bool TryEndBuild(out HierarchyPage page, out TableProblem problem)
+        {
+            page = default;
+            problem = default;
+            if (!m_building.IsCompleted)
+                return false;
+            m_building.Complete();
+            problem = m_problem.Value;
+            page = m_built.Value;
+            return true;
+        }
+
+        public string Describe(TableProblem problem) =>
+            Cloud.Source.Describe(Page, m_bytes.GetSubArray(0, (int)m_readBytes), problem);
+
+        /// <summary>The planes of one of the nodes, as parts of an upload.</summary>
+        /// <param name="to">Memory of the node.</param>
+        public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
+        {
+            int node = m_nodes[index].Node;
+            for (int p = 0; p < Cloud.Source.Planes.Length; p++)
+            {
+                var range = Cloud.RangeOf(Page, node, p);
+                parts.Add(new UploadPart
+                {
+                    From = (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
+                    To = to,
+                    LengthBytes = range.LengthBytes,
+                    Hash = range.Hash,
+                    Shape = Cloud.ShapeOf(Page, node, p),
+                    BlockCount = Cloud.Pages[Page].Nodes[node].BlockCount,
+                    Upload = upload,
+                });
+                to += range.LengthBytes;
+            }
+        }
+
+        /// <summary>Free for the next read.</summary>
+        public void End()
+        {
+            Phase = FetchPhase.Idle;
+            Cloud = null;
+        }
+
+        /// <summary>Waits for what is under way, and ends it.</summary>
+        public void Await()
+        {
+            if (Phase == FetchPhase.Reading)
+            {
+                m_read.JobHandle.Complete();
+                m_read.Dispose();
+            }
+            else if (Phase == FetchPhase.Building)
+            {
+                m_building.Complete();
+                var built = m_built.Value;
+                if (m_problem.Value.IsNone)
+                    built.Free();
+            }
+            End();
+        }
+
+        public void Dispose()
+        {
+            if (!m_commands.IsCreated)
+                return;
+            Await();
+            if (m_bytes.IsCreated)
+                m_bytes.Dispose();
+            m_commands.Dispose();
+            m_parts.Dispose();
+            m_nodes.Dispose();
+            m_offsets.Dispose();
+            m_built.Dispose();
+            m_problem.Dispose();
+        }
+
+        void Begin(long number, int cloudIndex, StreamedCloud cloud, int page, bool isTable)
+        {
+            Number = number;
+            CloudIndex = cloudIndex;
+            Cloud = cloud;
+            Page = page;
+            IsTable = isTable;
+            IsCancelled = false;
+            FirstWaiting = 0;
+            m_commands.Clear();
+            m_parts.Clear();
+            m_nodes.Clear();
+        }
+
+        void Read(string path, long bytes)
+        {
+            if (!m_bytes.IsCreated || m_bytes.Length < bytes)
+            {
+                if (m_bytes.IsCreated)
+                    m_bytes.Dispose();
+                m_bytes = new NativeArray<byte>(checked((int)Math.Max(1 << 16, bytes)), Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
+            }
+            m_readBytes = bytes;
+            byte* to = (byte*)m_bytes.GetUnsafePtr();
+            for (int i = 0; i < m_commands.Length; i++)
+            {
+                m_commands.ElementAt(i).Buffer = to;
+                to += m_commands[i].Size;
+            }
+            m_read = AsyncReadManager.Read(path, m_commands.GetUnsafePtr(), (uint)m_commands.Length);
+            Phase = FetchPhase.Reading;
+        }
+    }
+}

@@ -1,0 +1,299 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.IO.LowLevel.Unsafe;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// The reads of all clouds: a few under way at a time, so that what is needed most is never far behind. Called off when
+    /// nobody wants them any more; tried again when they fail, then reported.
+    /// </summary>
+    public sealed unsafe class NodeReads : IDisposable
+    {
+        readonly StreamContext m_stream;
+        readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
+        NativeList<SelectedNode> m_wanted;
+        long m_count;
+
+        public NodeReads(StreamContext stream)
+        {
+            m_stream = stream;
+            m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
+        }
+
+        public List<NodeFetch> Fetches => m_fetches;
+
+        /// <summary>Reads that are not free for another.</summary>
+        public int UnderWay
+        {
+            get
+            {
+                int count = 0;
+                foreach (var fetch in m_fetches)
+                    count += fetch.Phase != FetchPhase.Idle ? 1 : 0;
+                return count;
+            }
+        }
+
+        public bool IsUsing(StreamedCloud cloud)
+        {
+            foreach (var fetch in m_fetches)
+                if (fetch.Phase != FetchPhase.Idle && fetch.Cloud == cloud)
+                    return true;
+            return false;
+        }
+
+        /// <summary>Takes what has ended.</summary>
+        public void Receive(ref FrameStats stats)
+        {
+            foreach (var fetch in m_fetches)
+            {
+                if (fetch.Phase == FetchPhase.Reading)
+                {
+                    CancelUnwanted(fetch);
+                    if (fetch.TryEndRead(out var status, out long bytes))
+                    {
+                        stats.ReadBytes += status == ReadStatus.Complete ? bytes : 0;
+                        EndRead(fetch, status);
+                    }
+                }
+                if (fetch.Phase == FetchPhase.Building && fetch.TryEndBuild(out var page, out var problem))
+                    EndBuild(fetch, page, problem);
+                if (fetch.Phase == FetchPhase.Arrived && !fetch.IsBeingCopied && !HasWaiting(fetch))
+                    fetch.End();
+            }
+        }
+
+        /// <summary>Begins reads: tables that the selection missed, then its nodes that are not there, then what will be
+        /// needed soon. Makes room in the pool for each node first.</summary>
+        public void Request(ref FrameStats stats)
+        {
+            int tables = 0;
+            foreach (var fetch in m_fetches)
+                tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
+            // Half of the reads are left for nodes.
+            foreach (var missing in m_stream.Selector.Missing)
+            {
+                if (tables >= Math.Max(1, m_stream.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
+                    break;
+                var page = m_stream.Clouds[missing.Cloud].Pages + missing.Page;
+                if (page->Status != PageStatus.Absent || !m_stream.IsTime(page->RetryFrame))
+                    continue;
+                page->Status = PageStatus.Loading;
+                fetch.BeginTable(++m_count, missing.Cloud, m_stream.Clouds[missing.Cloud], missing.Page);
+                tables++;
+            }
+            ListWanted(m_stream.Selector.Selected);
+            bool hasRoom = RequestNodes(0, ref stats);
+            if (!hasRoom)
+                return;
+            ListWanted(m_stream.Selector.Forecasted);
+            RequestNodes(StreamContext.FirstForecastRank, ref stats);
+        }
+
+        /// <summary>Calls all reads of a cloud off, or all there are.</summary>
+        public void Cancel(StreamedCloud cloud)
+        {
+            foreach (var fetch in m_fetches)
+                if (fetch.Phase != FetchPhase.Idle && (cloud == null || fetch.Cloud == cloud))
+                    fetch.Cancel();
+        }
+
+        public void Await()
+        {
+            foreach (var fetch in m_fetches)
+                if (fetch.Phase != FetchPhase.Idle)
+                    fetch.Await();
+        }
+
+        public void Dispose()
+        {
+            foreach (var fetch in m_fetches)
+                fetch.Dispose();
+            m_fetches.Clear();
+            if (m_wanted.IsCreated)
+                m_wanted.Dispose();
+        }
+
+        /// <summary>Nodes without a place in the cache; <see cref="SelectedNode.Parent"/> of what is listed is its
+        /// rank.</summary>
+        void ListWanted(NativeArray<SelectedNode> nodes)
+        {
+            m_wanted.Clear();
+            for (int i = 0; i < nodes.Length; i++)
+            {
+                var node = nodes[i];
+                var page = m_stream.Clouds[node.Cloud].Pages + node.Page;
+                var state = page->States + node.Node;
+                if (state->Slot != NodeState.NoSlot || page->IsHole(node.Node) || !m_stream.IsTime(page->RetryFrame))
+                    continue;
+                node.Parent = i;
+                m_wanted.Add(node);
+            }
+        }
+
+        /// <returns>Whether the pool had room for all that was asked for.</returns>
+        bool RequestNodes(int firstRank, ref FrameStats stats)
+        {
+            for (int i = 0; i < m_wanted.Length; i++)
+            {
+                var first = m_wanted[i];
+                // Taken by a read before this one.
+                if (first.Node < 0)
+                    continue;
+                if (!TryFindIdle(out var fetch))
+                    return true;
+                var cloud = m_stream.Clouds[first.Cloud];
+                long bytes = 0;
+                bool hasRoom = true;
+                for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_stream.Settings.BytesPerRead; j++)
+                {
+                    var node = m_wanted[j];
+                    if (node.Node < 0 || node.Cloud != first.Cloud || node.Page != first.Page)
+                        continue;
+                    long size = cloud.BytesOf(node.Page, node.Node);
+                    if (bytes > 0 && bytes + size > m_stream.Settings.BytesPerRead)
+                        break;
+                    hasRoom = m_stream.TryPlace(node, firstRank + node.Parent, size, ref stats, out int slot);
+                    if (!hasRoom)
+                        break;
+                    if (bytes == 0)
+                        fetch.BeginNodes(++m_count, node.Cloud, cloud, node.Page);
+                    fetch.Add(new FetchedNode { Node = node.Node, Slot = slot, Version = m_stream.Cache[slot].Version });
+                    bytes += size;
+                    stats.RequestedNodes++;
+                    m_wanted.ElementAt(j).Node = -1;
+                }
+                if (bytes > 0)
+                    fetch.ReadNodes(m_stream.Settings.GapBytes);
+                stats.RequestedBytes += bytes;
+                if (!hasRoom)
+                    return false;
+            }
+            return true;
+        }
+
+        bool TryFindIdle(out NodeFetch idle)
+        {
+            foreach (var fetch in m_fetches)
+            {
+                idle = fetch;
+                if (fetch.Phase == FetchPhase.Idle)
+                    return m_fetches.Count <= m_stream.Settings.MostReads || UnderWay < m_stream.Settings.MostReads;
+            }
+            idle = null;
+            if (m_fetches.Count < m_stream.Settings.MostReads)
+                m_fetches.Add(idle = new NodeFetch());
+            return idle != null;
+        }
+
+        void CancelUnwanted(NodeFetch fetch)
+        {
+            if (fetch.IsTable)
+            {
+                if (m_stream.IsOld(fetch.Cloud.Pages[fetch.Page].SeenFrame))
+                    fetch.Cancel();
+                return;
+            }
+            bool isWanted = false;
+            foreach (var node in fetch.Nodes)
+            {
+                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                    continue;
+                if (m_stream.IsOld(m_stream.Cache[node.Slot].UsedFrame))
+                    m_stream.Release(node.Slot);
+                else
+                    isWanted = true;
+            }
+            if (!isWanted)
+                fetch.Cancel();
+        }
+
+        void EndRead(NodeFetch fetch, ReadStatus status)
+        {
+            var page = fetch.Cloud.Pages + fetch.Page;
+            if (fetch.Cloud.IsLeaving || fetch.IsCancelled)
+            {
+                Drop(fetch, page);
+                return;
+            }
+            if (status != ReadStatus.Complete)
+            {
+                var source = fetch.Cloud.Source;
+                string path = fetch.IsTable ? source.TableOf(fetch.Page).Path : source.PathOf(fetch.Page);
+                Drop(fetch, page);
+                CountFailure(page, path, -1, "cannot be read: the read ended as " + status);
+                return;
+            }
+            if (fetch.IsTable)
+                fetch.Build();
+            else
+                page->Failures = 0;
+        }
+
+        void EndBuild(NodeFetch fetch, HierarchyPage built, TableProblem problem)
+        {
+            var page = fetch.Cloud.Pages + fetch.Page;
+            if (fetch.Cloud.IsLeaving)
+            {
+                if (problem.IsNone)
+                    built.Free();
+                page->Status = PageStatus.Absent;
+            }
+            else if (problem.IsNone)
+            {
+                fetch.Cloud.Load(fetch.Page, built);
+            }
+            else
+            {
+                var piece = fetch.Cloud.Source.TableOf(fetch.Page);
+                page->Status = PageStatus.Absent;
+                CountFailure(page, piece.Path, piece.OffsetBytes, fetch.Describe(problem));
+            }
+            fetch.End();
+        }
+
+        /// <summary>What the read was to bring is asked for again, if it is still wanted.</summary>
+        void Drop(NodeFetch fetch, HierarchyPage* page)
+        {
+            if (fetch.IsTable)
+                page->Status = PageStatus.Absent;
+            foreach (var node in fetch.Nodes)
+                if (m_stream.Cache.IsAlive(node.Slot, node.Version))
+                    m_stream.Release(node.Slot);
+            fetch.End();
+        }
+
+        void CountFailure(HierarchyPage* page, string path, long offset, string what)
+        {
+            page->RetryFrame = m_stream.Selector.Frame + (uint)m_stream.Settings.FramesToRetry;
+            // Reads of one file that were under way together fail together: they count as one.
+            if (page->LastFailureFrame != 0 && m_stream.Selector.Frame - page->LastFailureFrame <
+                (uint)m_stream.Settings.FramesToRetry)
+                return;
+            page->LastFailureFrame = m_stream.Selector.Frame;
+            if (++page->Failures < m_stream.Settings.MostTries)
+                return;
+            if (page->Status == PageStatus.Absent)
+                page->Status = PageStatus.Failed;
+            page->IsBroken = true;
+            m_stream.Report(new StreamFailure(path, offset, what));
+        }
+
+        bool HasWaiting(NodeFetch fetch)
+        {
+            for (; fetch.FirstWaiting < fetch.Nodes.Length; fetch.FirstWaiting++)
+            {
+                var node = fetch.Nodes[fetch.FirstWaiting];
+                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                    continue;
+                if (!m_stream.IsOld(m_stream.Cache[node.Slot].UsedFrame))
+                    return true;
+                m_stream.Release(node.Slot);
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>Nodes on their way from reads into the pool: one job at a time, of as much as a frame may copy.</summary>
+    public sealed unsafe class NodeUploads : IDisposable
+    {
+        readonly StreamContext m_stream;
+        readonly List<NodeFetch> m_copied = new List<NodeFetch>();
+        NativeList<int> m_slots;
+        NativeList<UploadPart> m_parts;
+        NativeList<bool> m_isDamaged;
+        JobHandle m_job;
+
+        public NodeUploads(StreamContext stream)
+        {
+            m_stream = stream;
+            m_slots = new NativeList<int>(256, Allocator.Persistent);
+            m_parts = new NativeList<UploadPart>(512, Allocator.Persistent);
+            m_isDamaged = new NativeList<bool>(512, Allocator.Persistent);
+        }
+
+        public bool IsUnderWay { get; private set; }
+
+        /// <summary>What the last frames' job copied is complete, if the job is done.</summary>
+        public void TryEnd(ref FrameStats stats)
+        {
+            if (IsUnderWay && m_job.IsCompleted)
+                End(ref stats);
+        }
+
+        /// <summary>Begins to copy what has arrived, the oldest reads first, within the frame's budget.</summary>
+        public void Begin(List<NodeFetch> fetches)
+        {
+            if (IsUnderWay)
+                return;
+            m_slots.Clear();
+            m_parts.Clear();
+            long bytes = 0;
+            while (m_slots.Length < m_stream.Settings.UploadNodesPerFrame)
+            {
+                var fetch = OldestWaiting(fetches);
+                if (fetch == null)
+                    break;
+                var node = fetch.Nodes[fetch.FirstWaiting];
+                if (!m_stream.Cache.IsAlive(node.Slot, node.Version))
+                {
+                    fetch.FirstWaiting++;
+                    continue;
+                }
+                long size = fetch.Cloud.BytesOf(fetch.Page, node.Node);
+                if (m_slots.Length > 0 && bytes + size > m_stream.Settings.UploadBytesPerFrame)
+                    break;
+                bytes += size;
+                fetch.AddParts(fetch.FirstWaiting++, m_stream.Pool.AddressOf(m_stream.Cache[node.Slot].Run), m_slots.Length,
+                    m_parts);
+                m_slots.Add(node.Slot);
+                m_stream.Cache.SetPhase(node.Slot, CachePhase.Uploading);
+                if (!fetch.IsBeingCopied)
+                    m_copied.Add(fetch);
+                fetch.IsBeingCopied = true;
+            }
+            if (m_slots.Length == 0)
+                return;
+            m_isDamaged.ResizeUninitialized(m_parts.Length);
+            m_job = new UploadPlanesJob { Parts = m_parts.AsArray(), IsDamaged = m_isDamaged.AsArray() }
+                .ScheduleParallel(m_parts.Length, 1, default);
+            IsUnderWay = true;
+        }
+
+        /// <summary>Waits for the job.</summary>
+        public void Await()
+        {
+            var stats = new FrameStats();
+            m_job.Complete();
+            if (IsUnderWay)
+                End(ref stats);
+        }
+
+        public void Dispose()
+        {
+            if (!m_slots.IsCreated)
+                return;
+            m_job.Complete();
+            m_slots.Dispose();
+            m_parts.Dispose();
+            m_isDamaged.Dispose();
+        }
+
+        void End(ref FrameStats stats)
+        {
+            m_job.Complete();
+            IsUnderWay = false;
+            foreach (var fetch in m_copied)
+                fetch.IsBeingCopied = false;
+            m_copied.Clear();
+            for (int part = 0, upload = 0; upload < m_slots.Length; upload++)
+            {
+                bool isDamaged = false;
+                for (; part < m_parts.Length && m_parts[part].Upload == upload; part++)
+                {
+                    isDamaged |= m_isDamaged[part];
+                    stats.UploadedBytes += m_parts[part].LengthBytes;
+                }
+                stats.UploadedNodes++;
+                m_stream.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
+                if (isDamaged)
+                    m_stream.DropDamaged(m_slots[upload]);
+            }
+        }
+
+        static NodeFetch OldestWaiting(List<NodeFetch> fetches)
+        {
+            NodeFetch oldest = null;
+            for (int i = 0; i < fetches.Count; i++)
+            {
+                var fetch = fetches[i];
+                if (fetch.Phase == FetchPhase.Arrived && fetch.FirstWaiting < fetch.Nodes.Length &&
+                    (oldest == null || fetch.Number < oldest.Number))
+                    oldest = fetch;
+            }
+            return oldest;
+        }
+    }
+}

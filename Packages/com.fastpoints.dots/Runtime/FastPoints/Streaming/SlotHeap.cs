@@ -1,0 +1,181 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// Gives out runs of consecutive slots and takes them back: bookkeeping on abstract indices, whatever memory they stand for.
+    /// Free runs lie in lists by the power of two of their length; a run that is given back grows together with its free
+    /// neighbours. Both take constant time.
+    /// </summary>
+    /// <remarks>The first and the last slot of a run know its length: above 0 where it is taken, below where it is
+    /// free.</remarks>
+    public struct SlotHeap : IDisposable
+    {
+        const int None = -1;
+        const int BinCount = 31;
+
+        /// <summary>Runs of the wanted length's own list that are looked at: all in longer lists are long enough.</summary>
+        const int MostTries = 8;
+
+        NativeArray<int> m_length;
+        NativeArray<int> m_next;
+        NativeArray<int> m_previous;
+        NativeArray<int> m_firstOfBin;
+        uint m_occupiedBins;
+
+        public SlotHeap(int capacity, Allocator allocator)
+        {
+            if (capacity < 1)
+                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "wanted at least 1");
+            m_length = new NativeArray<int>(capacity, allocator);
+            m_next = new NativeArray<int>(capacity, allocator, NativeArrayOptions.UninitializedMemory);
+            m_previous = new NativeArray<int>(capacity, allocator, NativeArrayOptions.UninitializedMemory);
+            m_firstOfBin = new NativeArray<int>(BinCount, allocator);
+            for (int bin = 0; bin < BinCount; bin++)
+                m_firstOfBin[bin] = None;
+            m_occupiedBins = 0;
+            UsedSlots = 0;
+            AddFree(0, capacity);
+        }
+
+        public bool IsCreated => m_length.IsCreated;
+        public int Capacity => m_length.Length;
+        public int UsedSlots { get; private set; }
+
+        /// <returns>The first slot, or -1 where no free run is long enough.</returns>
+        public int Take(int count)
+        {
+            int run = Find(count);
+            if (run < 0)
+                return None;
+            int length = -m_length[run];
+            RemoveFree(run, length);
+            if (length > count)
+                AddFree(run + count, length - count);
+            Mark(run, count, count);
+            UsedSlots += count;
+            return run;
+        }
+
+        /// <param name="first">A run that was taken and not given back.</param>
+        public void Give(int first)
+        {
+            int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
+            if (length <= 0 || first + length > m_length.Length || m_length[first + length - 1] != length)
+                throw new ArgumentException("slot " + first + " is not the first of a run that was taken", nameof(first));
+            UsedSlots -= length;
+            // What lies inside of a longer run must not pass for a run.
+            Mark(first, length, 0);
+            int begin = first, end = first + length;
+            if (begin > 0 && m_length[begin - 1] < 0)
+            {
+                int before = -m_length[begin - 1];
+                RemoveFree(begin - before, before);
+                begin -= before;
+            }
+            if (end < m_length.Length && m_length[end] < 0)
+            {
+                int after = -m_length[end];
+                RemoveFree(end, after);
+                end += after;
+            }
+            AddFree(begin, end - begin);
+        }
+
+        public void Dispose()
+        {
+            if (!m_length.IsCreated)
+                return;
+            m_length.Dispose();
+            m_next.Dispose();
+            m_previous.Dispose();
+            m_firstOfBin.Dispose();
+        }
+
+        /// <summary>What is wrong with the books, or null: looks at every slot.</summary>
+        public string FindProblem()
+        {
+            int used = 0, free = 0;
+            bool wasFree = false;
+            for (int at = 0; at < m_length.Length;)
+            {
+                int length = math.abs(m_length[at]);
+                if (length == 0 || at + length > m_length.Length || m_length[at + length - 1] != m_length[at])
+                    return "slot " + at + " begins a run of " + m_length[at] + " that does not end so";
+                bool isFree = m_length[at] < 0;
+                if (isFree && wasFree)
+                    return "slot " + at + " begins a free run beside another";
+                used += isFree ? 0 : length;
+                free += isFree ? 1 : 0;
+                wasFree = isFree;
+                at += length;
+            }
+            if (used != UsedSlots)
+                return "counted " + used + " slots in use, wanted " + UsedSlots;
+            int listed = 0;
+            for (int bin = 0; bin < BinCount; bin++)
+            {
+                if (m_firstOfBin[bin] >= 0 != ((m_occupiedBins >> bin & 1) != 0))
+                    return "bin " + bin + " is not as marked";
+                for (int run = m_firstOfBin[bin], before = None; run >= 0; before = run, run = m_next[run], listed++)
+                    if (m_length[run] >= 0 || BinOf(-m_length[run]) != bin || m_previous[run] != before || listed > free)
+                        return "run " + run + " of " + m_length[run] + " is in bin " + bin;
+            }
+            return listed == free ? null : "listed " + listed + " free runs, wanted " + free;
+        }
+
+        static int BinOf(int length) => 31 - math.lzcnt(length);
+
+        int Find(int count)
+        {
+            if (count < 1 || count > m_length.Length)
+                return None;
+            int bin = BinOf(count), tries = 0;
+            for (int run = m_firstOfBin[bin]; run >= 0 && tries < MostTries; run = m_next[run], tries++)
+                if (-m_length[run] >= count)
+                    return run;
+            uint longer = m_occupiedBins >> bin >> 1;
+            if (longer != 0)
+                return m_firstOfBin[bin + 1 + math.tzcnt(longer)];
+            // Rather look at all of its own list than say that there is no room.
+            for (int run = m_firstOfBin[bin]; run >= 0; run = m_next[run])
+                if (-m_length[run] >= count)
+                    return run;
+            return None;
+        }
+
+        void Mark(int first, int count, int length)
+        {
+            m_length[first] = length;
+            m_length[first + count - 1] = length;
+        }
+
+        void AddFree(int first, int length)
+        {
+            int bin = BinOf(length);
+            Mark(first, length, -length);
+            m_next[first] = m_firstOfBin[bin];
+            m_previous[first] = None;
+            if (m_firstOfBin[bin] >= 0)
+                m_previous[m_firstOfBin[bin]] = first;
+            m_firstOfBin[bin] = first;
+            m_occupiedBins |= 1u << bin;
+        }
+
+        void RemoveFree(int first, int length)
+        {
+            int bin = BinOf(length);
+            if (m_next[first] >= 0)
+                m_previous[m_next[first]] = m_previous[first];
+            if (m_previous[first] >= 0)
+                m_next[m_previous[first]] = m_next[first];
+            else
+                m_firstOfBin[bin] = m_next[first];
+            if (m_firstOfBin[bin] < 0)
+                m_occupiedBins &= ~(1u << bin);
+            Mark(first, length, 0);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>A cloud while it is streamed: its source, its hierarchy, where it stands.</summary>
+    public sealed unsafe class StreamedCloud : IDisposable
+    {
+        NativeArray<HierarchyPage> m_pages;
+
+        public StreamedCloud(NodeSource source, CloudPlacement placement)
+        {
+            Source = source;
+            Placement = placement;
+            m_pages = new NativeArray<HierarchyPage>(source.PageCount, Allocator.Persistent);
+            source.CreatePages(Pages);
+            HierarchyBytes = BytesOf(Pages[0]);
+        }
+
+        public NodeSource Source { get; }
+        public CloudPlacement Placement { get; set; }
+
+        /// <summary>It is not shown any more, and goes when its reads and uploads have ended.</summary>
+        public bool IsLeaving { get; set; }
+
+        /// <summary>Reads and uploads that still need the source.</summary>
+        public int Users { get; set; }
+
+        public int PageCount => m_pages.Length;
+        public long HierarchyBytes { get; private set; }
+
+        public HierarchyPage* Pages =>
+            (HierarchyPage*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_pages);
+
+        /// <summary>Bytes of the planes that are streamed of a node.</summary>
+        public long BytesOf(int page, int node)
+        {
+            long bytes = 0;
+            for (int p = 0; p < Source.Planes.Length; p++)
+                bytes += RangeOf(page, node, p).LengthBytes;
+            return bytes;
+        }
+
+        /// <param name="plane">Counted among those that are streamed.</param>
+        public PlaneRange RangeOf(int page, int node, int plane) =>
+            Pages[page].Planes[node * Source.Planes.Length + plane];
+
+        public PlaneShape ShapeOf(int page, int node, int plane) => plane == 0 && Pages[page].Places[node].IsWide
+            ? new PlaneShape(3, 7)
+            : Source.Shapes[Source.Planes[plane]];
+
+        /// <summary>Takes the nodes of a page over.</summary>
+        public void Load(int page, in HierarchyPage built)
+        {
+            var to = Pages + page;
+            to->Nodes = built.Nodes;
+            to->States = built.States;
+            to->Places = built.Places;
+            to->Planes = built.Planes;
+            to->NodeCount = built.NodeCount;
+            to->RootCount = built.RootCount;
+            to->Failures = 0;
+            to->Status = PageStatus.Loaded;
+            HierarchyBytes += BytesOf(built);
+        }
+
+        /// <summary>Gives the nodes of a page up, none of which is in the cache.</summary>
+        public void Unload(int page)
+        {
+            HierarchyBytes -= BytesOf(Pages[page]);
+            Pages[page].Free();
+        }
+
+        public void Dispose()
+        {
+            if (!m_pages.IsCreated)
+                return;
+            for (int p = 0; p < m_pages.Length; p++)
+                Pages[p].Free();
+            m_pages.Dispose();
+            Source.Dispose();
+        }
+
+        long BytesOf(in HierarchyPage page) => HierarchyPage.BytesFor(page.NodeCount, Source.Planes.Length);
+    }
+}

@@ -1,0 +1,239 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Tests.Streaming
+{
+    public unsafe class FrameStepTests
+    {
+        StreamedTestCloud m_cloud;
+        StreamContext m_stream;
+        FolderSource m_source;
+
+        [OneTimeSetUp]
+        public void MakeCloud() => m_cloud = new StreamedTestCloud();
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_cloud.Dispose();
+
+        [SetUp]
+        public void OpenCloud() => Open(StreamedTestCloud.Stream());
+
+        void Open(StreamContext stream)
+        {
+            m_stream?.Dispose();
+            m_stream = stream;
+            m_source = m_cloud.Open();
+            stream.Add(m_source, StreamedTestCloud.Geo(m_source));
+        }
+
+        [TearDown]
+        public void CloseCloud()
+        {
+            m_stream.Dispose();
+            m_stream = null;
+        }
+
+        List<string> Failures()
+        {
+            var failures = new List<string>();
+            while (m_stream.TryTakeFailure(out var failure))
+                failures.Add(failure.ToString());
+            return failures;
+        }
+
+        static HashSet<(int, int, int)> Drawn(StreamContext stream) =>
+            new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));
+
+        [Test]
+        public void Run_CameraAtRest_DrawsWhatIsSelectedByteForByte()
+        {
+            var stats = StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 30, 0.6));
+            Assert.That(Drawn(m_stream), Is.EquivalentTo(m_stream.Selector.Selected.ToArray()
+                .Select(n => (n.Cloud, n.Page, n.Node))));
+            Assert.That(stats.DrawnPoints, Is.EqualTo(stats.SelectedPoints).And.GreaterThan(20_000));
+            Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Page).Distinct().Count(), Is.GreaterThan(5));
+            foreach (var drawn in m_stream.Drawn.AsArray())
+            {
+                byte* at = m_stream.Pool.AddressOf(drawn.Run);
+                byte[] file = File.ReadAllBytes(m_source.PathOf(drawn.Page));
+                for (int p = 0; p < m_source.Planes.Length; p++)
+                {
+                    var range = m_stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);
+                    var got = new byte[range.LengthBytes];
+                    fixed (byte* to = got)
+                        UnsafeUtility.MemCpy(to, at, got.Length);
+                    Assert.That(got.SequenceEqual(file.Skip((int)range.OffsetBytes).Take(got.Length)), Is.True);
+                    at += range.LengthBytes;
+                }
+            }
+            Assert.That(Failures(), Is.Empty);
+        }
+
+        [Test]
+        public void Run_PositionsAlone_ReadsNothingElse()
+        {
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            long withColor = m_stream.Pool.UsedBytes;
+            var bare = new FolderSource(CloudFolder.Open(m_cloud.Path));
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                stream.Add(bare, StreamedTestCloud.Geo(bare));
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stream.Pool.UsedBytes, Is.LessThan(0.8 * withColor));
+            }
+        }
+
+        [Test]
+        public void Run_OnTheWay_DrawsOnlyWhatIsCompleteWithAllAbove()
+        {
+            m_stream.Settings.UploadNodesPerFrame = 20;
+            m_stream.Settings.BytesPerRead = 50_000;
+            var camera = StreamedTestCloud.Near(20, 30, 0.6);
+            long most = 0;
+            for (int frame = 0; frame < 100_000; frame++)
+            {
+                var stats = StreamedTestCloud.Frame(m_stream, camera);
+                Assert.That(stats.UploadedNodes, Is.LessThanOrEqualTo(20));
+                if (stats.DrawnPoints == most && !stats.IsSettled)
+                    continue;
+                var drawn = Drawn(m_stream);
+                foreach (var node in m_stream.Selector.Selected)
+                {
+                    if (!drawn.Contains((node.Cloud, node.Page, node.Node)) || node.Parent < 0)
+                        continue;
+                    var parent = m_stream.Selector.Selected[node.Parent];
+                    Assert.That(drawn, Has.Member((parent.Cloud, parent.Page, parent.Node)));
+                }
+                Assert.That(stats.DrawnPoints, Is.GreaterThanOrEqualTo(most));
+                most = stats.DrawnPoints;
+                if (stats.IsSettled)
+                    break;
+            }
+            Assert.That(most, Is.EqualTo(m_stream.Selector.Points));
+        }
+
+        [Test]
+        public void Run_PoolTooSmall_KeepsTheMostNeededAndRests()
+        {
+            Open(StreamedTestCloud.Stream(256 << 10, 64 << 10));
+            var camera = StreamedTestCloud.Near(100, 100, 2);
+            StreamedTestCloud.Rest(m_stream, camera);
+            var selected = m_stream.Selector.Selected.ToArray();
+            var drawn = Drawn(m_stream);
+            Assert.That(drawn.Count, Is.InRange(4, selected.Length - 10));
+            // The first that has no room is about where what is drawn ends: rooms are cut into pages and banks.
+            int first = Array.FindIndex(selected, n => !drawn.Contains((n.Cloud, n.Page, n.Node)));
+            Assert.That(first, Is.GreaterThan(drawn.Count * 2 / 3));
+            for (int i = 0; i < 50; i++)
+            {
+                var stats = StreamedTestCloud.Frame(m_stream, camera);
+                Assert.That(stats.RequestedNodes + stats.EvictedNodes, Is.Zero);
+                Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(256 << 10));
+            }
+            Assert.That(m_stream.Pool.FindProblem(), Is.Null);
+        }
+
+        [Test]
+        public void Run_LimitChanged_IsNeverPassed()
+        {
+            var camera = StreamedTestCloud.Overview();
+            StreamedTestCloud.Settle(m_stream, camera);
+            int all = m_stream.Drawn.Length;
+            m_stream.Pool.LimitBytes = 1 << 20;
+            var stats = StreamedTestCloud.Frame(m_stream, camera);
+            Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(1 << 20));
+            stats = StreamedTestCloud.Rest(m_stream, camera);
+            Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(1 << 20));
+            Assert.That(m_stream.Drawn.Length, Is.InRange(1, all - 1));
+            m_stream.Pool.LimitBytes = 64 << 20;
+            StreamedTestCloud.Settle(m_stream, camera);
+            Assert.That(m_stream.Drawn.Length, Is.EqualTo(all));
+        }
+
+        [Test]
+        public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
+        {
+            var camera = StreamedTestCloud.Near(60, 60, 0.6);
+            using (var views = new NativeArray<StreamView>(1, Allocator.Persistent))
+            {
+                var settable = views;
+                // The safety checks of the headless host's test build remember each job; nothing else may allocate.
+                long OfChecks()
+                {
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    for (int i = 0; i < 50; i++)
+                        m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
+                    return GC.GetAllocatedBytesForCurrentThread() - before;
+                }
+                long Garbage(double step)
+                {
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    for (int i = 0; i < 50; i++)
+                    {
+                        var moved = camera;
+                        moved.EyeGeo.x += i * step;
+                        settable[0] = moved.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx);
+                        FrameStep.Run(m_stream, settable);
+                    }
+                    return GC.GetAllocatedBytesForCurrentThread() - before;
+                }
+                m_stream.Settings.FramesAhead = 0;
+                StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+                StreamedTestCloud.Settle(m_stream, camera);
+                Garbage(1e-6);
+                OfChecks();
+                StreamedTestCloud.Settle(m_stream, camera);
+                Assert.That(Garbage(0), Is.EqualTo(OfChecks()));
+                Assert.That(Garbage(1e-6), Is.EqualTo(OfChecks()));
+            }
+        }
+
+        [Test]
+        public void Run_CameraTeleports_CallsOffWhatIsUnwanted()
+        {
+            m_stream.Settings.MostReads = 1;
+            m_stream.Settings.BytesPerRead = 1;
+            m_stream.Settings.FramesToCancel = 0;
+            var random = new Unity.Mathematics.Random(3);
+            for (int i = 0; i < 300; i++)
+            {
+                var place = random.NextFloat2(200);
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(place.x, place.y, random.NextFloat(6)));
+            }
+            var camera = StreamedTestCloud.Near(20, 30, 0.6);
+            StreamedTestCloud.Settle(m_stream, camera);
+            var wanted = Drawn(m_stream);
+            Open(StreamedTestCloud.Stream());
+            StreamedTestCloud.Settle(m_stream, camera);
+            Assert.That(Drawn(m_stream), Is.EquivalentTo(wanted));
+            Assert.That(Failures(), Is.Empty);
+        }
+
+        [Test]
+        public void Run_MovingCamera_ReadsAhead()
+        {
+            m_stream.Settings.Selection.PointBudget = 20_000;
+            m_stream.Settings.FramesAhead = 40;
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 100, 0));
+            for (int i = 1; i <= 10; i++)
+                StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(20 + i * 0.5, 100, 0));
+            var ahead = m_stream.Selector.Forecasted.ToArray().Select(n => (n.Cloud, n.Page, n.Node)).ToList();
+            Assert.That(ahead, Is.Not.Empty);
+            for (int i = 0; i < 5; i++)
+                Assert.That(StreamedTestCloud.Rest(m_stream, StreamedTestCloud.Near(25, 100, 0)).DrawnPoints, Is.GreaterThan(0));
+            // They are there before the camera is.
+            Assert.That(ahead.Count(n => m_stream.Clouds[0].Pages[n.Page].States[n.Node].Slot != NodeState.NoSlot),
+                Is.GreaterThan(ahead.Count / 2));
+            Assert.That(StreamedTestCloud.Frame(m_stream, StreamedTestCloud.Near(25, 100, 0)).DrawnNodes,
+                Is.EqualTo(m_stream.Selector.Selected.Length));
+        }
+    }
+}

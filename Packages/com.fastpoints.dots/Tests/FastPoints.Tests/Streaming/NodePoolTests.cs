@@ -1,0 +1,56 @@
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Streaming
+{
+    public class NodePoolTests
+    {
+        const int BankBytes = 64 << 10;
+
+        [Test]
+        public void TryTake_ToTheLimit_TakesWholeBanksAndNoMore()
+        {
+            using (var pool = new MemoryNodePool(5 * BankBytes + 1000, BankBytes))
+            {
+                var runs = new List<PoolRun>();
+                while (pool.TryTake(20_000, out var run))
+                {
+                    runs.Add(run);
+                    Assert.That(pool.AllocatedBytes, Is.LessThanOrEqualTo(pool.LimitBytes));
+                }
+                Assert.That(runs.Count, Is.EqualTo(15));
+                Assert.That(pool.UsedBytes, Is.EqualTo(15 * 20 * NodePool.PageBytes));
+                Assert.That(pool.TryTake(BankBytes + 1, out _), Is.False);
+                foreach (var run in runs)
+                    pool.Give(run);
+                Assert.That(pool.FindProblem(), Is.Null);
+                Assert.That(pool.UsedBytes, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void LimitBytes_Lowered_FreesBanksAsTheyBecomeEmpty()
+        {
+            using (var pool = new MemoryNodePool(4 * BankBytes, BankBytes))
+            {
+                var runs = new List<PoolRun>();
+                while (pool.TryTake(BankBytes / 2, out var run))
+                    runs.Add(run);
+                pool.LimitBytes = 2 * BankBytes;
+                Assert.That(pool.TryTake(1, out _), Is.False);
+                for (int i = runs.Count - 1; i >= 4; i--)
+                    pool.Give(runs[i]);
+                Assert.That(pool.AllocatedBytes, Is.EqualTo(2 * BankBytes));
+                pool.LimitBytes = 3 * BankBytes;
+                Assert.That(pool.TryTake(1, out var more), Is.True);
+                pool.LimitBytes = 0;
+                pool.Give(more);
+                for (int i = 0; i < 4; i++)
+                    pool.Give(runs[i]);
+                Assert.That(pool.AllocatedBytes, Is.Zero);
+                Assert.That(pool.FindProblem(), Is.Null);
+            }
+        }
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Collections;
+
+namespace FastPoints.Tests.Streaming
+{
+    public class SlotHeapTests
+    {
+        [TestCase(1, 1u)]
+        [TestCase(64, 2u)]
+        [TestCase(1000, 3u)]
+        [TestCase(4096, 4u)]
+        public void TakeAndGive_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
+        {
+            var random = new Unity.Mathematics.Random(seed);
+            var owner = new int[capacity];
+            var runs = new List<(int First, int Count)>();
+            using (var heap = new SlotHeap(capacity, Allocator.Persistent))
+            {
+                var books = heap;
+                int used = 0;
+                for (int turn = 1; turn <= 3000; turn++)
+                {
+                    if (runs.Count == 0 || random.NextInt(5) < 3)
+                    {
+                        int count = 1 + random.NextInt(Math.Max(1, capacity / (random.NextBool() ? 50 : 5)));
+                        int first = books.Take(count);
+                        if (first >= 0)
+                        {
+                            for (int i = first; i < first + count; i++)
+                            {
+                                Assert.That(owner[i], Is.Zero);
+                                owner[i] = turn;
+                            }
+                            runs.Add((first, count));
+                            used += count;
+                        }
+                        else
+                        {
+                            Assert.That(LongestFree(owner), Is.LessThan(count));
+                        }
+                    }
+                    else
+                    {
+                        int at = random.NextInt(runs.Count);
+                        books.Give(runs[at].First);
+                        Array.Clear(owner, runs[at].First, runs[at].Count);
+                        used -= runs[at].Count;
+                        runs.RemoveAt(at);
+                    }
+                    Assert.That(books.UsedSlots, Is.EqualTo(used));
+                    if (turn % 50 == 0)
+                        Assert.That(books.FindProblem(), Is.Null);
+                }
+                foreach (var run in runs)
+                    books.Give(run.First);
+                Assert.That(books.FindProblem(), Is.Null);
+                Assert.That(books.Take(capacity), Is.Zero);
+            }
+        }
+
+        static int LongestFree(int[] owner)
+        {
+            int longest = 0, length = 0;
+            foreach (int slot in owner)
+            {
+                length = slot == 0 ? length + 1 : 0;
+                longest = Math.Max(longest, length);
+            }
+            return longest;
+        }
+
+        [Test]
+        public void Give_WhatIsNoRun_Throws()
+        {
+            using (var heap = new SlotHeap(100, Allocator.Persistent))
+            {
+                var books = heap;
+                int run = books.Take(10);
+                Assert.That(() => books.Give(run + 3), Throws.ArgumentException);
+                Assert.That(() => books.Give(50), Throws.ArgumentException);
+                Assert.That(() => books.Give(-1), Throws.ArgumentException);
+                books.Give(run);
+                Assert.That(() => books.Give(run), Throws.ArgumentException);
+            }
+        }
+
+        [Test]
+        public void Take_MoreThanThereIs_IsNone()
+        {
+            using (var heap = new SlotHeap(100, Allocator.Persistent))
+            {
+                var books = heap;
+                Assert.That(books.Take(101), Is.EqualTo(-1));
+                Assert.That(books.Take(0), Is.EqualTo(-1));
+                Assert.That(books.Take(60), Is.Not.EqualTo(-1));
+                Assert.That(books.Take(60), Is.EqualTo(-1));
+            }
+        }
+    }
+}

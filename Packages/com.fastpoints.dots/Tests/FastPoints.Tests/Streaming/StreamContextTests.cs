@@ -1,0 +1,187 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Streaming
+{
+    /// <summary>Lives and deaths of clouds that are streamed.</summary>
+    public class StreamContextTests
+    {
+        StreamedTestCloud m_cloud;
+
+        [SetUp]
+        public void MakeCloud() => m_cloud = new StreamedTestCloud(60_000, 4000);
+
+        [TearDown]
+        public void DeleteCloud() => m_cloud.Dispose();
+
+        int Add(StreamContext stream, double3 moved = default)
+        {
+            var source = m_cloud.Open();
+            var placement = StreamedTestCloud.Geo(source);
+            placement.OriginWorld += moved;
+            return stream.Add(source, placement);
+        }
+
+        static List<string> Failures(StreamContext stream)
+        {
+            var failures = new List<string>();
+            while (stream.TryTakeFailure(out var failure))
+                failures.Add(failure.ToString());
+            return failures;
+        }
+
+        static int[] CloudsDrawn(StreamContext stream) =>
+            stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().ToArray();
+
+        /// <summary>At any moment of a load: everything is freed, whatever is under way.</summary>
+        [Test]
+        public void Dispose_WhileItStreams_FreesAll()
+        {
+            UnsafeUtility.ForgiveLeaks();
+            for (int frames = 0; frames < 40; frames++)
+            {
+                var stream = StreamedTestCloud.Stream();
+                Add(stream);
+                for (int i = 0; i < frames; i++)
+                    StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                stream.Dispose();
+                stream.Dispose();
+                Assert.That(stream.IsDisposed, Is.True);
+            }
+            Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        }
+
+        [Test]
+        public void Remove_WhileItStreams_LeavesTheOthersAndItsNumberIsFreeAgain()
+        {
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                int first = Add(stream);
+                int second = Add(stream, new double3(0, 150, 0));
+                for (int frames = 1; frames < 30; frames++)
+                {
+                    for (int i = 0; i < frames; i++)
+                        StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                    stream.Remove(second);
+                    stream.Remove(second);
+                    StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                    Assert.That(CloudsDrawn(stream), Has.None.EqualTo(second));
+                    StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                    Assert.That(stream.Clouds[second], Is.Null);
+                    Assert.That(Add(stream, new double3(0, 150, 0)), Is.EqualTo(second));
+                }
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(CloudsDrawn(stream), Is.EquivalentTo(new[] { first, second }));
+                stream.Remove(first);
+                stream.Remove(second);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stream.Pool.UsedBytes, Is.Zero);
+                Assert.That(stream.Pool.FindProblem(), Is.Null);
+            }
+        }
+
+        [Test]
+        public void Run_ChunkFilesGone_AreReportedOnceAndTheRestIsShown()
+        {
+            var gone = m_cloud.ChunkFiles.OrderBy(f => f).Take(3).ToArray();
+            foreach (string file in gone)
+                File.Delete(file);
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                var failures = Failures(stream);
+                Assert.That(failures.Count, Is.EqualTo(3));
+                foreach (string file in gone)
+                    Assert.That(failures, Has.Some.Contains(Path.GetFileName(file)));
+                Assert.That(stream.Drawn.AsArray().ToArray().Select(d => d.Page).Distinct().Count(),
+                    Is.EqualTo(1 + m_cloud.ChunkFiles.Length));
+                for (int i = 0; i < 100; i++)
+                    Assert.That(StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview()).RequestedNodes, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void Run_ChunkFileGoesWhileItIsShown_WhatIsThereStays()
+        {
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                stream.Settings.Selection.PointBudget = 10_000;
+                int before = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnNodes;
+                foreach (string file in m_cloud.ChunkFiles)
+                    File.Delete(file);
+                stream.Settings.Selection.PointBudget = 60_000;
+                var stats = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stats.DrawnNodes, Is.GreaterThanOrEqualTo(before));
+                Assert.That(Failures(stream), Is.Not.Empty.And.All.Contains("cannot be read"));
+            }
+        }
+
+        [Test]
+        public void Run_PlaneDamaged_NodeIsAHoleAndWhatIsBelowItIsShown()
+        {
+            int node = -1;
+            using (var folder = CloudFolder.Open(m_cloud.Path))
+            {
+                node = 0;
+                var range = folder.Upper.Planes[0];
+                byte[] bytes = File.ReadAllBytes(folder.UpperPath);
+                bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
+                File.WriteAllBytes(folder.UpperPath, bytes);
+            }
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(Failures(stream), Is.EqualTo(new[] { Path.Combine(m_cloud.Path, StoreFormat.UpperName) + " at " +
+                    stream.Clouds[0].RangeOf(0, node, 0).OffsetBytes + ": node 0 is damaged" }));
+                Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
+                Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
+            }
+        }
+
+        [Test]
+        public void Run_TableDamaged_IsReportedWithItsPlace()
+        {
+            string file = m_cloud.ChunkFiles.OrderBy(f => f).Last();
+            byte[] bytes = File.ReadAllBytes(file);
+            bytes[bytes.Length - 5] ^= 1;
+            File.WriteAllBytes(file, bytes);
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains(Path.GetFileName(file)).And.All
+                    .Contains("hash"));
+                Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
+            }
+        }
+
+        [Test]
+        public void Run_HierarchyTooLarge_GivesUpPagesOutOfView()
+        {
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                long all = stream.Clouds[0].HierarchyBytes;
+                stream.Settings.HierarchyBytes = 0;
+                stream.Pool.LimitBytes = 0;
+                var away = StreamedTestCloud.Near(-500, -500, 4);
+                for (int i = 0; i < 1000; i++)
+                    StreamedTestCloud.Frame(stream, away);
+                Assert.That(stream.Clouds[0].HierarchyBytes, Is.LessThan(all / 2));
+                stream.Pool.LimitBytes = 64 << 20;
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stream.Clouds[0].HierarchyBytes, Is.EqualTo(all));
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+using System;
+using System.IO;
+using System.Threading;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Pipeline;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using FastPoints.Tests.Octree;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Streaming
+{
+    /// <summary>A small cloud on disk, far from the origin of its coordinates, and how tests fly over it.</summary>
+    sealed class StreamedTestCloud : IDisposable
+    {
+        /// <summary>A read that never ends must not hang the tests.</summary>
+        const int MostFrames = 2_000_000;
+
+        public const int WidthPx = 640;
+        public const int HeightPx = 360;
+        public static readonly double3 OriginGeo = new double3(690_000, 5_330_000, 500);
+
+        readonly string m_scratch;
+
+        public StreamedTestCloud(int points = 120_000, long pointsPerChunk = 6000, uint seed = 7)
+        {
+            m_scratch = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(m_scratch);
+            Path = System.IO.Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
+            var random = new Unity.Mathematics.Random(seed);
+            var places = new int3[points];
+            for (int i = 0; i < points; i++)
+            {
+                var at = random.NextInt2(20000);
+                places[i] = new int3(at, (int)(800 * math.sin(at.x * 0.0007) * math.cos(at.y * 0.0009)) + random.NextInt(20));
+            }
+            var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = OriginGeo };
+            WorkPump.RunToEnd(ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, Path,
+                new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
+        }
+
+        public string Path { get; }
+
+        public string[] ChunkFiles => Directory.GetFiles(System.IO.Path.Combine(Path, StoreFormat.ChunkFolderName));
+
+        public FolderSource Open(params string[] planes) =>
+            new FolderSource(CloudFolder.Open(Path), planes.Length > 0 ? planes : new[] { StoreLayout.ColorName });
+
+        public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
+
+        public static StreamContext Stream(long limitBytes = 64 << 20, int bankBytes = 1 << 20)
+        {
+            var stream = new StreamContext(new MemoryNodePool(limitBytes, bankBytes));
+            stream.Settings.Selection.FinestSpacingPx = 0.1f;
+            stream.Settings.FramesToRetry = 3;
+            return stream;
+        }
+
+        /// <summary>A camera near the ground that looks along it.</summary>
+        public static Camera Near(double x, double y, double heading)
+        {
+            var eye = OriginGeo + new double3(x, y, 12);
+            var forward = new double3(math.cos(heading), math.sin(heading), -0.4);
+            return Camera.Perspective(eye, eye + forward, new double3(0, 0, 1), 60);
+        }
+
+        public static Camera Overview() => Camera.Perspective(OriginGeo + new double3(100, -160, 180),
+            OriginGeo + new double3(100, 100, 0), new double3(0, 0, 1), 60);
+
+        public static FrameStats Frame(StreamContext stream, Camera camera)
+        {
+            using (var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(WidthPx, HeightPx) })
+                return FrameStep.Run(stream, views);
+        }
+
+        /// <summary>Frames until nothing more comes.</summary>
+        public static FrameStats Settle(StreamContext stream, Camera camera)
+        {
+            for (int frame = 0; frame < MostFrames; frame++)
+            {
+                var stats = Frame(stream, camera);
+                if (stats.IsSettled)
+                    return stats;
+                Thread.Yield();
+            }
+            Assert.Fail("streaming did not come to rest");
+            return default;
+        }
+
+        /// <summary>Frames until nothing is under way, though not all may have room.</summary>
+        public static FrameStats Rest(StreamContext stream, Camera camera)
+        {
+            int quiet = 0;
+            for (int frame = 0; frame < MostFrames; frame++)
+            {
+                var stats = Frame(stream, camera);
+                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+                if (quiet > 10)
+                    return stats;
+                Thread.Yield();
+            }
+            Assert.Fail("streaming did not come to rest");
+            return default;
+        }
+
+        public void Dispose() => Directory.Delete(m_scratch, true);
+    }
+}
