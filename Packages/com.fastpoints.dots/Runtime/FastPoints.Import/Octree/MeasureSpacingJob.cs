@@ -6,12 +6,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
-    /// <summary>The smallest distance between sampled points of a level in one file, across its nodes; and the points at the sides
+    /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the points at the sides
     /// of the file's cube, which other files' points may come near to.</summary>
     [BurstCompile]
     public unsafe struct MeasureSpacingJob : IJob
     {
-        /// <summary>By level: one after the other.</summary>
+        /// <summary>One after the other, level by level.</summary>
         public NativeArray<SampledRun> Runs;
 
         /// <summary>In CRS units, from the cloud's corner.</summary>

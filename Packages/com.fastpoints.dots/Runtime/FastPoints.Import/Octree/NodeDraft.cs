@@ -16,6 +16,9 @@ namespace FastPoints.Octree
         public byte SideLog2;
         public byte CellLog2;
         public bool IsLeaf;
+
+        /// <summary>What was left of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
+        public bool IsTop;
     }
 
     /// <summary>A chunk's part in the merge: its top node's points, in order, and what is below them. Blittable.</summary>

@@ -116,7 +116,14 @@ namespace FastPoints.Octree
         void TakeTop(in SampledRange range, int index, int left)
         {
             var top = Tops[index];
-            Attach(index, left > 0 ? TakeAll(range, left, top.SideLog2, top.CellLog2, top.IsLeaf) : range.Parent);
+            if (left == 0)
+            {
+                Attach(index, range.Parent);
+                return;
+            }
+            int node = TakeAll(range, left, top.SideLog2, top.CellLog2, top.IsLeaf);
+            Nodes.ElementAt(node).IsTop = true;
+            Attach(index, node);
         }
 
         void Attach(int index, int node)

@@ -1,6 +1,7 @@
 namespace FastPoints.Octree
 {
-    /// <summary>Where a file's sampled points of one level lie among all of its sampled points. Blittable.</summary>
+    /// <summary>Where a file's points of one level that were sampled together lie among all of its sampled points.
+    /// Blittable.</summary>
     public struct SampledRun
     {
         public int First;
@@ -12,8 +13,8 @@ namespace FastPoints.Octree
         /// <summary>Points nearer than this to the file's cube's sides may have neighbours beyond them; CRS units.</summary>
         public double Spacing;
 
-        /// <summary>Nodes of the upper levels that chunks hang on.</summary>
-        public bool HasChunks;
+        /// <summary>What upper levels left of the tops of others: not sampled together.</summary>
+        public bool IsTop;
 
         /// <summary>Out: the smallest distance between two of the points, in CRS units.</summary>
         public double MinDistance;

@@ -308,7 +308,7 @@ namespace FastPoints.Octree
                 Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
                 SideLog2 = draft.SideLog2,
                 CellLog2 = draft.CellLog2,
-                Flags = draft.IsLeaf ? NodeRecord.IsLeaf : (byte)0,
+                Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
                 Parent = parent,
                 FirstChild = childCount > 0 ? firstChild : 0,
                 ChildCount = childCount,

@@ -20,15 +20,13 @@ namespace FastPoints.Pipeline
         NativeArray<int> m_atSidesOfRun;
 
         /// <param name="cube">All of the file's points are in it.</param>
-        /// <param name="isUpper">The upper levels, whose nodes are parts of chunks too: only nodes that no chunk hangs on are
-        /// taken for one.</param>
+        /// <param name="isUpper">The upper levels, which are not sampled in one go.</param>
         public SpacingCheck(CloudManifest manifest, NodeTable table, GridCube cube, bool isUpper)
         {
             m_manifest = manifest;
             m_cube = cube;
             m_isUpper = isUpper;
-            // A run for each level, and in the upper levels one for the nodes with chunks, and one for those without.
-            var runs = new SortedDictionary<int, SampledRun>();
+            var runs = new SortedDictionary<(int Level, bool IsTop, int SampledWith), SampledRun>();
             for (int n = 0; n < table.Nodes.Length; n++)
             {
                 var node = table.Nodes[n];
@@ -36,14 +34,14 @@ namespace FastPoints.Pipeline
                     continue;
                 runs.TryGetValue(KeyOf(node), out var run);
                 double spacing = math.cmin(manifest.Grid.Step) * math.pow(2.0, node.CellLog2);
-                run.Level = manifest.Root.SideLog2 - node.SideLog2;
+                run.Level = KeyOf(node).Level;
                 run.Spacing = run.Count == 0 ? spacing : Math.Min(run.Spacing, spacing);
                 run.Count += node.PointCount;
-                run.HasChunks = m_isUpper && node.ChunkCount > 0;
+                run.IsTop = KeyOf(node).IsTop;
                 runs[KeyOf(node)] = run;
             }
             int points = 0, count = 0;
-            var next = new Dictionary<int, int>();
+            var next = new Dictionary<(int Level, bool IsTop, int SampledWith), int>();
             m_runs = new NativeArray<SampledRun>(runs.Count, Allocator.Persistent);
             foreach (var entry in runs)
             {
@@ -106,7 +104,7 @@ namespace FastPoints.Pipeline
                     atSides[run.Level].AddRange(m_atSides.GetSubArray(first, m_atSidesOfRun[r]));
                 first += m_atSidesOfRun[r];
                 var level = levels[run.Level];
-                if (!run.HasChunks)
+                if (!run.IsTop)
                     level.MinDistance = Math.Min(level.MinDistance, run.MinDistance);
                 levels[run.Level] = level;
             }
@@ -124,7 +122,7 @@ namespace FastPoints.Pipeline
             Sampled = default;
         }
 
-        int KeyOf(in NodeRecord node) =>
-            2 * (m_manifest.Root.SideLog2 - node.SideLog2) + (m_isUpper && node.ChunkCount > 0 ? 1 : 0);
+        (int Level, bool IsTop, int SampledWith) KeyOf(in NodeRecord node) =>
+            (m_manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.IsTop) != 0, node.SampledWith);
     }
 }

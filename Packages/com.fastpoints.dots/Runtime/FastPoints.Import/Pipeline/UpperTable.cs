@@ -65,8 +65,9 @@ namespace FastPoints.Pipeline
                 Allocator.Persistent);
             var toNodes = (NodeRecord*)table.GetUnsafePtr();
             var toPlanes = (PlaneRange*)(toNodes + count);
-            foreach (var region in regions)
+            for (int r = 0; r < regions.Count; r++)
             {
+                var region = regions[r];
                 var nodes = (NodeRecord*)region.Table.GetUnsafeReadOnlyPtr();
                 var planes = (PlaneRange*)(nodes + region.NodeCount);
                 for (int i = 0; i < region.NodeCount; i++)
@@ -76,6 +77,7 @@ namespace FastPoints.Pipeline
                     record.Parent = parentOf[node] < 0 ? -1 : placeOfNode[parentOf[node]];
                     record.FirstChild = childCount[node] > 0 ? childrenAt[node] : 0;
                     record.ChildCount = childCount[node];
+                    record.SampledWith = r;
                     record.Host = placeOfNode[region.FirstNode + record.Host];
                     toNodes[place] = record;
                     for (int p = 0; p < planeCount; p++)

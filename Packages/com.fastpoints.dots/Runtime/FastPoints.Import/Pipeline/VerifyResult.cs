@@ -17,8 +17,8 @@ namespace FastPoints.Pipeline
             /// <summary>Points of nodes that have a spacing: neither leaves nor chains at one place.</summary>
             public long SampledPoints;
 
-            /// <summary>Smallest distance between two sampled points of one chunk, or of the upper levels' nodes that no chunk hangs
-            /// on, whichever nodes they are of; in CRS units, infinity where there are no two.</summary>
+            /// <summary>Smallest distance between two points that were sampled together, of one chunk or in one go of the upper
+            /// levels, whichever nodes they are of; in CRS units, infinity where there are no two.</summary>
             public double MinDistance;
 
             /// <summary>The same for sampled points of any chunks.</summary>

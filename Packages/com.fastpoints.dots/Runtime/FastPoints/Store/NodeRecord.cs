@@ -14,6 +14,10 @@ namespace FastPoints.Store
         /// <summary>The node takes all points of its cube that are in no node above.</summary>
         public const byte IsLeaf = 1;
 
+        /// <summary>Upper levels: what they left of the top node of a chunk, or of some that were sampled together. It keeps its
+        /// distance from what is below it and above, not from what is beside it.</summary>
+        public const byte IsTop = 2;
+
         /// <summary>Corner of the node's cube: positions are stored as offsets from it.</summary>
         [FieldOffset(0)] public Grid3 Corner;
 
@@ -54,7 +58,9 @@ namespace FastPoints.Store
         [FieldOffset(89)] public byte CellLog2;
         [FieldOffset(90)] public byte Flags;
         [FieldOffset(91)] public byte Reserved;
-        [FieldOffset(92)] public int Reserved2;
+
+        /// <summary>Upper levels: nodes of one number were sampled together, and keep their distance from each other.</summary>
+        [FieldOffset(92)] public int SampledWith;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 

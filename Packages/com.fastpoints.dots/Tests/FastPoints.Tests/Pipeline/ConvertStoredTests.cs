@@ -148,6 +148,40 @@ namespace FastPoints.Tests.Pipeline
         }
 
         [Test]
+        public void Convert_PoissonInRegions_KeepsTheSpacingOfWhatIsSampledTogether()
+        {
+            // Chunks are their tops whole: so many points that two regions and the root sample them.
+            var random = new Unity.Mathematics.Random(9);
+            var places = new int3[850000];
+            for (int i = 0; i < places.Length; i++)
+                places[i] = new int3(random.NextInt(40000), random.NextInt(40000), 0);
+            Convert(MemoryReader.Of(places, s_centimetres, 20000), "cloud",
+                new ConvertSettings { PointsPerChunk = 20000, Sampler = Sampler.Poisson });
+            var goes = new HashSet<int>();
+            using (var folder = CloudFolder.Open(Target("cloud")))
+                foreach (var node in folder.Upper.Nodes)
+                    goes.Add(node.SampledWith);
+            Assert.That(goes.Count, Is.GreaterThan(1));
+            var result = new VerifyResult();
+            WorkPump.RunToEnd(VerifyCloud.Run(Target("cloud"), Array.Empty<PointReader>(), result, null));
+            Assert.That(result.Problems, Is.Empty);
+            int levels = 0;
+            double ofAll = double.PositiveInfinity;
+            foreach (var level in result.Levels)
+            {
+                TestContext.WriteLine(level.SampledPoints + " of " + level.Points + " points sampled, " +
+                    level.MinDistance / level.Spacing + " spacings, " + level.MinDistanceAcrossChunks / level.Spacing + " of all");
+                if (level.SampledPoints == 0)
+                    continue;
+                levels++;
+                Assert.That(level.MinDistance, Is.GreaterThanOrEqualTo(0.99 * level.Spacing));
+                ofAll = Math.Min(ofAll, level.MinDistanceAcrossChunks / level.Spacing);
+            }
+            Assert.That(levels, Is.GreaterThan(1));
+            Assert.That(ofAll, Is.LessThan(0.99), "what was sampled apart has such distances too");
+        }
+
+        [Test]
         public void Convert_BrokenOffAnywhere_IsTakenUpToTheSameBytes()
         {
             Convert(Uneven(), "whole", InMemory());
