@@ -42,6 +42,13 @@ namespace FastPoints.Files
         /// their place, when there are no slots.</summary>
         public virtual IEnumerator<JobHandle> FindBeginnings() => FindBlocks();
 
+        /// <summary>Whether what <see cref="FindBeginnings"/> finds lies all over the source, each point as likely as any other, and
+        /// not in its beginning.</summary>
+        public virtual bool BeginningsAreSpread => false;
+
+        /// <summary>Points of the whole source, after <see cref="FindBeginnings"/>.</summary>
+        public virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
+
         /// <summary>The octree that the source brings along, or null. Its blocks come level by level within each page of the
         /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         public virtual SourceTree Tree => null;

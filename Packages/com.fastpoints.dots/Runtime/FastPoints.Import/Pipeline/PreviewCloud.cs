@@ -80,10 +80,10 @@ namespace FastPoints.Pipeline
                 using (var sampling = TakeBeginnings(progress))
                     while (sampling.MoveNext())
                         yield return sampling.Current;
-                if (!m_options.Quick && !Sample.IsWhole)
+                if (!m_options.Quick && Sample.IsOfBeginning)
                     Drop();
             }
-            if (Sample == null)
+            if (Sample == null || !m_options.Quick && !Sample.IsWhole)
             {
                 using (var finding = FindBlocks(progress))
                     while (finding.MoveNext())
@@ -133,9 +133,10 @@ namespace FastPoints.Pipeline
         {
             bool refines = !m_options.Quick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
-            using (var taking = Take(wanted, progress))
-                while (taking.MoveNext())
-                    yield return taking.Current;
+            if (Sample == null)
+                using (var taking = Take(wanted, progress))
+                    while (taking.MoveNext())
+                        yield return taking.Current;
             if (!refines || Sample.IsWhole)
                 yield break;
             using (var measuring = MeasureSample())
@@ -178,8 +179,8 @@ namespace FastPoints.Pipeline
             WaveReady?.Invoke(sample, wave);
         }
 
-        /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the
-        /// file.</summary>
+        /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the file: of its
+        /// beginning, or all over it.</summary>
         IEnumerator<JobHandle> TakeBeginnings(StageProgress progress)
         {
             progress?.Begin("sample");
@@ -189,8 +190,17 @@ namespace FastPoints.Pipeline
             using (var taking = Take(m_options.Points, progress))
                 while (taking.MoveNext())
                     yield return taking.Current;
-            Sample.PointsInSource = (long)Math.Min(m_reader.Info.PointsClaimed, long.MaxValue);
-            Sample.IsOfBeginning = !Sample.IsWhole;
+            var estimate = m_reader.EstimatedPoints;
+            Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
+            Sample.IsOfBeginning = !Sample.IsWhole && !m_reader.BeginningsAreSpread;
+            if (m_reader.BeginningsAreSpread)
+            {
+                Sample.Method = "lines of stretches all over the file";
+                if (m_options.Quick && estimate.StandardError > 0)
+                    m_reader.Info.Warn(0, "the lines were not counted: " + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
+                        + " is an estimate with a standard error of "
+                        + estimate.StandardError.ToString("N0", CultureInfo.InvariantCulture));
+            }
             if (!Sample.IsOfBeginning)
                 yield break;
             Sample.Method = "the file's beginning alone";

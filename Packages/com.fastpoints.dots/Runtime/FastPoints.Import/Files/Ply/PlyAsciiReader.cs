@@ -21,20 +21,37 @@ namespace FastPoints.Files
         /// <summary>Bytes behind its block to which the last line may run.</summary>
         public const int MaxLineBytes = 64 << 10;
 
+        readonly bool m_hasVerticesAlone;
         PlyBlock[] m_blocks;
         int m_maxPoints;
+        bool m_areAllFound;
 
         public PlyAsciiReader(PlyHeader header, SourceInfo info)
             : base(header, info)
         {
-            for (int i = 0; i < header.VertexIndex; i++)
-                if (header.Elements[i].Properties.Count > 0)
+            m_hasVerticesAlone = true;
+            for (int i = 0; i < header.Elements.Count; i++)
+            {
+                if (i == header.VertexIndex || header.Elements[i].Properties.Count == 0 || header.Elements[i].Count == 0)
+                    continue;
+                m_hasVerticesAlone = false;
+                if (i < header.VertexIndex)
                     RowsBefore = Sum(RowsBefore, header.Elements[i].Count);
+            }
             if (Vertex.Count == 0)
+            {
                 Take(Array.Empty<PlyBlock>());
+                m_areAllFound = true;
+            }
         }
 
-        public override bool BlocksAreKnown => m_blocks != null;
+        public override bool BlocksAreKnown => m_areAllFound;
+
+        /// <summary>Vertices all over the file, by jumping: where there are faces as well, nothing tells their lines apart.</summary>
+        public override bool HasBeginnings => !m_areAllFound && m_hasVerticesAlone
+            && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
+
+        public override bool BeginningsAreSpread => true;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 
@@ -50,6 +67,17 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
+        public override IEnumerator<JobHandle> FindBeginnings()
+        {
+            using (var stretches = new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset))
+            {
+                using (var finding = stretches.Run())
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                Take(stretches.TakeBlocks());
+            }
+        }
+
         public override IEnumerator<JobHandle> FindBlocks()
         {
             if (BlocksAreKnown)
@@ -61,6 +89,8 @@ namespace FastPoints.Files
                     yield return handle;
                 SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
                 Take(scan.TakeBlocks());
+                m_areAllFound = true;
+                ForgetBroken();
             }
         }
 
@@ -77,6 +107,7 @@ namespace FastPoints.Files
         void Take(PlyBlock[] blocks)
         {
             m_blocks = blocks;
+            m_maxPoints = 0;
             Info.PointsReadable = 0;
             foreach (var block in blocks)
             {

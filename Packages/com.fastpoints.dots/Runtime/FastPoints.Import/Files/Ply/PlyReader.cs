@@ -157,7 +157,7 @@ namespace FastPoints.Files
         internal void TellBroken(BlockRange range, DecodeResult result)
         {
             string text = PlyError.Text(result.Error);
-            if (range.Block == 0 && range.First == 0 && result.Points == 0)
+            if (BlocksAreKnown && range.Block == 0 && range.First == 0 && result.Points == 0)
                 throw new PointCloudException(FailureCode.BadInput, Info.Path, result.ErrorOffset,
                     "in the first vertex: " + text);
             if (!m_brokenBlocks.Add(range.Block))
@@ -174,6 +174,13 @@ namespace FastPoints.Files
             Info.Warnings[m_brokenWarning] = new CloudWarning(first.Path, first.ByteOffset, m_firstBreak +
                 ": the vertices from here to the end of the block are left out (" + m_pointsLost + " vertices in " +
                 m_brokenBlocks.Count + " blocks so far)");
+        }
+
+        /// <summary>Other blocks take the place of those that were known.</summary>
+        private protected void ForgetBroken()
+        {
+            m_brokenBlocks.Clear();
+            m_pointsLost = 0;
         }
 
         /// <summary>Tells, once a file, of values that were changed or passed over.</summary>

@@ -42,6 +42,8 @@ namespace FastPoints.Files
         bool m_isOpen;
         PlyBlock[] m_blocks;
         int m_maxPoints;
+        bool m_areAllFound;
+        PointEstimate m_estimate;
 
         XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
         {
@@ -50,7 +52,14 @@ namespace FastPoints.Files
             Info = info;
         }
 
-        public override bool BlocksAreKnown => m_blocks != null;
+        public override bool BlocksAreKnown => m_areAllFound;
+
+        /// <summary>Lines all over the file, by jumping.</summary>
+        public override bool HasBeginnings =>
+            !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
+
+        public override bool BeginningsAreSpread => true;
+        public override PointEstimate EstimatedPoints => m_estimate;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 
@@ -146,6 +155,18 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
+        public override IEnumerator<JobHandle> FindBeginnings()
+        {
+            using (var stretches = new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset))
+            {
+                using (var finding = stretches.Run())
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                Take(stretches.TakeBlocks());
+                m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : stretches.Estimate;
+            }
+        }
+
         public override IEnumerator<JobHandle> FindBlocks()
         {
             if (BlocksAreKnown)
@@ -155,15 +176,24 @@ namespace FastPoints.Files
             {
                 while (scan.Next(out var handle))
                     yield return handle;
-                m_blocks = scan.TakeBlocks();
-                m_isTold = new BitArray(m_blocks.Length);
-                foreach (var block in m_blocks)
-                    m_maxPoints = Math.Max(m_maxPoints, block.Points);
+                Take(scan.TakeBlocks());
+                m_areAllFound = true;
                 Info.PointsReadable = scan.Points;
                 if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
                     Info.Warn(0, "points: wanted " + m_sniff.CountClaimed.ToString(CultureInfo.InvariantCulture) + ", got " +
                         scan.Points.ToString(CultureInfo.InvariantCulture) + " lines");
             }
+        }
+
+        /// <summary>What was odd about other blocks is counted anew.</summary>
+        void Take(PlyBlock[] blocks)
+        {
+            m_blocks = blocks;
+            m_maxPoints = 0;
+            foreach (var block in blocks)
+                m_maxPoints = Math.Max(m_maxPoints, block.Points);
+            m_isTold = new BitArray(blocks.Length);
+            Array.Clear(m_countOf, 0, m_countOf.Length);
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
