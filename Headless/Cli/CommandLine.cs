@@ -47,8 +47,8 @@ namespace FastPoints.Cli
         /// <summary>The main job first.</summary>
         static List<Verb> AllVerbs() =>
         [
-            new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(), new PictureVerb(), new DemoCloudVerb(),
-            new BenchVerb(),
+            new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(), new PictureVerb(), new FlyVerb(),
+            new DemoCloudVerb(), new BenchVerb(),
         ];
 
         static int WrongUsage(TextWriter error, Command command, string what)

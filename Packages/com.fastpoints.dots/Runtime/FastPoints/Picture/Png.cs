@@ -46,22 +46,30 @@ namespace FastPoints.Picture
         public static byte[] Encode(RgbaImage image)
         {
             bool opaque = image.IsOpaque;
-            int pixelBytes = opaque ? 3 : 4;
-            byte[] rows = FilteredRows(opaque ? WithoutAlpha(image.Rgba) : image.Rgba, image.Width * pixelBytes, image.Height,
-                pixelBytes);
             using var file = new MemoryStream();
+            WriteHeader(file, image.Width, image.Height, opaque);
+            WriteChunk(file, "IDAT", opaque ? CompressOpaque(image) : Zlib(FilteredRows(image.Rgba, image.Width * 4,
+                image.Height, 4)));
+            WriteChunk(file, "IEND", Array.Empty<byte>());
+            return file.ToArray();
+        }
+
+        /// <summary>The signature, and what comes before the pixels.</summary>
+        internal static void WriteHeader(Stream file, int width, int height, bool opaque)
+        {
             file.Write(s_signature, 0, s_signature.Length);
             byte[] header = new byte[13];
-            WriteBig(header, 0, (uint)image.Width);
-            WriteBig(header, 4, (uint)image.Height);
+            WriteBig(header, 0, (uint)width);
+            WriteBig(header, 4, (uint)height);
             header[8] = 8;
             header[9] = (byte)(opaque ? ColorRgb : ColorRgba);
             WriteChunk(file, "IHDR", header);
             WriteChunk(file, "sRGB", new byte[] { 0 });
-            WriteChunk(file, "IDAT", Zlib(rows));
-            WriteChunk(file, "IEND", Array.Empty<byte>());
-            return file.ToArray();
         }
+
+        /// <summary>The pixels of a picture without its transparency, as IDAT has them.</summary>
+        internal static byte[] CompressOpaque(RgbaImage image) =>
+            Zlib(FilteredRows(WithoutAlpha(image.Rgba), image.Width * 3, image.Height, 3));
 
         /// <exception cref="PointCloudException">Not there, no sound PNG, or of a kind that is not read here.</exception>
         public static RgbaImage Read(string path)
@@ -241,7 +249,7 @@ namespace FastPoints.Picture
             return bytes;
         }
 
-        static void WriteChunk(Stream file, string name, byte[] content)
+        internal static void WriteChunk(Stream file, string name, byte[] content)
         {
             var chunk = new byte[content.Length + ChunkOverheadBytes];
             WriteBig(chunk, 0, (uint)content.Length);
@@ -252,7 +260,7 @@ namespace FastPoints.Picture
             file.Write(chunk, 0, chunk.Length);
         }
 
-        static void WriteBig(byte[] to, int at, uint value)
+        internal static void WriteBig(byte[] to, int at, uint value)
         {
             to[at] = (byte)(value >> 24);
             to[at + 1] = (byte)(value >> 16);

@@ -1,9 +1,7 @@
-using System;
-
 namespace FastPoints.Streaming
 {
     /// <summary>One plane of one node in a read.</summary>
-    public struct FetchPart : IComparable<FetchPart>
+    public struct FetchPart
     {
         public long OffsetBytes;
         public long LengthBytes;
@@ -13,7 +11,5 @@ namespace FastPoints.Streaming
 
         /// <summary>Counted among the planes that are streamed.</summary>
         public int Plane;
-
-        public int CompareTo(FetchPart other) => OffsetBytes.CompareTo(other.OffsetBytes);
     }
 }

@@ -6,6 +6,9 @@ namespace FastPoints.Streaming
         public uint Frame;
         public int SelectedNodes;
         public long SelectedPoints;
+
+        /// <summary>Pages that the selection came to and that are not loaded: it may choose more when they are.</summary>
+        public int MissingPages;
         public int RequestedNodes;
         public long RequestedBytes;
 

@@ -58,6 +58,7 @@ namespace FastPoints.Streaming
             stats.Frame = selector.Frame;
             stats.SelectedNodes = selector.Selected.Length;
             stats.SelectedPoints = selector.Points;
+            stats.MissingPages = selector.Missing.Length;
         }
 
         static void Use(StreamContext stream, NativeArray<SelectedNode> nodes, int firstRank)

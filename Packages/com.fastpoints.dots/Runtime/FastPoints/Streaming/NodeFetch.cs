@@ -16,6 +16,7 @@ namespace FastPoints.Streaming
         NativeArray<byte> m_bytes;
         NativeList<ReadCommand> m_commands;
         NativeList<FetchPart> m_parts;
+        NativeList<FetchPart> m_sorted;
         NativeList<FetchedNode> m_nodes;
 
         /// <summary>By node times planes, plus plane: where its bytes are in what was read.</summary>
@@ -30,6 +31,7 @@ namespace FastPoints.Streaming
         {
             m_commands = new NativeList<ReadCommand>(64, Allocator.Persistent);
             m_parts = new NativeList<FetchPart>(256, Allocator.Persistent);
+            m_sorted = new NativeList<FetchPart>(256, Allocator.Persistent);
             m_nodes = new NativeList<FetchedNode>(64, Allocator.Persistent);
             m_offsets = new NativeList<long>(256, Allocator.Persistent);
             m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
@@ -87,7 +89,7 @@ namespace FastPoints.Streaming
         /// <param name="gapBytes">Pieces that are no farther apart are read as one.</param>
         public void ReadNodes(int gapBytes)
         {
-            m_parts.AsArray().Sort();
+            SortParts();
             m_offsets.ResizeUninitialized(m_parts.Length);
             long total = 0;
             for (int i = 0; i < m_parts.Length; i++)
@@ -212,10 +214,33 @@ namespace FastPoints.Streaming
                 m_bytes.Dispose();
             m_commands.Dispose();
             m_parts.Dispose();
+            m_sorted.Dispose();
             m_nodes.Dispose();
             m_offsets.Dispose();
             m_built.Dispose();
             m_problem.Dispose();
+        }
+
+        /// <summary>By place in the file: merging, since nodes come in runs that lie one after the other already.</summary>
+        void SortParts()
+        {
+            int count = m_parts.Length;
+            m_sorted.ResizeUninitialized(count);
+            FetchPart* from = m_parts.GetUnsafePtr(), to = m_sorted.GetUnsafePtr();
+            for (int width = 1; width < count; width *= 2)
+            {
+                for (int begin = 0; begin < count; begin += 2 * width)
+                {
+                    int middle = Math.Min(begin + width, count), end = Math.Min(begin + 2 * width, count);
+                    for (int a = begin, b = middle, at = begin; at < end; at++)
+                        to[at] = b >= end || (a < middle && from[a].OffsetBytes <= from[b].OffsetBytes) ? from[a++] : from[b++];
+                }
+                var swapped = from;
+                from = to;
+                to = swapped;
+            }
+            if (from != m_parts.GetUnsafePtr())
+                UnsafeUtility.MemCpy(to, from, (long)count * sizeof(FetchPart));
         }
 
         void Begin(long number, int cloudIndex, StreamedCloud cloud, int page, bool isTable)

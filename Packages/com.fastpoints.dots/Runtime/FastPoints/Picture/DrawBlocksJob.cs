@@ -1,0 +1,76 @@
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Draws packed blocks as they lie in memory; index i is the i-th node. A block is unpacked on the stack, as a batch
+    /// of one block's points.</summary>
+    [BurstCompile]
+    public unsafe struct DrawBlocksJob : IJobFor
+    {
+        /// <summary>Nine columns of eight bytes and more.</summary>
+        public const int MaxBatchBytes = 16 << 10;
+
+        [ReadOnly] public NativeArray<BlockRun> Runs;
+
+        /// <summary>By node times planes, plus plane: position first.</summary>
+        [ReadOnly] public NativeArray<PlaneView> Planes;
+        public int PlaneCount;
+
+        /// <summary>By column of all planes but the position.</summary>
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+
+        /// <summary>By column: where its values go in the batch.</summary>
+        [ReadOnly] public NativeArray<PointColumn> Targets;
+        [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<float> SizeOfTile;
+
+        /// <summary>Of a batch of one block, positions as doubles.</summary>
+        public PointDrawing Drawing;
+
+        /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
+
+        public void Execute(int index)
+        {
+            byte* batch = stackalloc byte[MaxBatchBytes];
+            ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            var run = Runs[index];
+            var planes = (PlaneView*)Planes.GetUnsafeReadOnlyPtr() + (long)index * PlaneCount;
+            for (int block = 0; block < run.BlockCount; block++)
+            {
+                int count = planes[0].PointsOf(block);
+                UnpackAxis(planes[0], block, 0, run.Corner.X, values, batch + Drawing.Positions.X.OffsetBytes);
+                UnpackAxis(planes[0], block, 1, run.Corner.Y, values, batch + Drawing.Positions.Y.OffsetBytes);
+                UnpackAxis(planes[0], block, 2, run.Corner.Z, values, batch + Drawing.Positions.Z.OffsetBytes);
+                int column = 0;
+                for (int p = 1; p < PlaneCount; p++)
+                    for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
+                        UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
+                Drawing.Draw(batch, (uint*)Palette.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
+                    (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+            }
+        }
+
+        static void UnpackAxis(in PlaneView plane, int block, int axis, long corner, ulong* values, byte* to)
+        {
+            plane.UnpackWide(block, axis, values);
+            int count = plane.PointsOf(block);
+            for (int i = 0; i < count; i++)
+                ((double*)to)[i] = corner + (long)values[i];
+        }
+
+        static void UnpackColumn(in PlaneView plane, int block, int columnInPlane, in StoredColumn column, ulong* values,
+            byte* to)
+        {
+            plane.UnpackWide(block, columnInPlane, values);
+            int count = plane.PointsOf(block), size = column.Type.SizeOf();
+            for (int i = 0; i < count; i++, to += size)
+                OrderedBits.Store(values[i] * (ulong)column.Divisor, column.Type, to);
+        }
+    }
+}

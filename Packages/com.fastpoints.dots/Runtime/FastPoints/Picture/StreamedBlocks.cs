@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>What is resident of one streamed cloud, drawn into a canvas from the pool's memory itself. Main thread.</summary>
+    public sealed unsafe class StreamedBlocks : IDisposable
+    {
+        readonly StreamContext m_stream;
+        readonly int m_cloud;
+        readonly PicturePlan m_plan;
+        readonly PointBatch m_block;
+        NativeList<BlockRun> m_runs;
+        NativeList<PlaneView> m_planes;
+        NativeArray<StoredColumn> m_columns;
+        NativeArray<PointColumn> m_targets;
+
+        /// <param name="cloud">Number in the stream, whose source streams the planes that the plan's colours need, and
+        /// whose pool is a <see cref="MemoryNodePool"/>.</param>
+        /// <param name="plan">Colours; its camera is not looked at.</param>
+        public StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
+        {
+            m_stream = stream;
+            m_cloud = cloud;
+            m_plan = plan;
+            var layout = stream.Clouds[cloud].Source.Layout;
+            var attributes = new List<PointAttribute>
+            {
+                new PointAttribute(AttributeNames.X, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
+            };
+            var columns = new List<StoredColumn>();
+            foreach (int plane in stream.Clouds[cloud].Source.Planes)
+            {
+                var of = layout.Planes[plane];
+                for (int c = of.FirstColumn; plane != StoreLayout.PositionPlane && c < of.FirstColumn + of.ColumnCount; c++)
+                {
+                    columns.Add(layout.Columns[c]);
+                    attributes.Add(layout.Attributes[layout.AttributeOfColumn[c]]);
+                }
+            }
+            m_block = new PointBatch(new PointSchema(attributes), PlaneShape.MaxPointsPerBlock, Allocator.Persistent);
+            if (m_block.Bytes.Length > DrawBlocksJob.MaxBatchBytes)
+                throw new ArgumentException("planes of " + m_block.Bytes.Length + " bytes a block, wanted at most " +
+                    DrawBlocksJob.MaxBatchBytes, nameof(cloud));
+            m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
+            m_targets = new NativeArray<PointColumn>(columns.Count, Allocator.Persistent);
+            for (int c = 0; c < columns.Count; c++)
+                m_targets[c] = m_block.Column(3 + c);
+            m_runs = new NativeList<BlockRun>(Allocator.Persistent);
+            m_planes = new NativeList<PlaneView>(Allocator.Persistent);
+        }
+
+        /// <summary>How the cloud's points are drawn for a camera in the world that the stream's placements lead to.</summary>
+        public PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
+        {
+            var cloud = m_stream.Clouds[m_cloud];
+            var drawing = m_plan.DrawingOf(m_block, canvas);
+            var linear = cloud.Placement.Linear;
+            var step = cloud.Source.Grid.Step;
+            drawing.Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx)
+            {
+                X = Turned(camera, linear.c0) * step.x,
+                Y = Turned(camera, linear.c1) * step.y,
+                Z = Turned(camera, linear.c2) * step.z,
+                W = camera.ToView(cloud.Placement.OriginWorld),
+            };
+            return drawing;
+        }
+
+        /// <summary>Draws what the last frame listed. The stream must not run until the job is complete.</summary>
+        public JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, JobHandle inputDeps)
+        {
+            var cloud = m_stream.Clouds[m_cloud];
+            int planes = cloud.Source.Planes.Length;
+            m_runs.Clear();
+            m_planes.Clear();
+            foreach (var drawn in m_stream.Drawn)
+            {
+                if (drawn.Cloud != m_cloud)
+                    continue;
+                byte* at = m_stream.Pool.AddressOf(drawn.Run);
+                int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
+                m_runs.Add(new BlockRun { Corner = cloud.Pages[drawn.Page].Places[drawn.Node].Corner, BlockCount = blocks });
+                for (int p = 0; p < planes; p++)
+                {
+                    m_planes.Add(new PlaneView(at, cloud.ShapeOf(drawn.Page, drawn.Node, p), blocks));
+                    at += cloud.RangeOf(drawn.Page, drawn.Node, p).LengthBytes;
+                }
+            }
+            return new DrawBlocksJob
+            {
+                Runs = m_runs.AsArray(),
+                Planes = m_planes.AsArray(),
+                PlaneCount = planes,
+                Columns = m_columns,
+                Targets = m_targets,
+                Palette = canvas.Palette,
+                SizeOfTile = canvas.SizeOfTile,
+                Drawing = DrawingFor(camera, canvas),
+                Pixels = canvas.Pixels,
+            }.ScheduleParallel(m_runs.Length, 1, inputDeps);
+        }
+
+        public void Dispose()
+        {
+            if (!m_runs.IsCreated)
+                return;
+            m_block.Dispose();
+            m_runs.Dispose();
+            m_planes.Dispose();
+            m_columns.Dispose();
+            m_targets.Dispose();
+        }
+
+        static double3 Turned(in Camera camera, double3 world) =>
+            new double3(math.dot(world, camera.Right), math.dot(world, camera.Up), math.dot(world, camera.Forward));
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Picture
+{
+    /// <summary>Software pictures of all clouds that are streamed. Main thread; waits for its jobs.</summary>
+    public sealed class StreamedPicture : IDisposable
+    {
+        readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
+        readonly PictureOptions m_options;
+        readonly PictureCanvas m_canvas;
+
+        public StreamedPicture(PictureOptions options)
+        {
+            m_options = options;
+            m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
+        }
+
+        /// <summary>One more cloud; all are drawn with one palette, so that modes other than RGB must be the same.</summary>
+        /// <param name="blocks">Becomes this picture's.</param>
+        /// <param name="mode">Not <see cref="ColorMode.Auto"/>.</param>
+        public void Add(StreamedBlocks blocks, ColorMode mode)
+        {
+            m_clouds.Add(blocks);
+            if (m_clouds.Count == 1 || mode != ColorMode.Rgb)
+                m_canvas.UsePalette(mode);
+        }
+
+        /// <summary>What the stream's last frame listed, as a camera sees it.</summary>
+        public RgbaImage Draw(in Camera camera)
+        {
+            m_canvas.Clear();
+            bool isAuto = m_options.PointSizePx < 1;
+            m_canvas.UseSize(isAuto ? PointSizing.MinPx : m_options.PointSizePx);
+            var drawn = DrawAll(camera, default);
+            if (isAuto)
+            {
+                m_canvas.ScheduleChooseSizes(1, drawn).Complete();
+                m_canvas.Clear();
+                drawn = DrawAll(camera, default);
+            }
+            var projection = new PointDrawing
+            {
+                Projection = new PointProjection(camera, PositionTransform.Identity, m_canvas.WidthPx, m_canvas.HeightPx),
+            };
+            float edl = m_options.EdlStrength > 0 ? m_options.EdlStrength : 0;
+            m_canvas.ScheduleResolve(projection, m_options.Background, edl, drawn).Complete();
+            return m_canvas.ToImage();
+        }
+
+        public void Dispose()
+        {
+            foreach (var cloud in m_clouds)
+                cloud.Dispose();
+            m_canvas.Dispose();
+        }
+
+        JobHandle DrawAll(in Camera camera, JobHandle inputDeps)
+        {
+            foreach (var cloud in m_clouds)
+                inputDeps = JobHandle.CombineDependencies(inputDeps, cloud.ScheduleDraw(camera, m_canvas, default));
+            return inputDeps;
+        }
+    }
+}
