@@ -13,8 +13,8 @@ namespace FastPoints.Octree
     public sealed class ChunkIndexer : IDisposable
     {
         // How often the samplers look at a point, in most clouds.
-        const int UsualLevels = 6;
-        const int UsualLooks = 24;
+        const int UsualLevels = 12;
+        const int UsualLooks = 32;
 
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;

@@ -16,7 +16,16 @@ namespace FastPoints.Octree
         /// <summary>By Morton number of the cell; starts at zero. All records lie inside.</summary>
         public NativeArray<long> PointsOfCell;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             int stride = Layout.StrideBytes;
             for (var page = Pages.First; page != null; page = page->Next)

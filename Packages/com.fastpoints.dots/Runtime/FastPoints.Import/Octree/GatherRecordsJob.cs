@@ -12,7 +12,7 @@ namespace FastPoints.Octree
     public unsafe struct GatherRecordsJob : IJob
     {
         /// <summary>Takes about 4 ms.</summary>
-        public const int PointsOfSlice = 50000;
+        public const int PointsOfSlice = 30000;
 
         // Records that are copied, then looked at while they are in the cache.
         const int PointsOfRun = 512;

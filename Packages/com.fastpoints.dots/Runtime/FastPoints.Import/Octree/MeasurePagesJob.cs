@@ -16,7 +16,16 @@ namespace FastPoints.Octree
         /// <summary>Smallest, largest: two places, which grow.</summary>
         public NativeArray<Grid3> Bounds;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             Grid3 min = Bounds[0], max = Bounds[1];
             int stride = Layout.StrideBytes;

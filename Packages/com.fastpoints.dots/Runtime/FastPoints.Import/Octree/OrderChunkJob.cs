@@ -35,7 +35,7 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Takes at most about 4 ms, but for a bucket that has more points.</summary>
-        public const int PointsOfSlice = 100000;
+        public const int PointsOfSlice = 60000;
 
         /// <summary>How often each point is looked at: its key is made, distributed, and sorted in its bucket.</summary>
         public const int Looks = 3;

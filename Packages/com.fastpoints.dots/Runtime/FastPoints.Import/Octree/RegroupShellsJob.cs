@@ -23,7 +23,16 @@ namespace FastPoints.Octree
         public NativeArray<RecordPages> Chunks;
         public NativeReference<PagePool> Pool;
 
+        public SliceTimes Slices;
+
         public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
         {
             int stride = Layout.StrideBytes;
             var pool = Pool.Value;

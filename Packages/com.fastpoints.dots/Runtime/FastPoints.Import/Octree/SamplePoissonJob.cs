@@ -28,7 +28,9 @@ namespace FastPoints.Octree
         public enum Stage
         {
             Start,
+            Look,
             NextSpacing,
+            FillGrid,
             Queue,
             Throw,
             Average,
@@ -37,7 +39,10 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Takes about 4 ms.</summary>
-        public const int PointsOfSlice = 80000;
+        public const int PointsOfSlice = 60000;
+
+        // A dart costs as much as so many points that are only looked at.
+        const int LooksOfDart = 3;
 
         /// <summary>Edge of a tile: log2 of the spacings.</summary>
         public const int TileSpacingsLog2 = PoissonCover.TileSpacingsLog2;
@@ -114,8 +119,14 @@ namespace FastPoints.Octree
                     case Stage.Start:
                         Start();
                         break;
+                    case Stage.Look:
+                        Look();
+                        break;
                     case Stage.NextSpacing:
                         NextSpacing();
+                        break;
+                    case Stage.FillGrid:
+                        FillGrid();
                         break;
                     case Stage.Queue:
                         QueueTile();
@@ -150,34 +161,33 @@ namespace FastPoints.Octree
                 Averaged.Averages.Clear();
                 UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
             }
+            m_now.At = -1;
+            m_now.Stage = Stage.NextSpacing;
             if (Count > 0)
                 Visit(new SampledRange { First = 0, End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2 });
-            m_now.Stage = Stage.NextSpacing;
         }
 
-        /// <summary>Takes a range whole, or has it wait for its spacing's turn.</summary>
-        void Visit(SampledRange range)
+        /// <summary>What becomes of a range is seen when all its points were looked at.</summary>
+        void Visit(in SampledRange range)
         {
-            m_budget -= range.End - range.First;
-            Look(range, out var look);
-            if (Drafting.TakeWhole(ref range, look, out int top))
-            {
-                if (top >= 0 && !Tops[top].IsLeaf)
-                    AddTop(range);
-                return;
-            }
-            Wait(range, Scratch.Ranges.Length);
+            m_now.Looked = range;
+            m_now.LookAt = range.First;
+            m_now.Look = default;
+            m_now.Taken = m_now.SinceTaken = 0;
+            m_now.Stage = Stage.Look;
         }
 
-        void Look(in SampledRange range, out RangeLook look)
+        void Look()
         {
-            look = default;
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
+            var range = m_now.Looked;
+            var look = m_now.Look;
+            int end = (int)math.min(range.End, m_now.LookAt + m_budget);
             // By side: neighbours in the order whose smallest common cube has it; of all points, less those of the taken ones.
             // A cell boundary lies between two points where their common cube is larger than the cell.
-            int taken = 0;
-            uint sinceTaken = 0, largest = 0;
-            for (int i = range.First; i < range.End; i++)
+            int taken = m_now.Taken;
+            uint sinceTaken = (uint)m_now.SinceTaken, largest = (uint)look.Largest;
+            for (int i = m_now.LookAt; i < end; i++)
             {
                 if (i > range.First)
                 {
@@ -191,9 +201,27 @@ namespace FastPoints.Octree
                     look.CellsBelow[sinceTaken]--;
                 sinceTaken = 0;
             }
+            look.Largest = (int)largest;
+            m_budget -= end - m_now.LookAt;
+            m_now.LookAt = end;
+            m_now.Look = look;
+            m_now.Taken = taken;
+            m_now.SinceTaken = (int)sinceTaken;
+            if (end < range.End)
+                return;
             look.Left = range.End - range.First - taken;
             look.AnyCell = taken > 0 ? 0 : 1;
-            look.Largest = (int)largest;
+            Place(range, look);
+            m_now.Stage = m_now.At < 0 ? Stage.NextSpacing : Stage.Split;
+        }
+
+        /// <summary>Takes a range whole, or has it wait for its spacing's turn.</summary>
+        void Place(SampledRange range, in RangeLook look)
+        {
+            if (!Drafting.TakeWhole(ref range, look, out int top))
+                Wait(range, Scratch.Ranges.Length);
+            else if (top >= 0 && !Tops[top].IsLeaf)
+                AddTop(range);
         }
 
         /// <summary>Ranges of one spacing wait in their order along the curve, wherever they come from.</summary>
@@ -251,24 +279,34 @@ namespace FastPoints.Octree
             // Each level of a surface has about three times the points of all above.
             int bits = 64 - math.lzcnt((ulong)math.min(math.max(2L * taken, 4096), Count));
             Scratch.Heads.ResizeUninitialized(1 << bits);
-            int* heads = Scratch.Heads.GetUnsafePtr();
-            UnsafeUtility.MemSet(heads, 0xFF, (long)sizeof(int) << bits);
-            var grid = new PoissonGrid(heads, bits, cell);
-            var samples = Scratch.Samples.GetUnsafePtr();
-            for (int s = 0; s < taken; s++)
-            {
-                // Tops of chunks may be finer than what is sampled beside them.
-                if (Nodes[m_nodeOfPoint[samples[s].Point]].CellLog2 < cell)
-                    continue;
-                int slot = grid.SlotOf(samples[s].Place);
-                samples[s].Next = heads[slot];
-                heads[slot] = s;
-            }
+            UnsafeUtility.MemSet(Scratch.Heads.GetUnsafePtr(), 0xFF, (long)sizeof(int) << bits);
             PoissonCover.Begin((ulong*)Scratch.Covered.GetUnsafePtr(), cell);
-            m_budget -= taken + ((1L << bits) >> 4);
-
+            m_budget -= (1L << bits) >> 4;
             m_now.FirstRange = Scratch.FirstRange[cell];
             Scratch.FirstRange[cell] = Scratch.LastRange[cell] = -1;
+            m_now.Point = 0;
+            m_now.Stage = Stage.FillGrid;
+        }
+
+        /// <summary>Puts the points that were taken so far into the grid.</summary>
+        void FillGrid()
+        {
+            var grid = GridOfSpacing;
+            var samples = Scratch.Samples.GetUnsafePtr();
+            int end = (int)math.min(m_now.FirstSample, m_now.Point + m_budget);
+            for (int s = m_now.Point; s < end; s++)
+            {
+                // Tops of chunks may be finer than what is sampled beside them.
+                if (Nodes[m_nodeOfPoint[samples[s].Point]].CellLog2 < m_now.CellLog2)
+                    continue;
+                int slot = grid.SlotOf(samples[s].Place);
+                samples[s].Next = grid.Heads[slot];
+                grid.Heads[slot] = s;
+            }
+            m_budget -= end - m_now.Point;
+            m_now.Point = end;
+            if (end < m_now.FirstSample)
+                return;
             m_now.Stage = Stage.Queue;
             m_now.At = m_now.FirstRange;
             m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
@@ -362,7 +400,7 @@ namespace FastPoints.Octree
             var grid = GridOfSpacing;
             var cover = CoverAt(m_now.Point);
             int taken = Scratch.Samples.Length, node = Nodes.Length;
-            int end = (int)math.min(Scratch.Darts.Length, m_now.Dart + m_budget);
+            int end = (int)math.min(Scratch.Darts.Length, m_now.Dart + m_budget / LooksOfDart + 1);
             for (int d = m_now.Dart; d < end; d++)
             {
                 int point = darts[d];
@@ -388,7 +426,7 @@ namespace FastPoints.Octree
                 grid.Heads[slot] = taken++;
                 cover.Cover(place);
             }
-            m_budget -= end - m_now.Dart;
+            m_budget -= LooksOfDart * (long)(end - m_now.Dart);
             m_now.Dart = end;
             if (end < Scratch.Darts.Length)
                 return;
@@ -407,10 +445,10 @@ namespace FastPoints.Octree
                 m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
                 return;
             }
-            m_now.At = m_now.FirstRange;
-            m_now.Stage = Stage.Split;
+            BeginSplit(m_now.FirstRange);
             if (!Averaged.IsOn)
                 return;
+            m_now.At = m_now.FirstRange;
             m_now.Stage = Stage.Average;
             m_now.FirstAverage = Averaged.Averages.Length;
             Averaged.Averages.Resize(m_now.FirstAverage + Scratch.Samples.Length - m_now.FirstSample,
@@ -442,23 +480,35 @@ namespace FastPoints.Octree
                 return;
             for (int s = m_now.FirstSample; s < Scratch.Samples.Length; s++)
                 Averaged.AverageOfPoint[samples[s].Point] = m_now.FirstAverage + s - m_now.FirstSample;
-            m_now.Stage = Stage.Split;
-            m_now.At = m_now.FirstRange;
+            BeginSplit(m_now.FirstRange);
+        }
+
+        /// <summary>Goes on with a range's parts, or with the next spacing where there is no range left.</summary>
+        void BeginSplit(int number)
+        {
+            m_now.At = number;
+            m_now.Stage = number < 0 ? Stage.NextSpacing : Stage.Split;
+            if (number >= 0)
+                m_now.Point = Scratch.Ranges[number].First;
         }
 
         void Split()
         {
             var range = Scratch.Ranges[m_now.At];
-            var drafting = Drafting;
-            for (int first = range.First; first < range.End;)
+            if (m_now.Point == range.End)
             {
-                int end = drafting.EndOfPart(range, first);
-                Visit(new SampledRange { First = first, End = end, Parent = range.Parent, SideLog2 = (byte)(range.SideLog2 - 1) });
-                first = end;
+                BeginSplit(range.Next);
+                return;
             }
-            m_now.At = range.Next;
-            if (m_now.At < 0)
-                m_now.Stage = Stage.NextSpacing;
+            int first = m_now.Point;
+            m_now.Point = Drafting.EndOfPart(range, first);
+            Visit(new SampledRange
+            {
+                First = first,
+                End = m_now.Point,
+                Parent = range.Parent,
+                SideLog2 = (byte)(range.SideLog2 - 1),
+            });
         }
     }
 }

@@ -27,12 +27,13 @@ namespace FastPoints.Octree
         {
             Start,
             FindWinners,
-            Sample,
+            Look,
+            Take,
             Done,
         }
 
-        /// <summary>Takes at most about 4 ms, but for a range that has more points.</summary>
-        public const int PointsOfSlice = 150000;
+        /// <summary>Takes at most about 4 ms.</summary>
+        public const int PointsOfSlice = 100000;
 
         const byte Everywhere = byte.MaxValue;
 
@@ -81,8 +82,13 @@ namespace FastPoints.Octree
                 Start();
             if (m_now.Stage == Stage.FindWinners)
                 FindWinners();
-            if (m_now.Stage == Stage.Sample)
-                Sample();
+            while (m_budget > 0 && m_now.Stage != Stage.Done)
+            {
+                if (m_now.Stage == Stage.Look)
+                    Look();
+                else
+                    TakeWinners();
+            }
             Scratch.Now.Value = m_now;
         }
 
@@ -137,85 +143,104 @@ namespace FastPoints.Octree
             if (end < Count)
                 return;
             UnsafeUtility.MemSet(NodeOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
-            m_now = new RandomScratch.State { Stage = Stage.Sample };
+            Begin(0);
         }
 
-        void Sample()
+        /// <summary>Goes on with a range, where there is one.</summary>
+        void Begin(int number)
         {
-            var drafting = new NodeDrafting
-            {
-                CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr(),
-                NodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr(),
-                Sizes = Sizes,
-                Tops = Tops,
-                Nodes = Nodes,
-            };
-            for (; m_now.At < Scratch.Ranges.Length; m_now.At++)
-            {
-                if (m_budget <= 0)
-                    return;
-                var range = Scratch.Ranges[m_now.At];
-                m_budget -= range.End - range.First;
-                byte cellAbove = range.CellLog2;
-                Look(range, out var look);
-                if (drafting.TakeWhole(ref range, look, out _))
-                    continue;
-                TakeWinners(ref range, cellAbove);
-                int parent = drafting.AddSampled(range);
-                for (int first = range.First; first < range.End;)
-                {
-                    int end = drafting.EndOfPart(range, first);
-                    Scratch.Ranges.Add(new SampledRange
-                    {
-                        First = first,
-                        End = end,
-                        Parent = parent,
-                        SideLog2 = (byte)(range.SideLog2 - 1),
-                        CellLog2 = range.CellLog2,
-                    });
-                    first = end;
-                }
-            }
-            m_now.Stage = Stage.Done;
+            m_now = new RandomScratch.State { Stage = Stage.Done, At = number };
+            if (number == Scratch.Ranges.Length)
+                return;
+            m_now.Stage = Stage.Look;
+            m_now.Point = Scratch.Ranges[number].First;
+            m_now.CellAbove = Scratch.Ranges[number].CellLog2;
+            UnsafeUtility.MemClear(Scratch.GivingWay.GetUnsafePtr(), Scratch.GivingWay.Length * sizeof(int));
         }
+
+        NodeDrafting Drafting => new NodeDrafting
+        {
+            CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr(),
+            NodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr(),
+            Sizes = Sizes,
+            Tops = Tops,
+            Nodes = Nodes,
+        };
 
         /// <summary>Points that win at the cells of the node above are in nodes; of the others each is one cell more where cells are
         /// so small that it wins.</summary>
-        void Look(in SampledRange range, out RangeLook look)
+        void Look()
         {
-            look = default;
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
             var givesWay = (byte*)GivesWayLog2.GetUnsafeReadOnlyPtr();
-            int* winsBelow = stackalloc int[256];
-            UnsafeUtility.MemClear(winsBelow, 256 * sizeof(int));
-            int largest = 0;
-            winsBelow[givesWay[range.First]]++;
-            for (int i = range.First + 1; i < range.End; i++)
+            var givingWay = (int*)Scratch.GivingWay.GetUnsafePtr();
+            var range = Scratch.Ranges[m_now.At];
+            int end = (int)math.min(range.End, m_now.Point + m_budget), largest = m_now.Largest;
+            for (int i = m_now.Point; i < end; i++)
             {
-                winsBelow[givesWay[i]]++;
-                largest = math.max(largest, common[i]);
+                givingWay[givesWay[i]]++;
+                if (i > range.First)
+                    largest = math.max(largest, common[i]);
             }
-            look.Largest = largest;
+            m_budget -= end - m_now.Point;
+            m_now.Point = end;
+            m_now.Largest = largest;
+            if (end < range.End)
+                return;
+            var look = new RangeLook { Largest = largest };
             for (int side = 0; side < 256 && side <= range.CellLog2; side++)
             {
-                look.Left += winsBelow[side];
-                look.CellsBelow[math.min(side, RangeLook.Sides - 1)] += winsBelow[side];
+                look.Left += givingWay[side];
+                look.CellsBelow[math.min(side, RangeLook.Sides - 1)] += givingWay[side];
             }
+            if (Drafting.TakeWhole(ref range, look, out _))
+            {
+                Begin(m_now.At + 1);
+                return;
+            }
+            Scratch.Ranges[m_now.At] = range;
+            m_now.Point = range.First;
+            m_now.Stage = Stage.Take;
         }
 
-        void TakeWinners(ref SampledRange range, byte cellAbove)
+        void TakeWinners()
         {
             var givesWay = (byte*)GivesWayLog2.GetUnsafeReadOnlyPtr();
             var nodeOfPoint = (int*)NodeOfPoint.GetUnsafePtr();
-            int node = Nodes.Length, count = 0;
-            for (int i = range.First; i < range.End; i++)
+            var range = Scratch.Ranges[m_now.At];
+            int node = Nodes.Length, end = (int)math.min(range.End, m_now.Point + m_budget), cellAbove = m_now.CellAbove;
+            for (int i = m_now.Point; i < end; i++)
             {
                 if (givesWay[i] <= range.CellLog2 || givesWay[i] > cellAbove)
                     continue;
                 nodeOfPoint[i] = node;
-                count++;
+                range.Count++;
             }
-            range.Count = count;
+            m_budget -= end - m_now.Point;
+            m_now.Point = end;
+            Scratch.Ranges[m_now.At] = range;
+            if (end == range.End)
+                Split(range);
+        }
+
+        void Split(in SampledRange range)
+        {
+            var drafting = Drafting;
+            int parent = drafting.AddSampled(range);
+            for (int first = range.First; first < range.End;)
+            {
+                int end = drafting.EndOfPart(range, first);
+                Scratch.Ranges.Add(new SampledRange
+                {
+                    First = first,
+                    End = end,
+                    Parent = parent,
+                    SideLog2 = (byte)(range.SideLog2 - 1),
+                    CellLog2 = range.CellLog2,
+                });
+                first = end;
+            }
+            Begin(m_now.At + 1);
         }
     }
 }

@@ -27,7 +27,7 @@ namespace FastPoints.Octree
         }
 
         /// <summary>Takes about 4 ms with a handful of attributes.</summary>
-        public const int PointsOfSlice = 30000;
+        public const int PointsOfSlice = 20000;
 
         /// <summary>That many points cost as much to sort as one to write.</summary>
         public const int PointsSortedForOne = 8;

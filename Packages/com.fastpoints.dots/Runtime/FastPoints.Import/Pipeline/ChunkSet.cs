@@ -44,13 +44,16 @@ namespace FastPoints.Pipeline
         readonly RecordFiles m_files;
         readonly long m_mostPages;
         readonly RecordLoad m_load;
+        readonly SliceTimes m_slices;
         readonly List<Chunk> m_chunks = new List<Chunk>();
 
         /// <param name="pool">Of all pages; whoever owns it frees them.</param>
         /// <param name="files">Of what does not stay in memory; null where everything does.</param>
         /// <param name="mostPages">That parts of chunks may take until they go to files.</param>
-        public ChunkSet(RecordLayout layout, NativeReference<PagePool> pool, RecordFiles files, long mostPages)
+        /// <param name="slices">Takes in how long the jobs ran.</param>
+        public ChunkSet(RecordLayout layout, NativeReference<PagePool> pool, RecordFiles files, long mostPages, SliceTimes slices)
         {
+            m_slices = slices;
             m_layout = layout;
             m_pool = pool;
             m_files = files;
@@ -103,14 +106,15 @@ namespace FastPoints.Pipeline
                 parts[i] = shells[i / 8].Child(i % 8);
             try
             {
-                using (var work = Regroup(outside, parts, (pages, lists) => new RegroupShellsJob
+                using (var work = Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
                 {
+                    Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Shells = cubes,
                     Chunks = lists,
                     Pool = m_pool,
-                }.Schedule()))
+                }.Schedule(before)))
                     while (work.MoveNext())
                         yield return work.Current;
             }
@@ -186,12 +190,13 @@ namespace FastPoints.Pipeline
             {
                 bounds[0] = PointFindings.None.Min;
                 bounds[1] = PointFindings.None.Max;
-                using (var work = ForEachBatch(chunk, pages => new MeasurePagesJob
+                using (var work = ForEachBatch(chunk, (pages, before) => new MeasurePagesJob
                 {
+                    Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Bounds = bounds,
-                }.Schedule()))
+                }.Schedule(before)))
                     while (work.MoveNext())
                         yield return work.Current;
                 var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
@@ -208,26 +213,28 @@ namespace FastPoints.Pipeline
                 int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
                 counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
                 var cells = new CellFinder(cube, levels);
-                using (var work = ForEachBatch(chunk, pages => new CountCellsJob
+                using (var work = ForEachBatch(chunk, (pages, before) => new CountCellsJob
                 {
+                    Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Cells = cells,
                     PointsOfCell = counts,
-                }.Schedule()))
+                }.Schedule(before)))
                     while (work.MoveNext())
                         yield return work.Current;
                 map = PartitionMap.Plan(cube, levels, counts, target);
                 var chunkOfCell = map.ChunkOfCell;
-                using (var work = Regroup(chunk, map.Chunks, (pages, lists) => new RegroupPagesJob
+                using (var work = Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupPagesJob
                 {
+                    Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Cells = cells,
                     ChunkOfCell = chunkOfCell,
                     Chunks = lists,
                     Pool = m_pool,
-                }.Schedule()))
+                }.Schedule(before)))
                     while (work.MoveNext())
                         yield return work.Current;
             }
@@ -281,7 +288,7 @@ namespace FastPoints.Pipeline
 
         /// <summary>Distributes a chunk's records over parts, which take its place.</summary>
         IEnumerator<JobHandle> Regroup(Chunk chunk, GridCube[] cubes,
-            Func<RecordPages, NativeArray<RecordPages>, JobHandle> schedule)
+            Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
         {
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
             var fileOfPart = new int[cubes.Length];
@@ -293,8 +300,10 @@ namespace FastPoints.Pipeline
                     fileOfPart[i] = m_files.Add();
                 if (!isStored)
                 {
-                    job = schedule(chunk.Pages, lists);
+                    var batches = CutBatches(chunk.Pages);
                     chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, lists, job);
                     yield return job;
                     job.Complete();
                 }
@@ -302,7 +311,7 @@ namespace FastPoints.Pipeline
                 {
                     BeginBatch(chunk, first);
                     yield return m_load.Done;
-                    job = schedule(m_load.Complete(), lists);
+                    job = schedule(m_load.Complete(), lists, default);
                     yield return job;
                     job.Complete();
                     if (m_pool.Value.PagesInUse > m_mostPages)
@@ -347,14 +356,18 @@ namespace FastPoints.Pipeline
         }
 
         /// <summary>Work on all records of a chunk, which stay where they are.</summary>
-        IEnumerator<JobHandle> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle> schedule)
+        IEnumerator<JobHandle> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
         {
             var job = default(JobHandle);
+            var batches = new List<RecordPages>();
             try
             {
                 if (chunk.Runs.Count == 0)
                 {
-                    job = schedule(chunk.Pages);
+                    batches = CutBatches(chunk.Pages);
+                    chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, job);
                     yield return job;
                     yield break;
                 }
@@ -363,7 +376,7 @@ namespace FastPoints.Pipeline
                     BeginBatch(chunk, first);
                     yield return m_load.Done;
                     var pages = m_load.Complete();
-                    job = schedule(pages);
+                    job = schedule(pages, default);
                     yield return job;
                     job.Complete();
                     Return(ref pages);
@@ -372,7 +385,30 @@ namespace FastPoints.Pipeline
             finally
             {
                 job.Complete();
+                if (batches.Count > 0)
+                    chunk.Pages = Join(batches);
             }
+        }
+
+        /// <summary>The list that was cut.</summary>
+        public static RecordPages Join(List<RecordPages> batches)
+        {
+            var all = default(RecordPages);
+            foreach (var batch in batches)
+            {
+                var pages = batch;
+                all.Join(ref pages);
+            }
+            return all;
+        }
+
+        /// <summary>A list in parts that one run of a job takes.</summary>
+        public static List<RecordPages> CutBatches(RecordPages pages)
+        {
+            var batches = new List<RecordPages>();
+            while (pages.PageCount > 0)
+                batches.Add(pages.Cut(PagesPerBatch));
+            return batches;
         }
 
         void BeginBatch(Chunk chunk, long first)

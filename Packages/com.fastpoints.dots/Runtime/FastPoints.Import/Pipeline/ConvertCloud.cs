@@ -218,7 +218,7 @@ namespace FastPoints.Pipeline
             m_files = m_plan.IsStored ? new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null;
             m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool, m_files, m_plan, m_points, m_slices,
                 m_progress);
-            m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2);
+            m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2, m_slices);
             ulong identity = BuildIdentity.Of(m_readers, m_attributes, m_grid, m_plan, m_map, m_settings);
             m_checkpoints = BuildCheckpoints.TakeUp(identity, m_folder, m_files, m_readers.Count, m_attributes.Count,
                 m_map.Chunks.Length + 1, m_points);

@@ -213,9 +213,18 @@ namespace FastPoints.Pipeline
                         // What comes from a disk is checked before anything is computed with it.
                         bounds[0] = PointFindings.None.Min;
                         bounds[1] = PointFindings.None.Max;
-                        check = new MeasurePagesJob { Pages = chunk.Pages, Layout = m_records, Bounds = bounds }.Schedule();
+                        var batches = ChunkSet.CutBatches(chunk.Pages);
+                        foreach (var batch in batches)
+                            check = new MeasurePagesJob
+                            {
+                                Slices = slot.Indexer.Slices,
+                                Pages = batch,
+                                Layout = m_records,
+                                Bounds = bounds,
+                            }.Schedule(check);
                         yield return check;
                         check.Complete();
+                        chunk.Pages = ChunkSet.Join(batches);
                         if (!chunk.Cube.Contains(bounds[0]) || !chunk.Cube.Contains(bounds[1]))
                             throw new PointCloudException(FailureCode.ReadFailed, m_files.PathOf(chunk.Runs[0].File), -1,
                                 "the points that were set aside there are damaged: delete the folder, and start again");
