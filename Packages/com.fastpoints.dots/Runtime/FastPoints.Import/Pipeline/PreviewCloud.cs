@@ -112,7 +112,7 @@ namespace FastPoints.Pipeline
 
         IEnumerator<JobHandle> MeasureSample()
         {
-            Ranges = new DisplayRanges();
+            Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 

@@ -26,7 +26,31 @@ namespace FastPoints.Picture
         /// <param name="outline">Some positions in the box, which the camera frames; null, or fewer than eight, for the box's
         /// corners.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
-            UpAxis upAxis, double fovDegrees = DefaultFovDegrees)
+            UpAxis upAxis, double fovDegrees = DefaultFovDegrees) =>
+            Frame(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees, new double3(1, 1, 1));
+
+        /// <param name="lengthsPerUnit">What a CRS unit along each axis is to be taken for: a cloud in degrees has others across
+        /// than upwards.</param>
+        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx, UpAxis upAxis,
+            double fovDegrees, double3 lengthsPerUnit)
+        {
+            if (lengthsPerUnit.Equals(new double3(1, 1, 1)))
+                return FrameLengths(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees);
+            var stretched = new double3[outline?.Length ?? 0];
+            for (int i = 0; i < stretched.Length; i++)
+                stretched[i] = outline[i] * lengthsPerUnit;
+            if (!bounds.IsEmpty)
+                bounds = new BoundsGeo(bounds.Min * lengthsPerUnit, bounds.Max * lengthsPerUnit);
+            var camera = FrameLengths(view, bounds, stretched, widthPx, heightPx, upAxis, fovDegrees);
+            camera.EyeGeo /= lengthsPerUnit;
+            camera.Right *= lengthsPerUnit;
+            camera.Up *= lengthsPerUnit;
+            camera.Forward *= lengthsPerUnit;
+            return camera;
+        }
+
+        static Camera FrameLengths(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx, UpAxis upAxis,
+            double fovDegrees)
         {
             bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
             bounds = Solid(bounds);

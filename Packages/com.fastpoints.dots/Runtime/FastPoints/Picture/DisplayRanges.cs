@@ -19,7 +19,31 @@ namespace FastPoints.Picture
         /// <summary>Strays apart, the bounds are widened by this share of their size on either side.</summary>
         const double Widening = 0.1;
 
+        /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
+        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.</summary>
+        const double FarInMiddleHalves = 50;
+
+        /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
+        const double FarTold = 10;
+
+        /// <summary>Within the degrees of the earth, so many times as high as they are wide: no object is, a place in degrees and
+        /// metres is a thousand times.</summary>
+        const double HeightsOfDegrees = 200;
+
+        const double MetresPerDegree = 111_320;
+
+        /// <summary>Of 255: colours that are darker but for strays cannot be told from the background.</summary>
+        const double DarkestColor = 12;
+
         const int MaxOutlinePoints = 4096;
+
+        bool m_hasFar;
+
+        /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
+        public bool IsInDegrees;
+
+        /// <summary>What a CRS unit along each axis is taken for in a picture: 1, or metres where X and Y are degrees.</summary>
+        public double3 LengthsPerUnit = new double3(1, 1, 1);
 
         public UpAxis UpAxis = UpAxis.Z;
 
@@ -99,11 +123,16 @@ namespace FastPoints.Picture
                 HasClassification = points.Schema.Has(AttributeNames.Classification);
                 SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
                 Outline = OutlineOf(points, transform);
+                if (m_hasFar && Outline.Length > 0)
+                    FrameOutline();
+                if (!Full.IsEmpty)
+                    TellFar();
+                SetLengths();
                 if (found[3].IsCreated)
                     SetIntensity(found[3].Value);
                 if (points.Schema.HasColor)
-                    SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[4].Value.Range,
-                        found[5].Value.Range, found[6].Value.Range);
+                    SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[4].Value, found[5].Value,
+                        found[6].Value);
             }
             finally
             {
@@ -144,11 +173,68 @@ namespace FastPoints.Picture
             }
             var low = new double3(x.Low, y.Low, z.Low);
             var high = new double3(x.High, y.High, z.High);
+            var lowQuarter = new double3(x.LowQuarter, y.LowQuarter, z.LowQuarter);
+            var highQuarter = new double3(x.HighQuarter, y.HighQuarter, z.HighQuarter);
+            double far = FarInMiddleHalves * math.cmax(highQuarter - lowQuarter);
+            m_hasFar = far > 0 && (math.any(low < lowQuarter - far) || math.any(high > highQuarter + far));
+            if (m_hasFar)
+            {
+                low = math.max(low, lowQuarter - far);
+                high = math.min(high, highQuarter + far);
+            }
+            Frame(low, high);
+        }
+
+        /// <param name="low">What nearly all points lie between, and <paramref name="high"/>.</param>
+        void Frame(double3 low, double3 high)
+        {
             int up = (int)UpAxis;
             ElevationLow = low[up];
             ElevationHigh = high[up];
             var widening = (high * 0.5 - low * 0.5) * (2 * Widening);
             Robust = new BoundsGeo(math.max(low - widening, Full.Min), math.min(high + widening, Full.Max));
+        }
+
+        /// <summary>What is left where far points are left out, by the outline.</summary>
+        void FrameOutline()
+        {
+            var low = new double3();
+            var high = new double3();
+            var values = new double[Outline.Length];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                for (int i = 0; i < values.Length; i++)
+                    values[i] = Outline[i][axis];
+                System.Array.Sort(values);
+                int strays = (int)(values.Length * StrayShare);
+                low[axis] = values[strays];
+                high[axis] = values[values.Length - 1 - strays];
+            }
+            Frame(low, high);
+        }
+
+        void TellFar()
+        {
+            if (math.cmax(Full.Size) > FarTold * math.cmax(Robust.Size) && math.cmax(Robust.Size) > 0)
+                Assumptions.Add("points lie as far as " + math.cmax(Full.Size).ToString("G3", CultureInfo.InvariantCulture)
+                    + " apart, most within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
+                    + ": these are framed");
+        }
+
+        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of the
+        /// cloud gives the same.</summary>
+        void SetLengths()
+        {
+            LengthsPerUnit = new double3(1, 1, 1);
+            if (Robust.IsEmpty || UpAxis != UpAxis.Z)
+                return;
+            double across = math.max(Robust.Size.x, Robust.Size.y);
+            bool isOnEarth = Robust.Min.x >= -180 && Robust.Max.x <= 360 && Robust.Min.y >= -90 && Robust.Max.y <= 90;
+            if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > HeightsOfDegrees * across))
+                return;
+            double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
+            LengthsPerUnit = new double3(MetresPerDegree * math.cos(math.radians(latitude)), MetresPerDegree, 1);
+            Assumptions.Add("X and Y are taken for degrees, Z for metres" + (IsInDegrees ? ": the CRS says so" : ", by their size"));
         }
 
         unsafe double3[] OutlineOf(PointBatch points, PositionTransform transform)
@@ -182,11 +268,11 @@ namespace FastPoints.Picture
             }
         }
 
-        void SetColor(AttributeType type, ColumnRange red, ColumnRange green, ColumnRange blue)
+        void SetColor(AttributeType type, ColumnQuantiles red, ColumnQuantiles green, ColumnQuantiles blue)
         {
-            var range = red;
-            range.Include(green);
-            range.Include(blue);
+            var range = red.Range;
+            range.Include(green.Range);
+            range.Include(blue.Range);
             if (range.IsEmpty || !(range.Max > 0))
             {
                 Color = ColorDepth.None;
@@ -214,6 +300,13 @@ namespace FastPoints.Picture
                 Color = ColorDepth.Bits16;
                 if (type != AttributeType.UInt16)
                     Assumptions.Add("colours are " + type + " up to " + max + ": read as 16-bit");
+            }
+            double full = Color == ColorDepth.Unit ? 1 : Color == ColorDepth.Bits16 ? ushort.MaxValue : byte.MaxValue;
+            double brightest = math.max(red.High, math.max(green.High, blue.High));
+            if (brightest < full * DarkestColor / byte.MaxValue)
+            {
+                Color = ColorDepth.None;
+                Assumptions.Add("colour is black or nearly so in 99 of 100 points: taken for none");
             }
         }
     }

@@ -21,7 +21,7 @@ namespace FastPoints.Picture
             EdlStrength = options.EdlFor(Mode);
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
             Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, ranges.Outline, options.WidthPx,
-                options.HeightPx, options.UpAxis, options.FovDegrees);
+                options.HeightPx, options.UpAxis, options.FovDegrees, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());

@@ -17,6 +17,10 @@ namespace FastPoints.Points
         public double Low;
         public double High;
 
+        /// <summary>A quarter of the values lies below the one, a quarter above the other.</summary>
+        public double LowQuarter;
+        public double HighQuarter;
+
         /// <summary>Values that are sorted for a column of this length: the length of the scratch memory.</summary>
         public static int ValuesTaken(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
@@ -28,7 +32,14 @@ namespace FastPoints.Points
         {
             var stored = ColumnRange.Measure(column, type, 0, count);
             double a = stored.Min * scale + offset, b = stored.Max * scale + offset;
-            var found = new ColumnQuantiles { Range = stored, Low = double.NaN, High = double.NaN };
+            var found = new ColumnQuantiles
+            {
+                Range = stored,
+                Low = double.NaN,
+                High = double.NaN,
+                LowQuarter = double.NaN,
+                HighQuarter = double.NaN
+            };
             if (stored.IsEmpty)
                 return found;
             found.Range.Min = math.min(a, b);
@@ -46,13 +57,15 @@ namespace FastPoints.Points
             }
             if (taken == 0)
             {
-                found.Low = found.Range.Min;
-                found.High = found.Range.Max;
+                found.Low = found.LowQuarter = found.Range.Min;
+                found.High = found.HighQuarter = found.Range.Max;
                 return found;
             }
             RadixSort.Sort(keys, null, keyScratch, null, taken);
             found.Low = ColumnValues.FromOrderedBits(keys[Rank(lowShare, taken)]);
             found.High = ColumnValues.FromOrderedBits(keys[Rank(highShare, taken)]);
+            found.LowQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.25, taken)]);
+            found.HighQuarter = ColumnValues.FromOrderedBits(keys[Rank(0.75, taken)]);
             return found;
         }
 

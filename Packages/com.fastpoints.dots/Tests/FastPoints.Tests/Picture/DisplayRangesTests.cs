@@ -36,7 +36,8 @@ namespace FastPoints.Tests.Picture
 
         [TestCase(AttributeType.UInt8, 200, ColorDepth.Bits8)]
         [TestCase(AttributeType.UInt16, 255, ColorDepth.Bits8)]
-        [TestCase(AttributeType.UInt16, 256, ColorDepth.Bits16)]
+        [TestCase(AttributeType.UInt16, 256, ColorDepth.None)]
+        [TestCase(AttributeType.UInt16, 4096, ColorDepth.Bits16)]
         [TestCase(AttributeType.UInt16, 65535, ColorDepth.Bits16)]
         [TestCase(AttributeType.Float32, 1, ColorDepth.Unit)]
         [TestCase(AttributeType.Float32, 0.25, ColorDepth.Unit)]
