@@ -17,14 +17,14 @@ namespace Unity.IO.LowLevel.Unsafe
         {
             if (filename == null)
                 throw new ArgumentNullException(nameof(filename));
-            var request = new ReadRequest(filename, null, readCmds, checked((int)readCmdCount));
+            var request = ReadRequest.Take(filename, null, readCmds, checked((int)readCmdCount));
             request.Enqueue();
             return new ReadHandle(request);
         }
 
         public static ReadHandle Read(in FileHandle fileHandle, ReadCommandArray readCmdArray)
         {
-            var request = new ReadRequest(null, fileHandle.Find("Read"), readCmdArray.ReadCommands, readCmdArray.CommandCount);
+            var request = ReadRequest.Take(null, fileHandle.Find("Read"), readCmdArray.ReadCommands, readCmdArray.CommandCount);
             request.Enqueue();
             return new ReadHandle(request);
         }
@@ -32,7 +32,7 @@ namespace Unity.IO.LowLevel.Unsafe
         /// <summary>Reads what the commands say when <paramref name="dependency"/> is done.</summary>
         public static ReadHandle ReadDeferred(in FileHandle fileHandle, ReadCommandArray* readCmdArray, JobHandle dependency)
         {
-            var request = new ReadRequest(null, fileHandle.Find("ReadDeferred"), null, 0);
+            var request = ReadRequest.Take(null, fileHandle.Find("ReadDeferred"), null, 0);
             JobScheduler.CallAfter(dependency, "AsyncReadManager.ReadDeferred", () =>
             {
                 request.SetCommands(readCmdArray->ReadCommands, readCmdArray->CommandCount);
@@ -55,7 +55,7 @@ namespace Unity.IO.LowLevel.Unsafe
                 throw new ArgumentNullException(nameof(filename));
             if (result == null)
                 throw new ArgumentNullException(nameof(result));
-            var request = new ReadRequest(filename, null, null, 0);
+            var request = ReadRequest.Take(filename, null, null, 0);
             request.EnqueueInfo(result);
             return new ReadHandle(request);
         }

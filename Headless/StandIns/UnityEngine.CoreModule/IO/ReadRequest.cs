@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using StandIns.Scheduling;
@@ -7,32 +8,50 @@ using Unity.Jobs;
 
 namespace StandIns.Io
 {
-    /// <summary>One read of several stretches of a file, from the call to the last byte.</summary>
+    /// <summary>One read of several stretches of a file, from the call to the last byte. Used again after Dispose, so that a
+    /// read makes no garbage on the main thread, as in Unity.</summary>
     sealed unsafe class ReadRequest
     {
         internal static readonly HandleTable<ReadRequest> All = new HandleTable<ReadRequest>();
+        static readonly Stack<ReadRequest> s_free = new Stack<ReadRequest>();
 
-        readonly JobNode m_node = JobScheduler.BeginExternal();
-        readonly string m_path;
-        readonly OpenFile m_file;
+        readonly Action m_read;
+        JobNode m_node;
+        string m_path;
+        OpenFile m_file;
         ReadCommand* m_commands;
         ulong* m_bytesRead;
         int m_count;
         int m_status = (int)ReadStatus.InProgress;
         bool m_cancelled;
 
+        /// <summary>A read that has not begun.</summary>
         /// <param name="path">A file to open for this read alone, or null where <paramref name="file"/> is given.</param>
-        internal ReadRequest(string path, OpenFile file, ReadCommand* commands, int count)
+        internal static ReadRequest Take(string path, OpenFile file, ReadCommand* commands, int count)
         {
-            m_path = path;
-            m_file = file;
+            ReadRequest request = null;
+            lock (s_free)
+                if (s_free.Count > 0)
+                    request = s_free.Pop();
+            request ??= new ReadRequest();
+            request.m_node = JobScheduler.BeginExternal();
+            request.m_path = path;
+            request.m_file = file;
+            request.m_status = (int)ReadStatus.InProgress;
+            request.m_cancelled = false;
             // From now on the file stays open for this read, even if it has to wait for a job first.
             file?.AddReader();
-            SetCommands(commands, count);
-            JobHandle = new JobHandle(m_node);
+            request.SetCommands(commands, count);
+            request.JobHandle = new JobHandle(request.m_node);
+            return request;
         }
 
-        internal JobHandle JobHandle { get; }
+        ReadRequest()
+        {
+            m_read = Read;
+        }
+
+        internal JobHandle JobHandle { get; private set; }
 
         internal int Count => m_count;
 
@@ -54,7 +73,7 @@ namespace StandIns.Io
                 m_bytesRead[i] = 0;
         }
 
-        internal void Enqueue() => IoThreads.Enqueue(Read);
+        internal void Enqueue() => IoThreads.Enqueue(m_read);
 
         internal void EnqueueInfo(FileInfoResult* result) => IoThreads.Enqueue(() => ReadInfo(result));
 
@@ -63,6 +82,9 @@ namespace StandIns.Io
             if (m_bytesRead != null)
                 Memory.NativeHeap.Free(m_bytesRead);
             m_bytesRead = null;
+            m_file = null;
+            lock (s_free)
+                s_free.Push(this);
         }
 
         void Read()
@@ -111,8 +133,10 @@ namespace StandIns.Io
 
         void Finish(ReadStatus status)
         {
+            // Whoever sees the status may dispose the read, and the next one may take this object.
+            JobNode node = m_node;
             Volatile.Write(ref m_status, (int)status);
-            JobScheduler.FinishExternal(m_node);
+            JobScheduler.FinishExternal(node);
         }
     }
 }

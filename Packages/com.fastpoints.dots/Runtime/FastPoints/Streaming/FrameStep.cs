@@ -14,10 +14,10 @@ namespace FastPoints.Streaming
         {
             var stats = new FrameStats();
             long start = Stopwatch.GetTimestamp();
-            stream.BeginFrame();
 
-            // Tables that came make the hierarchy grow; copies that ended make nodes complete.
+            // Copies that ended make nodes complete, tables that came make the hierarchy grow.
             stream.Uploads.TryEnd(ref stats);
+            stream.TidyUp();
             stream.Reads.Receive(ref stats);
             stats.ReceiveMs = Lap(ref start);
 

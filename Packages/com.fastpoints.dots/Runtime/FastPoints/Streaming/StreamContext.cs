@@ -98,8 +98,9 @@ namespace FastPoints.Streaming
         /// <summary>Takes the oldest failure that nobody took yet.</summary>
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
-        /// <summary>What left since the last frame, and limits that fell.</summary>
-        public void BeginFrame()
+        /// <summary>Ends clouds that leave, and gives back what is beyond limits: at once, but for what a job writes
+        /// to.</summary>
+        public void TidyUp()
         {
             for (int c = 0; c < m_clouds.Count; c++)
                 if (m_clouds[c] != null && m_clouds[c].IsLeaving)

@@ -5,8 +5,8 @@ namespace FastPoints.Streaming
     {
         public SelectionSettings Selection = SelectionSettings.Default;
 
-        /// <summary>Reads under way at most.</summary>
-        public int MostReads = 8;
+        /// <summary>Reads under way at most, those that wait to be copied among them: each keeps its memory so long.</summary>
+        public int MostReads = 24;
 
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read at once.</summary>
         public int BytesPerRead = 1 << 20;

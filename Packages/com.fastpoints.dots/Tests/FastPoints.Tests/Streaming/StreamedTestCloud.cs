@@ -52,10 +52,20 @@ namespace FastPoints.Tests.Streaming
 
         public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
 
+        public static SelectionSettings Selection
+        {
+            get
+            {
+                var settings = SelectionSettings.Default;
+                settings.FinestSpacingPx = 0.1f;
+                return settings;
+            }
+        }
+
         public static StreamContext Stream(long limitBytes = 64 << 20, int bankBytes = 1 << 20)
         {
             var stream = new StreamContext(new MemoryNodePool(limitBytes, bankBytes));
-            stream.Settings.Selection.FinestSpacingPx = 0.1f;
+            stream.Settings.Selection = Selection;
             stream.Settings.FramesToRetry = 3;
             return stream;
         }

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Pipeline;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using FastPoints.Tests.Streaming;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Picture
+{
+    public class StreamedPictureTests
+    {
+        StreamedTestCloud m_cloud;
+
+        [OneTimeSetUp]
+        public void MakeCloud() => m_cloud = new StreamedTestCloud(60_000, 4000);
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_cloud.Dispose();
+
+        static PictureOptions Options(Camera camera) => new PictureOptions
+        {
+            WidthPx = StreamedTestCloud.WidthPx,
+            HeightPx = StreamedTestCloud.HeightPx,
+            Camera = camera,
+            PointSizePx = 2,
+        };
+
+        RgbaImage DrawStreamed(Camera camera, CloudPlacement? placement)
+        {
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                var source = m_cloud.Open();
+                int cloud = stream.Add(source, placement ?? StreamedTestCloud.Geo(source));
+                StreamedTestCloud.Settle(stream, camera);
+                var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
+                var plan = new PicturePlan(Options(camera), ranges, source.Grid.FromCorner(source.Root.Corner));
+                using (var picture = new StreamedPicture(Options(camera)))
+                {
+                    picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
+                    return picture.Draw(camera);
+                }
+            }
+        }
+
+        /// <summary>From packed blocks in the pool, and from points that the other way unpacked: the same picture.</summary>
+        [Test]
+        public void Draw_AllIsResident_IsThePictureOfTheStoredCloud()
+        {
+            var camera = StreamedTestCloud.Near(40, 60, 0.8);
+            DrawStored stored;
+            using (var folder = CloudFolder.Open(m_cloud.Path))
+            {
+                stored = new DrawStored(folder, Options(camera), 1_000_000);
+                WorkPump.RunToEnd(stored.Run(null));
+            }
+            var streamed = DrawStreamed(camera, null);
+            int differ = 0;
+            for (int y = 0; y < streamed.Height; y++)
+                for (int x = 0; x < streamed.Width; x++)
+                    differ += streamed[x, y] != stored.Image[x, y] ? 1 : 0;
+            // Nodes finer than the other way draws lie between its points.
+            Assert.That(differ, Is.LessThan(0.02 * streamed.Width * streamed.Height));
+            Assert.That(ImageError.Compare(streamed, stored.Image, Options(camera).Background).Psnr, Is.GreaterThan(30));
+        }
+
+        [Test]
+        public void Draw_CloudAndCameraMovedTogether_IsTheSamePicture()
+        {
+            var camera = StreamedTestCloud.Near(40, 60, 0.8);
+            var wanted = DrawStreamed(camera, null);
+            CloudPlacement placement;
+            using (var source = m_cloud.Open())
+                placement = StreamedTestCloud.Geo(source);
+
+            // A thousand times smaller, turned by a right angle about the vertical, and at another place.
+            var linear = new double3x3(new double3(0, 0.001, 0), new double3(-0.001, 0, 0), new double3(0, 0, 0.001));
+            var origin = new double3(1000, -2000, 30);
+            placement.OriginWorld = math.mul(linear, placement.OriginWorld) + origin;
+            placement.Linear = linear;
+            var moved = camera;
+            moved.EyeGeo = math.mul(linear, camera.EyeGeo) + origin;
+            moved.Right = math.mul(linear, camera.Right) * 1000;
+            moved.Up = math.mul(linear, camera.Up) * 1000;
+            moved.Forward = math.mul(linear, camera.Forward) * 1000;
+            var got = DrawStreamed(moved, placement);
+            int differ = 0;
+            for (int y = 0; y < got.Height; y++)
+                for (int x = 0; x < got.Width; x++)
+                    differ += got[x, y] != wanted[x, y] ? 1 : 0;
+            Assert.That(differ, Is.LessThan(0.002 * got.Width * got.Height));
+        }
+    }
+}
