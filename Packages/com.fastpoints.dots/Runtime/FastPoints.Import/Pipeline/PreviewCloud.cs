@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
+using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
@@ -21,11 +22,13 @@ namespace FastPoints.Pipeline
         readonly PreviewOptions m_options;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
+        readonly (long Bytes, DateTime WrittenUtc) m_fileBefore;
 
         public PreviewCloud(PointReader reader, PreviewOptions options)
         {
             m_reader = reader;
             m_options = options;
+            m_fileBefore = FileNow();
         }
 
         /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is that of
@@ -94,6 +97,7 @@ namespace FastPoints.Pipeline
                         yield return sampling.Current;
             }
 
+            TellChanges();
             using (var measuring = MeasureSample())
                 while (measuring.MoveNext())
                     yield return measuring.Current;
@@ -104,6 +108,24 @@ namespace FastPoints.Pipeline
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
             progress?.End();
+        }
+
+        /// <summary>Of the source's own file; nothing where there is none.</summary>
+        (long Bytes, DateTime WrittenUtc) FileNow()
+        {
+            var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
+            return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
+        }
+
+        /// <summary>A header of one file and points of another give anything.</summary>
+        void TellChanges()
+        {
+            var now = FileNow();
+            if (now.Equals(m_fileBefore))
+                return;
+            m_reader.Info.Warn(0, "the file was changed while it was read (" + m_fileBefore.Bytes.ToString("N0",
+                CultureInfo.InvariantCulture) + " bytes before, " + now.Bytes.ToString("N0", CultureInfo.InvariantCulture)
+                + " now): the sample may be of neither state");
         }
 
         /// <summary>Whether a first sample is of the beginnings of blocks alone, which are there soon and leave most of the cloud
