@@ -1,4 +1,5 @@
-using System.Collections.Generic;
+using System.Threading;
+using FastPoints.Base;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
@@ -16,8 +17,8 @@ namespace FastPoints.Cli
 
         /// <summary>Adds a cloud to a stream.</summary>
         /// <returns>What it looks like.</returns>
-        public static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CliRun run, out DisplayRanges ranges,
-            out int number)
+        public static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+            out DisplayRanges ranges, out int number)
         {
             var folder = CloudFolder.Open(path);
             try
@@ -30,8 +31,8 @@ namespace FastPoints.Cli
                 {
                     selection.Choose(null, 0, 0, PointsToPlanWith);
                     using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-                    run.Pump(LoadNodes.Run(folder, selection, batch, null));
-                    run.Pump(ranges.Measure(batch, transform, options.UpAxis));
+                    WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
+                    WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
                 }
                 var plan = new PicturePlan(options, ranges, transform);
                 var source = new FolderSource(folder, PlanesFor(plan.Mode));

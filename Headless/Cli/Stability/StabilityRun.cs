@@ -93,6 +93,7 @@ namespace FastPoints.Cli.Stability
                     WorkPump.RunToEnd(draw.Run(null));
                     return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
                 });
+                Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
             }
         }
 

@@ -13,7 +13,7 @@ namespace FastPoints.Cli.Stability
     {
         public const int DefaultPoints = 200_000;
 
-        static readonly string[] s_stages = ["read", "preview", "build", "draw"];
+        static readonly string[] s_stages = ["read", "preview", "build", "draw", "stream"];
 
         /// <param name="points">About what a case has.</param>
         public static void Run(int points, CliRun run)
@@ -71,7 +71,7 @@ namespace FastPoints.Cli.Stability
         {
             if (stage == null)
                 return "";
-            string error = stage.Error == 0 ? "" : stage.Stage is "preview" or "draw"
+            string error = stage.Error == 0 ? "" : stage.Stage is "preview" or "draw" or "stream"
                 ? ", " + (100 * stage.Error).ToString("0.##", CultureInfo.InvariantCulture) + " % bare"
                 : ", " + stage.Error.ToString("0", CultureInfo.InvariantCulture) + " points wrong";
             return stage.Outcome + error + ", " + Human.Seconds(stage.Seconds);

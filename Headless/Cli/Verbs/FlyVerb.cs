@@ -112,7 +112,7 @@ namespace FastPoints.Cli.Verbs
             var bounds = BoundsGeo.Empty;
             foreach (string cloud in clouds)
             {
-                var plan = FlightCloud.Add(cloud, stream, options, run, out var ranges, out int number);
+                var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
                 picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
                 if (!ranges.Robust.IsEmpty)
                     bounds = bounds.IsEmpty ? ranges.Robust

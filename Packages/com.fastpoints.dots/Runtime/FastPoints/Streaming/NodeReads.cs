@@ -70,6 +70,9 @@ namespace FastPoints.Streaming
         /// needed soon. Makes room in the pool for each node first.</summary>
         public void Request(ref FrameStats stats)
         {
+            // All at once, in the first frame: the others make no garbage.
+            while (m_fetches.Count < m_stream.Settings.MostReads)
+                m_fetches.Add(new NodeFetch());
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
@@ -184,9 +187,7 @@ namespace FastPoints.Streaming
                     return m_fetches.Count <= m_stream.Settings.MostReads || UnderWay < m_stream.Settings.MostReads;
             }
             idle = null;
-            if (m_fetches.Count < m_stream.Settings.MostReads)
-                m_fetches.Add(idle = new NodeFetch());
-            return idle != null;
+            return false;
         }
 
         void CancelUnwanted(NodeFetch fetch)

@@ -1,0 +1,112 @@
+using System;
+using System.IO;
+using System.Threading;
+using FastPoints.Pipeline;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using FastPoints.Tests.Octree;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Streaming
+{
+    public class FollowedFolderTests
+    {
+        const int Points = 120_000;
+        const int MostFrames = 1_000_000;
+
+        string m_scratch;
+
+        [SetUp]
+        public void MakeFolder()
+        {
+            m_scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(m_scratch);
+        }
+
+        [TearDown]
+        public void DeleteFolder() => Directory.Delete(m_scratch, true);
+
+        /// <summary>A cloud that grows while it is looked at: all of it is shown in the end.</summary>
+        [Test]
+        public void Update_CloudInTheMaking_ShowsMoreWithEachGenerationAndAllInTheEnd()
+        {
+            var random = new Unity.Mathematics.Random(11);
+            var places = new int3[Points];
+            for (int i = 0; i < Points; i++)
+                places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
+            var centimetres = new PositionTransform
+            {
+                Scale = new double3(0.01, 0.01, 0.01),
+                Offset = StreamedTestCloud.OriginGeo,
+            };
+            string path = Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
+            var settings = new ConvertSettings
+            {
+                PointsPerChunk = 8000,
+                CellsLog2 = 4,
+                MaxPointsPerLeaf = 500,
+                SecondsToFirstGeneration = 0,
+                SecondsPerGeneration = 0,
+            };
+            var camera = StreamedTestCloud.Overview();
+            FollowedFolder followed = null;
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                int generations = 0;
+                long seen = 0, most = 0;
+                using (var work = ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, path, settings, r => { },
+                    null))
+                {
+                    while (work.MoveNext())
+                    {
+                        work.Current.Complete();
+                        if (followed == null && CloudFolder.IsCloud(path))
+                            followed = new FollowedFolder(stream, path, null, StoreLayout.ColorName);
+                        if (followed == null)
+                            continue;
+                        StreamedTestCloud.Frame(stream, camera);
+                        followed.Update();
+                        if (followed.Generation == seen || !followed.IsCurrent)
+                            continue;
+                        seen = followed.Generation;
+                        generations++;
+                    }
+                }
+                Assert.That(followed, Is.Not.Null);
+                Assert.That(generations, Is.GreaterThan(0));
+                for (int frame = 0; frame < MostFrames && (followed.IsBuilding || !followed.IsCurrent); frame++)
+                {
+                    most = Math.Max(most, StreamedTestCloud.Frame(stream, camera).DrawnPoints);
+                    followed.Update();
+                    Thread.Yield();
+                }
+                Assert.That(followed.IsBuilding, Is.False);
+                stream.Settings.Selection.PointBudget = long.MaxValue;
+                stream.Settings.Selection.FinestSpacingPx = 0;
+                stream.Settings.Selection.SmallestNodePx = 0;
+                Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
+                Assert.That(most, Is.GreaterThan(0));
+                followed.Dispose();
+            }
+        }
+
+        [Test]
+        public void Update_FinishedCloud_LooksNoMore()
+        {
+            using (var cloud = new StreamedTestCloud(20_000, 8000))
+            using (var stream = StreamedTestCloud.Stream())
+            using (var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null))
+            {
+                for (int i = 0; i < 3 * FollowedFolder.FramesPerLook; i++)
+                {
+                    StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                    followed.Update();
+                    Assert.That(followed.IsCurrent, Is.True);
+                }
+                Assert.That(followed.IsBuilding, Is.False);
+            }
+        }
+    }
+}
