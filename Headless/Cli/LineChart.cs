@@ -15,9 +15,12 @@ namespace FastPoints.Cli
     /// finite is left out.</remarks>
     public sealed class LineChart(string title, string xLabel, string yLabel)
     {
-        const int WidthPx = 760, HeightPx = 400, Left = 74, Right = 196, Top = 38, Bottom = 52;
-        const int PlotWidth = WidthPx - Left - Right, PlotHeight = HeightPx - Top - Bottom;
-        const int LegendLine = 20;
+        const int HeightPx = 400, Left = 74, Top = 38, Bottom = 52;
+        const int PlotWidth = 490, PlotHeight = HeightPx - Top - Bottom;
+        const int LegendLine = 20, LegendLeft = 16, LegendText = 34;
+
+        /// <summary>About what a letter of the legend takes, in most people's fonts.</summary>
+        const double LetterPx = 6.8;
 
         /// <summary>Fewer decades than this get ticks at 2 and 5 as well.</summary>
         const double FewDecades = 3;
@@ -59,15 +62,17 @@ namespace FastPoints.Cli
 
         public string ToSvg()
         {
+            int longest = m_series.Select(s => s.Name.Length).DefaultIfEmpty().Max();
+            int width = Left + PlotWidth + LegendLeft + LegendText + (int)Math.Max(146, longest * LetterPx + 12);
             var all = m_series.SelectMany(s => s.Points).ToList();
             var x = Axis.Of(all.Select(p => p.X), LogX, Left, Left + PlotWidth);
             var y = Axis.Of(all.Select(p => p.Y), LogY, Top + PlotHeight, Top);
             var svg = new StringBuilder();
             svg.Append("<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" ")
-                .Append(s_c, $"viewBox=\"0 0 {WidthPx} {HeightPx}\" width=\"{WidthPx}\" height=\"{HeightPx}\" ")
+                .Append(s_c, $"viewBox=\"0 0 {width} {HeightPx}\" width=\"{width}\" height=\"{HeightPx}\" ")
                 .Append(s_c, $"role=\"img\" aria-label=\"{Escape(title)}\">\n")
                 .Append("<style>\n").Append(s_style).Append("\n</style>\n")
-                .Append(s_c, $"<rect class=\"page\" width=\"{WidthPx}\" height=\"{HeightPx}\"/>\n")
+                .Append(s_c, $"<rect class=\"page\" width=\"{width}\" height=\"{HeightPx}\"/>\n")
                 .Append(s_c, $"<text class=\"title\" x=\"{Left}\" y=\"22\">{Escape(title)}</text>\n");
             foreach (double tick in x.Ticks)
             {
@@ -106,10 +111,10 @@ namespace FastPoints.Cli
             }
             foreach (var (px, py) in series.Points)
                 Mark(svg, index, x.At(px), y.At(py), x.Holds(px) && y.Holds(py));
-            double legendX = Left + PlotWidth + 16, legendY = Top + 10 + index * LegendLine;
+            double legendX = Left + PlotWidth + LegendLeft, legendY = Top + 10 + index * LegendLine;
             Line(svg, line, legendX, legendY, legendX + 26, legendY);
             Mark(svg, index, legendX + 13, legendY, true);
-            Text(svg, legendX + 34, legendY + 4, "start", series.Name);
+            Text(svg, legendX + LegendText, legendY + 4, "start", series.Name);
             svg.Append("</g>\n");
         }
 
