@@ -16,6 +16,10 @@ namespace FastPoints.Preview
     /// </remarks>
     sealed class PrefixSampler : PreviewSampler
     {
+        /// <summary>Points that are decoded about as soon as they are read: more beginnings are asked for at a time, which a slow
+        /// disk needs as well. A LAZ slot takes 1.5 MB.</summary>
+        const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
+
         readonly PrefixPlan m_plan;
         BlockRead[] m_reads;
         NativeArray<PointColumn>[] m_columnsOfSlot;
@@ -37,7 +41,9 @@ namespace FastPoints.Preview
                 yield break;
             // Slots for beginnings of another length than in the wave before.
             Free();
-            Allocate(slots < 1 ? SourceScan.SlotsFor(Reader, Buffer.Points.Schema) : slots, longest);
+            if (slots < 1)
+                slots = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
+            Allocate(Math.Min(slots, prefixes.Count), longest);
             slots = m_reads.Length;
             for (int i = 0; i < prefixes.Count + slots; i++)
             {
