@@ -11,8 +11,8 @@ namespace FastPoints.Octree
         /// <summary>None where nothing is averaged.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>By point: its average among <see cref="Averages"/>; -1 for a point that stands for what its record says, or for
-        /// itself alone. Empty where nothing is averaged.</summary>
+        /// <summary>By point: its average among <see cref="Averages"/>; -1 for a point that stands for what its record says, or
+        /// for itself alone. Empty where nothing is averaged.</summary>
         public NativeArray<int> AverageOfPoint;
         public NativeList<PointAverage> Averages;
 

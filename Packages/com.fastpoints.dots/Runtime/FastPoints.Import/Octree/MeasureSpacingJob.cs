@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
-    /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the points at the sides
-    /// of the file's cube, which other files' points may come near to.</summary>
+    /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the
+    /// points at the sides of the file's cube, which other files' points may come near to.</summary>
     [BurstCompile]
     public unsafe struct MeasureSpacingJob : IJob
     {

@@ -16,8 +16,8 @@ namespace FastPoints.Octree
         /// <summary>At most <see cref="StoreFormat.MaxPointsPerNode"/>.</summary>
         public int MaxPointsPerNode;
 
-        /// <summary>Whether a cube becomes a leaf: also where a node that samples it would take most of its points, and its children a
-        /// few each.</summary>
+        /// <summary>Whether a cube becomes a leaf: also where a node that samples it would take most of its points, and its
+        /// children a few each.</summary>
         /// <param name="left">Its points that no node above has.</param>
         /// <param name="cells">At the finest cells that a node may have, those with such points only.</param>
         public readonly bool IsLeaf(int left, int cells) =>

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace FastPoints.Octree
 {
     /// <summary>
-    /// The parts of one tile in which no point can be taken any more, as cells of a quarter of the spacing, a bit each: most darts
-    /// need one look and no distance. A bit says "nowhere in this cell"; where it is not set, distances decide.
+    /// The parts of one tile in which no point can be taken any more, as cells of a quarter of the spacing, a bit each: most
+    /// darts need one look and no distance. A bit says "nowhere in this cell"; where it is not set, distances decide.
     /// </summary>
     /// <remarks>
     /// A sample covers a cell where the farthest two places of its own cell and that one are nearer than the spacing: about two

@@ -13,14 +13,15 @@ namespace FastPoints.Octree
         {
             public SamplePoissonJob.Stage Stage;
 
-            /// <summary>The range in work, or -1; the first point of the tile in work, and its end where the first of its darts are
-            /// thrown; while a range is split, the first point of the next part; while the grid is filled, the next sample.</summary>
+            /// <summary>The range in work, or -1; the first point of the tile in work, and its end where the first of its darts
+            /// are thrown; while a range is split, the first point of the next part; while the grid is filled, the next
+            /// sample.</summary>
             public int At;
             public int Point;
             public int EndOfTile;
 
-            /// <summary>A range that is looked at, what was seen so far, and where it goes on: how many points were taken by nodes above, and
-            /// log2 of the largest cube that neighbours have in common since the last of these.</summary>
+            /// <summary>A range that is looked at, what was seen so far, and where it goes on: how many points were taken by
+            /// nodes above, and log2 of the largest cube that neighbours have in common since the last of these.</summary>
             public SampledRange Looked;
             public RangeLook Look;
             public int LookAt;

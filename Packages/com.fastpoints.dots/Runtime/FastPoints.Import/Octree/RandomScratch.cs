@@ -14,8 +14,8 @@ namespace FastPoints.Octree
             /// <summary>The point, or the range, that is next.</summary>
             public int At;
 
-            /// <summary>Of the range in work: the point that is next, log2 of the side of the largest cube that neighbours have in
-            /// common, and the cells of the node above.</summary>
+            /// <summary>Of the range in work: the point that is next, log2 of the side of the largest cube that neighbours have
+            /// in common, and the cells of the node above.</summary>
             public int Point;
             public int Largest;
             public byte CellAbove;

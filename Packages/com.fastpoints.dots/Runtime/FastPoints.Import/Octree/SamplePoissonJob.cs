@@ -14,12 +14,12 @@ namespace FastPoints.Octree
     /// holds across the borders of nodes; a leaf's points keep none and ask for none.
     /// </summary>
     /// <remarks>
-    /// Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile in the order of
-    /// their priority: all that a dart may meet is in the cache, and the sample is as even as one in the order of priority
-    /// alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash grid with cells of twice the spacing, so that whatever lies nearer
-    /// than that is in two by two by two cells; the slots are chains without keys, as a point of another cell fails the
-    /// distance anyway. Which points a node has depends on nothing but the points themselves. One run of the job is a slice:
-    /// it is run until it is done.
+    /// Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile in the
+    /// order of their priority: all that a dart may meet is in the cache, and the sample is as even as one in the order of
+    /// priority alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash
+    /// grid with cells of twice the spacing, so that whatever lies nearer than that is in two by two by two cells; the slots
+    /// are chains without keys, as a point of another cell fails the distance anyway. Which points a node has depends on
+    /// nothing but the points themselves. One run of the job is a slice: it is run until it is done.
     /// </remarks>
     [BurstCompile]
     public unsafe struct SamplePoissonJob : IJob

@@ -43,7 +43,8 @@ namespace FastPoints.Octree
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
         [ReadOnly] public NativeArray<uint> Priority;
 
-        /// <summary>Scratch, by point: log2 of the side of the smallest cube in which another point has a higher priority.</summary>
+        /// <summary>Scratch, by point: log2 of the side of the smallest cube in which another point has a higher
+        /// priority.</summary>
         public NativeArray<byte> GivesWayLog2;
 
         /// <summary>Its <see cref="RandomScratch.Now"/> is reset before the first slice.</summary>
@@ -167,8 +168,8 @@ namespace FastPoints.Octree
             Nodes = Nodes,
         };
 
-        /// <summary>Points that win at the cells of the node above are in nodes; of the others each is one cell more where cells are
-        /// so small that it wins.</summary>
+        /// <summary>Points that win at the cells of the node above are in nodes; of the others each is one cell more where
+        /// cells are so small that it wins.</summary>
         void Look()
         {
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
