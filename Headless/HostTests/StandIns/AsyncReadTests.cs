@@ -63,6 +63,33 @@ namespace FastPoints.HostTests.StandIns
         }
 
         [Test]
+        public void Read_BegunAndDisposedAgain_MakesNoGarbage()
+        {
+            const int Reads = 8;
+            var commands = stackalloc ReadCommand[1];
+            commands[0] = Command(0, 100, 0);
+            var reads = new ReadHandle[Reads];
+            long garbage = 0;
+            for (int turn = 0; turn < 4; turn++)
+            {
+                // Nobody reads before all have begun: then each turn needs as many objects.
+                IoThreads.Pause(true);
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                for (int i = 0; i < Reads; i++)
+                    reads[i] = AsyncReadManager.Read(m_path, commands, 1);
+                garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+                IoThreads.Pause(false);
+                foreach (var read in reads)
+                    read.JobHandle.Complete();
+                before = GC.GetAllocatedBytesForCurrentThread();
+                foreach (var read in reads)
+                    read.Dispose();
+                garbage += GC.GetAllocatedBytesForCurrentThread() - before;
+            }
+            Assert.That(garbage, Is.Zero);
+        }
+
+        [Test]
         public void Read_BeyondTheEnd_IsTruncated()
         {
             ReadHandle read = Read(m_path, Command(FileBytes - 10, 100, 0));

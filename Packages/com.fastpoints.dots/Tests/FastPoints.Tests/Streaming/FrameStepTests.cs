@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
@@ -51,9 +52,18 @@ namespace FastPoints.Tests.Streaming
         static HashSet<(int, int, int)> Drawn(StreamContext stream) =>
             new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));
 
-        [Test]
-        public void Run_CameraAtRest_DrawsWhatIsSelectedByteForByte()
+        /// <summary>Planes that lie one after the other in the file, and planes with others between them, which are left out or
+        /// read along.</summary>
+        [TestCase(StoreLayout.ColorName, 32 << 10)]
+        [TestCase(AttributeNames.Intensity, 0)]
+        [TestCase(AttributeNames.Intensity, 1 << 20)]
+        public void Run_CameraAtRest_DrawsWhatIsSelectedByteForByte(string plane, int gapBytes)
         {
+            m_stream.Dispose();
+            m_stream = StreamedTestCloud.Stream();
+            m_stream.Settings.GapBytes = gapBytes;
+            m_source = m_cloud.Open(plane);
+            m_stream.Add(m_source, StreamedTestCloud.Geo(m_source));
             var stats = StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 30, 0.6));
             Assert.That(Drawn(m_stream), Is.EquivalentTo(m_stream.Selector.Selected.ToArray()
                 .Select(n => (n.Cloud, n.Page, n.Node))));
@@ -74,6 +84,35 @@ namespace FastPoints.Tests.Streaming
                 }
             }
             Assert.That(Failures(), Is.Empty);
+        }
+
+        [Test]
+        public void Run_PlanesApart_ReadsNoMoreThanTheGapsThatItMay()
+        {
+            long BytesRead(int gapBytes, out long requested)
+            {
+                using (var stream = StreamedTestCloud.Stream())
+                {
+                    var source = m_cloud.Open(AttributeNames.Intensity);
+                    stream.Add(source, StreamedTestCloud.Geo(source));
+                    stream.Settings.GapBytes = gapBytes;
+                    long read = requested = 0;
+                    for (int frame = 0; frame < 1_000_000; frame++)
+                    {
+                        var stats = StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                        read += stats.ReadBytes;
+                        requested += stats.RequestedBytes;
+                        if (stats.IsSettled)
+                            break;
+                    }
+                    for (int page = 1; page < source.PageCount; page++)
+                        read -= stream.Clouds[0].Pages[page].IsLoaded ? source.TableOf(page).LengthBytes : 0;
+                    return read;
+                }
+            }
+            Assert.That(BytesRead(0, out long wanted), Is.EqualTo(wanted));
+            Assert.That(BytesRead(1 << 20, out long same), Is.GreaterThan(1.2 * same));
+            Assert.That(same, Is.EqualTo(wanted));
         }
 
         [Test]
