@@ -22,6 +22,9 @@ namespace FastPoints.Cli.Verbs
     {
         const double FrameSeconds = 1 / 60.0;
 
+        /// <summary>An animation shows a picture for a minute at most: 65,535 ms.</summary>
+        const int MostFramesAPicture = 3600;
+
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
@@ -98,8 +101,10 @@ namespace FastPoints.Cli.Verbs
             run.Inputs.AddRange(clouds);
             var options = m_picture.Read(parsed);
             int every = parsed.GetValue(m_every), asked = parsed.GetValue(m_frames);
-            if (every < 1 || asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
-                throw new UsageException("--every, --frames, --budget, --pool and --upload are at least 1");
+            if (asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
+                throw new UsageException("--frames, --budget, --pool and --upload are at least 1");
+            if (every < 1 || every > MostFramesAPicture)
+                throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
             string? output = parsed.GetValue(m_output);
             if (output != null)
                 Directory.CreateDirectory(output);

@@ -80,8 +80,15 @@ namespace FastPoints.HostTests.Cli
             Assert.That(call.Error, Does.Contain("none.fastpoints"));
         }
 
-        [Test]
-        public void Fly_NoBudget_IsWrongUsage() =>
-            Assert.That(CliCall.Of("fly", m_cloud, "--budget", "0").Status, Is.EqualTo(ExitStatus.Usage));
+        [TestCase("--budget", "0")]
+        [TestCase("--every", "0")]
+        [TestCase("--every", "3601")]
+        [TestCase("--pool", "0")]
+        public void Fly_NumberOutOfRange_IsWrongUsage(string option, string value)
+        {
+            var call = CliCall.Of("fly", m_cloud, option, value);
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
+            Assert.That(call.Error, Does.Contain(option));
+        }
     }
 }
