@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using FastPoints.Preview;
 
 namespace FastPoints.Cli
 {
@@ -6,5 +7,17 @@ namespace FastPoints.Cli
     public sealed record ErrorCurve(string Name, string What)
     {
         public List<ErrorWave> Waves { get; } = [];
+
+        /// <summary>The same waves taken once more: the sooner one of each counts.</summary>
+        public void TakeSooner(IEnumerable<SampleWave> again)
+        {
+            int i = 0;
+            foreach (var wave in again)
+            {
+                if (wave.Seconds < Waves[i].Wave.Seconds)
+                    Waves[i] = Waves[i] with { Wave = wave };
+                i++;
+            }
+        }
     }
 }

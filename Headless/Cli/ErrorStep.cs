@@ -62,19 +62,32 @@ namespace FastPoints.Cli
         void MeasureAll(PointReader reader)
         {
             m_run.Progress.Begin(OursName);
-            using var ours = m_takers.Ours();
-            var counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
-
-            // The scan comes before ours is measured: its views are what the views of others are compared with.
-            var scan = new ErrorCurve(ScanName,
-                "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
-            foreach (int count in counts)
-                Measure(scan, () => m_takers.FullScan(count));
+            List<int> counts;
             var curve = new ErrorCurve(OursName,
                 "the preview's own sample; each wave is the beginning of the next, or (LAZ, text, tiles) gives way to it");
-            Measure(curve, ours);
+            var scan = new ErrorCurve(ScanName,
+                "one hashed point of each of N equal parts of the file, by a scan of all points: the reference");
+            using (var ours = m_takers.Ours())
+            {
+                counts = ours.Waves.Select(w => w.Wave.Points).Distinct().ToList();
+                // The scan comes before ours is measured: its views are what the views of others are compared with.
+                foreach (int count in counts)
+                    Measure(scan, () => m_takers.FullScan(count));
+                Measure(curve, ours);
+            }
             Curves.Add(curve);
             Curves.Add(scan);
+            MeasureOthers(reader, counts);
+
+            // What else the machine does changes within minutes: ours were the first, and are timed among the others as well.
+            m_run.Progress.Begin(OursName);
+            using var again = m_takers.Ours();
+            curve.TakeSooner(again.Waves.Select(w => w.Wave));
+            m_run.Progress.End();
+        }
+
+        void MeasureOthers(PointReader reader, List<int> counts)
+        {
             var nth = new ErrorCurve("every n-th point", "as far apart in the file as it takes");
             foreach (int count in counts)
                 Measure(nth, () => m_takers.EveryNth(count));

@@ -13,20 +13,22 @@ namespace FastPoints.Preview
 
         public readonly uint Seed;
 
+        // Points / Count and what is left: a 64-bit division takes as long as all else that finds a stratum's point.
+        readonly long m_whole;
+        readonly long m_rest;
+
         public SampleStrata(long points, int wanted, uint seed)
         {
             Points = points < 0 ? 0 : points;
             Count = (int)(wanted < 0 ? 0 : wanted < Points ? wanted : Points);
             Seed = seed;
+            m_whole = Count == 0 ? 0 : Points / Count;
+            m_rest = Count == 0 ? 0 : Points % Count;
         }
 
         /// <summary>First point of a stratum; <see cref="Points"/> for the one after the last. floor(i * points / count), with
         /// the product split so that it does not overflow.</summary>
-        public long FirstOf(int stratum)
-        {
-            long whole = Points / Count, rest = Points % Count;
-            return stratum * whole + stratum * rest / Count;
-        }
+        public long FirstOf(int stratum) => stratum * m_whole + stratum * m_rest / Count;
 
         /// <summary>The stratum that a point lies in.</summary>
         public int StratumOf(long point)
