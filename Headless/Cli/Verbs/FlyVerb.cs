@@ -151,8 +151,10 @@ namespace FastPoints.Cli.Verbs
             run.Progress.Begin("fly");
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
             var view = views;
+            // The end of each stretch: at its beginning the first has nothing to show yet.
+            every = Math.Min(every, frames);
             using var animation = picture == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
-                options.HeightPx, (frames + every - 1) / every, (int)(every * FrameSeconds * 1000));
+                options.HeightPx, frames / every, (int)(every * FrameSeconds * 1000));
             RgbaImage? last = null;
             double begin = run.Seconds;
             for (int frame = 0; frame < frames; frame++)
@@ -165,10 +167,10 @@ namespace FastPoints.Cli.Verbs
                 double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
                 garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
                 JobHandle.ScheduleBatchedJobs();
-                if (picture != null && (frame % every == 0 || frame == frames - 1))
+                if (picture != null && ((frame + 1) % every == 0 || frame == frames - 1))
                 {
                     last = picture.Draw(camera);
-                    if (frame % every == 0)
+                    if ((frame + 1) % every == 0)
                         animation!.Add(last);
                 }
                 // A frame of 60 a second: whoever has nothing to draw waits for the screen.

@@ -44,7 +44,8 @@ namespace FastPoints.HostTests.Cli
             Assert.That(File.ReadLines(Path.Combine(folder, "frames.csv")).Count(), Is.EqualTo(41));
             var last = Png.Read(Path.Combine(folder, "last.png"));
             Assert.That(last.Rgba.Distinct().Count(), Is.GreaterThan(10), "the picture is empty");
-            Assert.That(Png.Read(Path.Combine(folder, "flight.png")).Width, Is.EqualTo(160));
+            var first = Png.Read(Path.Combine(folder, "flight.png"));
+            Assert.That((first.Width, first.Height), Is.EqualTo((160, 90)));
         }
 
         [Test]
@@ -57,6 +58,15 @@ namespace FastPoints.HostTests.Cli
             Assert.That(call.Json.GetProperty("frames").GetInt32(), Is.EqualTo(21));
             Assert.That(call.Json.GetProperty("cuts").EnumerateArray().Select(c => c.GetProperty("frame").GetInt32()),
                 Is.EqualTo(new[] { 0, 12 }));
+        }
+
+        [Test]
+        public void Fly_FewerFramesThanAPictureTakes_DrawsTheLast()
+        {
+            string folder = m_scratch["short"];
+            Assert.That(CliCall.Of("fly", m_cloud, "--frames", "3", "--every", "10", "--size", "32x18", "-o", folder).Status,
+                Is.EqualTo(ExitStatus.Done));
+            Assert.That(Png.Read(Path.Combine(folder, "flight.png")).Rgba, Is.EqualTo(Png.Read(Path.Combine(folder, "last.png")).Rgba));
         }
 
         [TestCase("0 1 2 3 4 5\n", "line 1")]
