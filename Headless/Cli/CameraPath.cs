@@ -10,8 +10,8 @@ using Unity.Mathematics;
 namespace FastPoints.Cli
 {
     /// <summary>
-    /// Where a camera goes: places and targets at some frames, and a smooth way between them; at a cut it is somewhere else at once.
-    /// As a file: a line each, <c>frame eyeX eyeY eyeZ targetX targetY targetZ [cut]</c>, in the cloud's coordinates.
+    /// Where a camera goes: places and targets at some frames, and a smooth way between them; at a cut it is somewhere else at
+    /// once. As a file: a line each, <c>frame eyeX eyeY eyeZ targetX targetY targetZ [cut]</c>, in the cloud's coordinates.
     /// </summary>
     public sealed class CameraPath
     {

@@ -11,7 +11,8 @@ using FastPoints.Cli.Verbs;
 
 namespace FastPoints.Cli
 {
-    /// <summary>From arguments to an exit status. Everything that the command line says goes through the writers given here.</summary>
+    /// <summary>From arguments to an exit status. Everything that the command line says goes through the writers given
+    /// here.</summary>
     public static class CommandLine
     {
         /// <param name="errorIsTerminal">Whether progress may be redrawn in place.</param>
@@ -58,7 +59,8 @@ namespace FastPoints.Cli
             return ExitStatus.Usage;
         }
 
-        /// <summary>What looks like an option and is none is taken for a file by the parser. A file of such a name is ./-name.</summary>
+        /// <summary>What looks like an option and is none is taken for a file by the parser. A file of such a name is
+        /// ./-name.</summary>
         static string? UnknownOption(ParseResult parsed)
         {
             foreach (var argument in parsed.CommandResult.Command.Arguments)

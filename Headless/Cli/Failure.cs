@@ -5,7 +5,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Cli
 {
-    /// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process returns.</summary>
+    /// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process
+    /// returns.</summary>
     public sealed class Failure
     {
         public required string Code { get; init; }
@@ -16,8 +17,8 @@ namespace FastPoints.Cli
         /// <summary>Byte in the file, or -1.</summary>
         public long Offset { get; init; } = -1;
 
-        /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a command
-        /// as much as a broken one.</param>
+        /// <param name="inputs">Files that were named as inputs: one that is not there, or not to be read, is bad input to a
+        /// command as much as a broken one.</param>
         public static Failure Of(Exception e, IReadOnlyCollection<string> inputs)
         {
             if (e is AggregateException { InnerExceptions.Count: 1 } one)

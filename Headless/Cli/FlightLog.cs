@@ -44,8 +44,8 @@ namespace FastPoints.Cli
         /// <summary>Seconds from the beginning until nearly all that was selected was drawn; NaN where that never was.</summary>
         public double SecondsToFull => FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
 
-        /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 where that never was), and the bytes that
-        /// were copied until then.</summary>
+        /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 where that never was), and the bytes
+        /// that were copied until then.</summary>
         public IEnumerable<(int Frame, int FramesToFull, long Bytes)> Cuts()
         {
             for (int cut = 0; cut < m_frames.Count; cut++)

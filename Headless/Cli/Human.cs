@@ -51,7 +51,8 @@ namespace FastPoints.Cli
             return value.ToString("N" + decimals, CultureInfo.InvariantCulture);
         }
 
-        /// <summary>All that a step or an offset may have: shortest text that reads back the same, without an exponent where it can.</summary>
+        /// <summary>All that a step or an offset may have: shortest text that reads back the same, without an exponent where it
+        /// can.</summary>
         public static string Exact(double value) =>
             value != 0 && (Math.Abs(value) < 1e-9 || Math.Abs(value) >= 1e15)
                 ? value.ToString("R", CultureInfo.InvariantCulture)

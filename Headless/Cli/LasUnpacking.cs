@@ -6,8 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT come along, other header records
-    /// do not.</summary>
+    /// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT come along, other header
+    /// records do not.</summary>
     public static class LasUnpacking
     {
         sealed class Appending(LasWriter writer) : IBlockConsumer

@@ -13,11 +13,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Cli
 {
-    /// <summary>Error beside run time: one cloud built by each sampler and with several spacings, the spacing of each level measured, and
-    /// fixed views drawn under several budgets against a picture of all points.</summary>
+    /// <summary>Error beside run time: one cloud built by each sampler and with several spacings, the spacing of each level
+    /// measured, and fixed views drawn under several budgets against a picture of all points.</summary>
     public sealed class SamplerReport(PointReader reader, string folder, ConvertSettings settings, CliRun run)
     {
-        /// <summary>Memory in MiB where it is not that of the build itself: little memory makes smaller chunks, with more faces.</summary>
+        /// <summary>Memory in MiB where it is not that of the build itself: little memory makes smaller chunks, with more
+        /// faces.</summary>
         static readonly (Sampler Sampler, int CellsLog2, int MemoryMiB)[] s_settings =
         [
             (Sampler.Random, 7, 0), (Sampler.Poisson, 6, 0), (Sampler.Poisson, 7, 0), (Sampler.Poisson, 8, 0), (Sampler.Average, 7, 0),

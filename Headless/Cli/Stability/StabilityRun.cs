@@ -21,8 +21,8 @@ namespace FastPoints.Cli.Stability
 
         /// <summary>What one stage came to.</summary>
         /// <param name="Outcome">"ok", "error" for a failure that says what it wanted, or what went wrong.</param>
-        /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture of all points
-        /// that are left uncovered.</param>
+        /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture
+        /// of all points that are left uncovered.</param>
         public sealed record StageResult(string Stage, string Outcome, double Error, double Seconds, long ResidentBytes);
 
         readonly StabilityCase m_case;

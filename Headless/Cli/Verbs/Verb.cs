@@ -3,7 +3,8 @@ using System.CommandLine;
 
 namespace FastPoints.Cli.Verbs
 {
-    /// <summary>One verb: its options, its examples, and what it does. A new one is a class and a line in <see cref="CommandLine"/>.</summary>
+    /// <summary>One verb: its options, its examples, and what it does. A new one is a class and a line in
+    /// <see cref="CommandLine"/>.</summary>
     public abstract class Verb
     {
         public Option<string?> JsonOption { get; } = new("--json")

@@ -2,7 +2,8 @@ using System;
 
 namespace FastPoints.HostTests.Hpc
 {
-    /// <summary>A job or class of entry methods that the verifier must report with that text, or, without one, let pass.</summary>
+    /// <summary>A job or class of entry methods that the verifier must report with that text, or, without one, let
+    /// pass.</summary>
     [AttributeUsage(AttributeTargets.Struct | AttributeTargets.Class)]
     internal sealed class PlantedAttribute : Attribute
     {

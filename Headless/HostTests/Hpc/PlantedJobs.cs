@@ -11,7 +11,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Hpc
 {
-    /// <summary>Jobs that are never run: what Burst rejects, a fault each, and beside it what looks like it and is fine.</summary>
+    /// <summary>Jobs that are never run: what Burst rejects, a fault each, and beside it what looks like it and is
+    /// fine.</summary>
     internal static class PlantedJobs
     {
         internal interface IShape

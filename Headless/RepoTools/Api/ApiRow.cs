@@ -93,7 +93,8 @@ namespace FastPoints.RepoTools.Api
             }
         }
 
-        /// <summary>A member's parameters: the by-reference kind ("", ref, out, in) and whether the caller may leave it out.</summary>
+        /// <summary>A member's parameters: the by-reference kind ("", ref, out, in) and whether the caller may leave it
+        /// out.</summary>
         public IReadOnlyList<ApiParameter> Parameters()
         {
             var parameters = new List<ApiParameter>();
@@ -141,6 +142,7 @@ namespace FastPoints.RepoTools.Api
         }
     }
 
-    /// <summary>A parameter as the list shows it: Kind is "", ref, out or in; Default is null where the caller must give it.</summary>
+    /// <summary>A parameter as the list shows it: Kind is "", ref, out or in; Default is null where the caller must give
+    /// it.</summary>
     public sealed record ApiParameter(string Name, string Kind, string? Default);
 }

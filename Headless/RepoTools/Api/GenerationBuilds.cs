@@ -60,7 +60,8 @@ namespace FastPoints.RepoTools.Api
             return module;
         }
 
-        /// <summary>Where the SDK keeps netstandard 2.1's reference assemblies; without them .NET's types are taken on trust.</summary>
+        /// <summary>Where the SDK keeps netstandard 2.1's reference assemblies; without them .NET's types are taken on
+        /// trust.</summary>
         private static IEnumerable<string> NetStandardFolders()
         {
             string packages = Environment.GetEnvironmentVariable("NUGET_PACKAGES")

@@ -5,7 +5,8 @@ using Mono.Cecil;
 
 namespace FastPoints.RepoTools.Api
 {
-    /// <summary>Whether a type keeps what it promised: Unity's interfaces that it implements, Unity's members that it overrides.</summary>
+    /// <summary>Whether a type keeps what it promised: Unity's interfaces that it implements, Unity's members that it
+    /// overrides.</summary>
     internal sealed class Inheritance
     {
         private readonly UnityApi m_api;

@@ -31,7 +31,8 @@ namespace FastPoints.RepoTools.Hpc
         /// <summary>How many methods, each instance of generic code for one, were walked.</summary>
         public int WalkedCount { get; private set; }
 
-        /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place, why.</summary>
+        /// <summary>One line for each thing that Burst would reject in what those types start: entry, calls, place,
+        /// why.</summary>
         public IReadOnlyCollection<string> Verify(Func<TypeDefinition, bool> isAsked)
         {
             m_problems.Clear();
@@ -149,7 +150,8 @@ namespace FastPoints.RepoTools.Hpc
                 }
             }
 
-            /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is special.</summary>
+            /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is
+            /// special.</summary>
             private void CheckThrowing(Instruction instruction)
             {
                 switch (instruction.OpCode.Code)
@@ -221,7 +223,8 @@ namespace FastPoints.RepoTools.Hpc
                 }
             }
 
-            /// <summary>typeof only to name a SharedStatic or to compare with another, both of which Burst settles itself.</summary>
+            /// <summary>typeof only to name a SharedStatic or to compare with another, both of which Burst settles
+            /// itself.</summary>
             private void CheckToken(Instruction instruction)
             {
                 if (m_visit.IsStaticConstructor)

@@ -105,7 +105,8 @@ namespace FastPoints.RepoTools.Meta
             }
         }
 
-        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~ names.</summary>
+        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~
+        /// names.</summary>
         private SortedSet<string> Assets()
         {
             var assets = new SortedSet<string>(StringComparer.Ordinal);

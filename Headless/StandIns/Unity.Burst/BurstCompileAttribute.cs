@@ -2,7 +2,8 @@ using System;
 
 namespace Unity.Burst
 {
-    /// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the code.</summary>
+    /// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the
+    /// code.</summary>
     [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Method | AttributeTargets.Assembly)]
     public class BurstCompileAttribute : Attribute
     {

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Unity.Mathematics
 {
-    /// <summary>Xorshift (13, 17, 5) of 32 bits; the sequence is Unity's for the same seed. A state of zero is a fixed point.</summary>
+    /// <summary>Xorshift (13, 17, 5) of 32 bits; the sequence is Unity's for the same seed. A state of zero is a fixed
+    /// point.</summary>
     public struct Random
     {
         public uint state;

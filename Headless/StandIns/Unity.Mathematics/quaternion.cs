@@ -21,7 +21,8 @@ namespace Unity.Mathematics
             this.value = value;
         }
 
-        /// <summary>From an orthonormal rotation matrix, after Shepperd: the largest of w, x, y, z is taken from the diagonal.</summary>
+        /// <summary>From an orthonormal rotation matrix, after Shepperd: the largest of w, x, y, z is taken from the
+        /// diagonal.</summary>
         public quaternion(float3x3 m)
         {
             float3 u = m.c0;

@@ -59,7 +59,8 @@ namespace Unity.Collections
         public static void DisposeNativeArray<T>(NativeArray<T> nativeArray, AllocatorManager.AllocatorHandle allocator)
             where T : unmanaged => nativeArray.Dispose();
 
-        /// <summary>Wraps memory that lies elsewhere, with a safety handle in the test build, which the caller releases.</summary>
+        /// <summary>Wraps memory that lies elsewhere, with a safety handle in the test build, which the caller
+        /// releases.</summary>
         public static NativeArray<T> ConvertExistingDataToNativeArray<T>(void* dataPointer, int length,
             AllocatorManager.AllocatorHandle allocator, bool setTempMemoryHandle = false) where T : unmanaged
         {

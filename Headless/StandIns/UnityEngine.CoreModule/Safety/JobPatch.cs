@@ -16,8 +16,8 @@ namespace StandIns.Safety
         internal static void NoteDeferredArray() => Volatile.Write(ref s_deferredArraysExist, 1);
     }
 
-    /// <summary>What the job system writes into a job's copy of its struct before it runs. The copy lies in an object that a garbage
-    /// collection may move at any time, so it is held while there is a pointer to it.</summary>
+    /// <summary>What the job system writes into a job's copy of its struct before it runs. The copy lies in an object that a
+    /// garbage collection may move at any time, so it is held while there is a pointer to it.</summary>
     static unsafe class JobPatch<T> where T : struct
     {
         static readonly int[] s_threadIndexOffsets = JobLayout.Of(typeof(T)).ThreadIndexOffsets;

@@ -118,7 +118,8 @@ namespace StandIns.Scheduling
             return Volatile.Read(ref node.Version) != handle.m_Version || node.Done;
         }
 
-        /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile, and throws what it or a job before it threw.</summary>
+        /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile, and throws what it or a job
+        /// before it threw.</summary>
         internal static void Complete(JobHandle handle)
         {
             if (handle.m_Index == 0)

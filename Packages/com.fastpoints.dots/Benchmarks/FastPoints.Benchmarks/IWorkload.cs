@@ -11,8 +11,8 @@ namespace FastPoints.Benchmarks
         /// <summary>What is measured, for example <c>las columns</c>; unique over all workloads.</summary>
         string Name { get; }
 
-        /// <summary>Name of the workload that bounds this one (a plain read and copy, the same loop over raw pointers), whose time
-        /// in the same run this one's is divided by; or null.</summary>
+        /// <summary>Name of the workload that bounds this one (a plain read and copy, the same loop over raw pointers), whose
+        /// time in the same run this one's is divided by; or null.</summary>
         string LimitName { get; }
 
         /// <summary>Allocates, makes its input and loads it. Not timed.</summary>

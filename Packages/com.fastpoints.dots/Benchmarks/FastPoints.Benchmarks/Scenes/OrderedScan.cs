@@ -6,7 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>A <see cref="TerrestrialScan"/> in any order. All but <see cref="ScanOrder.Strip"/> keep the whole scan in memory.</summary>
+    /// <summary>A <see cref="TerrestrialScan"/> in any order. All but <see cref="ScanOrder.Strip"/> keep the whole scan in
+    /// memory.</summary>
     public static class OrderedScan
     {
         /// <summary>Of an order other than as acquired: 44 bytes each are kept.</summary>

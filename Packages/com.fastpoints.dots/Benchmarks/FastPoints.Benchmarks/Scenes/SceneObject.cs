@@ -21,8 +21,8 @@ namespace FastPoints.Scenes
         /// <summary>Middle of the base; middle of the body for a crown.</summary>
         public float3 Center;
 
-        /// <summary>Half the extent in the object's own axes; radius in x for a pole. For houses z is the eaves' height, for poles
-        /// and boxes the height.</summary>
+        /// <summary>Half the extent in the object's own axes; radius in x for a pole. For houses z is the eaves' height, for
+        /// poles and boxes the height.</summary>
         public float3 Half;
 
         /// <summary>The object's x axis in the plane: cosine and sine of its heading.</summary>

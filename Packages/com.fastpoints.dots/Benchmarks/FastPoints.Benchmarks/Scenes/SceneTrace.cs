@@ -24,7 +24,8 @@ namespace FastPoints.Scenes
         static float3 FromObject(in SceneObject o, float3 v) =>
             new float3(v.x * o.Heading.x - v.y * o.Heading.y, v.x * o.Heading.y + v.y * o.Heading.x, v.z);
 
-        /// <summary>Replaces <paramref name="hit"/> where the object is nearer. Crowns are not solid: <see cref="CrownSpan"/>.</summary>
+        /// <summary>Replaces <paramref name="hit"/> where the object is nearer. Crowns are not solid:
+        /// <see cref="CrownSpan"/>.</summary>
         public static void Solid(in SceneObject o, float3 origin, float3 direction, uint random, ref SceneHit hit)
         {
             var p = ToObject(o, origin - o.Center);
@@ -215,7 +216,8 @@ namespace FastPoints.Scenes
             return span.y > span.x;
         }
 
-        /// <summary>How densely leaves grow at a place, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the hull.</summary>
+        /// <summary>How densely leaves grow at a place, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the
+        /// hull.</summary>
         public static float LeafDensity(in SceneObject o, float3 at)
         {
             var fromCenter = (at - o.Center) / o.Half;

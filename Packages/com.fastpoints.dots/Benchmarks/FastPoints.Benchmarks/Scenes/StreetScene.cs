@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// A street of houses with trees, lamps and parked cars, and open land behind them: what the scanner looks at. All of it follows
-    /// from the seed.
+    /// A street of houses with trees, lamps and parked cars, and open land behind them: what the scanner looks at. All of it
+    /// follows from the seed.
     /// </summary>
     public sealed class StreetScene : IDisposable
     {

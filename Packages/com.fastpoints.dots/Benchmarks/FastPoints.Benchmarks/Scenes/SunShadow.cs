@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// What the sun does not reach: for each cell of the ground plane z = 0, the height at which the ray from the sun to that cell
-    /// first met an object. Any point on that ray below this height lies in the shade.
+    /// What the sun does not reach: for each cell of the ground plane z = 0, the height at which the ray from the sun to that
+    /// cell first met an object. Any point on that ray below this height lies in the shade.
     /// </summary>
     public struct SunShadow
     {

@@ -16,9 +16,9 @@ using Unity.Jobs.LowLevel.Unsafe;
 namespace FastPoints.Benchmarks
 {
     /// <summary>
-    /// Frames of 16 ms beside a build, as an editor runs it: a worker for each core but one, one chain of the build less than there
-    /// are workers, a tick of the pump a frame. Each frame has a few small jobs of its own and waits for them before it ends: how
-    /// long, is the error. Points are those of the build.
+    /// Frames of 16 ms beside a build, as an editor runs it: a worker for each core but one, one chain of the build less than
+    /// there are workers, a tick of the pump a frame. Each frame has a few small jobs of its own and waits for them before it
+    /// ends: how long, is the error. Points are those of the build.
     /// </summary>
     public struct FrameBesideBuildWorkload : IWorkload
     {

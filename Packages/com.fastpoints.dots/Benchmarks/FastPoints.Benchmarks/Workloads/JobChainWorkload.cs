@@ -4,7 +4,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>1,000 empty slices in a chain, scheduled at once: what a slice costs beside its work. Points are slices.</summary>
+    /// <summary>1,000 empty slices in a chain, scheduled at once: what a slice costs beside its work. Points are
+    /// slices.</summary>
     public struct JobChainWorkload : IWorkload
     {
         const int Slices = 1000;

@@ -4,7 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The bound of uploads: pieces of a node's size are copied on one thread, from memory that no cache holds.</summary>
+    /// <summary>The bound of uploads: pieces of a node's size are copied on one thread, from memory that no cache
+    /// holds.</summary>
     public unsafe struct StreamMemoryCopyWorkload : IWorkload
     {
         const int PieceBytes = 64 << 10;

@@ -8,7 +8,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>What of uploads is not ours: the same files read in pieces of a megabyte and copied once, on one thread.</summary>
+    /// <summary>What of uploads is not ours: the same files read in pieces of a megabyte and copied once, on one
+    /// thread.</summary>
     public sealed unsafe class StreamReadCopyWorkload : IWorkload
     {
         string[] m_files;

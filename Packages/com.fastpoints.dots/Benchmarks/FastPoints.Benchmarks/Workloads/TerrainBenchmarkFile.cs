@@ -5,8 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A seeded LAS file of a hilly surface with a few things on it, in strips as an airborne scan comes: point format 2,
-    /// centimetres, coloured.</summary>
+    /// <summary>A seeded LAS file of a hilly surface with a few things on it, in strips as an airborne scan comes: point format
+    /// 2, centimetres, coloured.</summary>
     static unsafe class TerrainBenchmarkFile
     {
         public const int RecordBytes = 26;

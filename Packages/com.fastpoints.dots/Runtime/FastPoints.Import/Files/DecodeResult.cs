@@ -1,6 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>How the decoding of one range ended. Written by the decoding job, turned into an exception on the main thread.</summary>
+    /// <summary>How the decoding of one range ended. Written by the decoding job, turned into an exception on the main
+    /// thread.</summary>
     public struct DecodeResult
     {
         /// <summary>Points in the batch; fewer than asked for where the input broke off.</summary>

@@ -26,7 +26,8 @@ namespace FastPoints.Files
         public virtual bool BlocksAreKnown => true;
 
         /// <summary>
-        /// Work (for a pump) that finds the blocks by looking through the file once: line starts of an ascii file, a lost chunk table.
+        /// Work (for a pump) that finds the blocks by looking through the file once: line starts of an ascii file, a lost chunk
+        /// table.
         /// </summary>
         public virtual IEnumerator<JobHandle> FindBlocks()
         {
@@ -42,8 +43,8 @@ namespace FastPoints.Files
         /// their place, when there are no slots.</summary>
         public virtual IEnumerator<JobHandle> FindBeginnings() => FindBlocks();
 
-        /// <summary>Whether what <see cref="FindBeginnings"/> finds lies all over the source, each point as likely as any other, and
-        /// not in its beginning.</summary>
+        /// <summary>Whether what <see cref="FindBeginnings"/> finds lies all over the source, each point as likely as any
+        /// other, and not in its beginning.</summary>
         public virtual bool BeginningsAreSpread => false;
 
         /// <summary>Points of the whole source, after <see cref="FindBeginnings"/>.</summary>
@@ -53,8 +54,8 @@ namespace FastPoints.Files
         /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         public virtual SourceTree Tree => null;
 
-        /// <summary>Work (for a pump) that reads the pages of <see cref="Tree"/> that its first levels take, and no more: afterwards
-        /// the blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
+        /// <summary>Work (for a pump) that reads the pages of <see cref="Tree"/> that its first levels take, and no more:
+        /// afterwards the blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
         public virtual IEnumerator<JobHandle> FindLevels(int levels) => FindBlocks();
 
         public abstract int BlockCount { get; }
@@ -70,7 +71,8 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file that a range takes to read (an estimate where the format gives none).</summary>
         public abstract long BytesOfRange(BlockRange range);
 
-        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are cheap.</summary>
+        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
+        /// cheap.</summary>
         public virtual bool HasFixedStride => false;
 
         /// <summary>Points of all blocks together.</summary>

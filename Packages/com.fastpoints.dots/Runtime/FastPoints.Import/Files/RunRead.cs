@@ -63,7 +63,8 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 
-        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at once.</summary>
+        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at
+        /// once.</summary>
         /// <param name="runs">In the file's order, not overlapping, all within the file.</param>
         /// <param name="first">The first one to take.</param>
         /// <param name="most">The most to take.</param>

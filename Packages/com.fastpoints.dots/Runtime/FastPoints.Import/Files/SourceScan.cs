@@ -17,8 +17,8 @@ namespace FastPoints.Files
         /// cores and the size of the blocks.</summary>
         public const long MaxSlotBytes = 96L << 20;
 
-        /// <summary>As many slots as <see cref="DefaultSlots"/>, or as fit into <see cref="MaxSlotBytes"/>: a block's columns and its
-        /// bytes in the file.</summary>
+        /// <summary>As many slots as <see cref="DefaultSlots"/>, or as fit into <see cref="MaxSlotBytes"/>: a block's columns
+        /// and its bytes in the file.</summary>
         public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
 
         /// <param name="extraBytesPerPoint">What the consumer keeps by slot.</param>

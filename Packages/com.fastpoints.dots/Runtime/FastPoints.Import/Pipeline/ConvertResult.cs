@@ -17,7 +17,8 @@ namespace FastPoints.Pipeline
         /// <summary>What chunks were made for: the stored bytes depend on it.</summary>
         public long PointsPerChunk;
 
-        /// <summary>How long single runs of the octree's own jobs took: median, 99th percentile, longest; in steps of 0.1 ms.</summary>
+        /// <summary>How long single runs of the octree's own jobs took: median, 99th percentile, longest; in steps of 0.1
+        /// ms.</summary>
         public double[] SliceMs;
 
         /// <summary>About a build of this target that was broken off before, or null.</summary>

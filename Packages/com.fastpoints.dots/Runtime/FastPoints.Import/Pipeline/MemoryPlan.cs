@@ -20,7 +20,8 @@ namespace FastPoints.Pipeline
 
         const int ChunksPlanned = 2;
 
-        /// <summary>More show no more in a picture of everything; fewer where they took more than this share of the memory.</summary>
+        /// <summary>More show no more in a picture of everything; fewer where they took more than this share of the
+        /// memory.</summary>
         const long MaxProvisionalPoints = 1 << 17;
         const long ProvisionalShare = 16;
 

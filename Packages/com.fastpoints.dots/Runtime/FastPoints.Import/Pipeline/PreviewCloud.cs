@@ -31,8 +31,8 @@ namespace FastPoints.Pipeline
             m_fileBefore = FileNow();
         }
 
-        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is that of
-        /// the wave until the work goes on.</summary>
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is
+        /// that of the wave until the work goes on.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
         public PreviewSample Sample { get; private set; }

@@ -12,7 +12,8 @@ namespace FastPoints.Pipeline
     /// built yet. Owns its records.</summary>
     public sealed class ProvisionalSample : IDisposable
     {
-        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16 cover.</summary>
+        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
+        /// cover.</summary>
         const int RunPoints = 16;
         const int SlotsInFlight = 8;
 

@@ -5,14 +5,14 @@ using FastPoints.Files;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// In which order all points of a source are read, in waves. Where blocks are few enough for a decoder state each: all blocks to
-    /// the same share of their points, then all of them deeper. Otherwise whole blocks, spread over the source.
+    /// In which order all points of a source are read, in waves. Where blocks are few enough for a decoder state each: all
+    /// blocks to the same share of their points, then all of them deeper. Otherwise whole blocks, spread over the source.
     /// </summary>
     /// <remarks>
     /// Ranges come in rounds, whatever the number of slots and threads. Going on with the blocks that found most bare cells was
-    /// tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells bare, that
-    /// of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion they are longer
-    /// for as many bare cells. Its many slices took twice the time.
+    /// tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells bare,
+    /// that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion they
+    /// are longer for as many bare cells. Its many slices took twice the time.
     /// </remarks>
     public sealed class DepthPlan
     {

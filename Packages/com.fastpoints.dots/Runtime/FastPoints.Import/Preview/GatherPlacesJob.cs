@@ -6,8 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Copies what is there of a sample that is still collected, one slice of places after the other, to the beginning of
-    /// one to draw.</summary>
+    /// <summary>Copies what is there of a sample that is still collected, one slice of places after the other, to the beginning
+    /// of one to draw.</summary>
     [BurstCompile]
     struct GatherPlacesJob : IJob
     {

@@ -6,8 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Keeps, of points in one slice after the other, the first one of each cell in which there is none so far, and moves
-    /// them together.</summary>
+    /// <summary>Keeps, of points in one slice after the other, the first one of each cell in which there is none so far, and
+    /// moves them together.</summary>
     [BurstCompile]
     struct KeepBareCellsJob : IJob
     {

@@ -5,9 +5,9 @@ using FastPoints.Files;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// How many points of which blocks a sample of prefixes takes, wave by wave: some blocks spread over the source first, then all of
-    /// them, then more of each, in proportion to the points they have. Of a source with an octree, its levels from the top, whole ones
-    /// but for the last.
+    /// How many points of which blocks a sample of prefixes takes, wave by wave: some blocks spread over the source first, then
+    /// all of them, then more of each, in proportion to the points they have. Of a source with an octree, its levels from the
+    /// top, whole ones but for the last.
     /// </summary>
     sealed class PrefixPlan
     {

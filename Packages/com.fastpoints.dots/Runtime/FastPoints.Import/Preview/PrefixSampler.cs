@@ -11,8 +11,9 @@ namespace FastPoints.Preview
     /// <summary>The beginnings of blocks from all over a source of which nothing else is cheap (LAZ chunks): see
     /// <see cref="PrefixPlan"/> for how many of which.</summary>
     /// <remarks>
-    /// A later wave decodes a block's beginning again to come to what follows it: a tenth of its own work where waves are ten times as
-    /// large. Points of one block's beginning are neighbours, so the sample is coarser than a uniform one of as many points.
+    /// A later wave decodes a block's beginning again to come to what follows it: a tenth of its own work where waves are ten
+    /// times as large. Points of one block's beginning are neighbours, so the sample is coarser than a uniform one of as many
+    /// points.
     /// </remarks>
     sealed class PrefixSampler : PreviewSampler
     {

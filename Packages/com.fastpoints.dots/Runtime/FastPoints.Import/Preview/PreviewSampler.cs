@@ -8,12 +8,12 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// A sample of a source that reads little and arrives in waves, coarse to fine, each the beginning of the next one and spread over
-    /// all of the source. The time it takes depends on the points wanted, hardly on the source's size.
+    /// A sample of a source that reads little and arrives in waves, coarse to fine, each the beginning of the next one and
+    /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.
     /// </summary>
     /// <remarks>
-    /// The sample is the same for the same source, seed and number of points, whatever the threads, slots and the disk. All members
-    /// belong to the thread of the pump.
+    /// The sample is the same for the same source, seed and number of points, whatever the threads, slots and the disk. All
+    /// members belong to the thread of the pump.
     /// </remarks>
     public abstract class PreviewSampler : IDisposable
     {
@@ -37,8 +37,8 @@ namespace FastPoints.Preview
             m_sample.Method = method;
         }
 
-        /// <summary>Raised on the pump's thread after each wave: the beginning of <see cref="Sample"/> that it is can be drawn from
-        /// then on.</summary>
+        /// <summary>Raised on the pump's thread after each wave: the beginning of <see cref="Sample"/> that it is can be drawn
+        /// from then on.</summary>
         public event Action<SampleWave> WaveReady;
 
         /// <summary>The waves that are there.</summary>

@@ -11,8 +11,8 @@ using Unity.Mathematics;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and has a sample to draw
-    /// at a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>, point for point.
+    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and has a sample to
+    /// draw at a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>, point for point.
     /// </summary>
     /// <remarks>
     /// Until then the sample has those of its points that were come to, and in place of the others the first point of each cell
@@ -21,12 +21,12 @@ namespace FastPoints.Preview
     /// </remarks>
     public sealed class RefiningSampler : IDisposable
     {
-        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding does, for the states that
-        /// are kept and the sample that is put together: one more, at a fifteenth, kept all others waiting.</summary>
+        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding does, for the states
+        /// that are kept and the sample that is put together: one more, at a fifteenth, kept all others waiting.</summary>
         static readonly double[] s_shares = { 0.2, 0.5, 1 };
 
-        /// <summary>A first sample of so many points is worth its time anywhere; of one in so many where blocks are too many to be
-        /// come to together.</summary>
+        /// <summary>A first sample of so many points is worth its time anywhere; of one in so many where blocks are too many to
+        /// be come to together.</summary>
         const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
 
         /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there

@@ -9,9 +9,9 @@ namespace FastPoints.Preview
     /// Blittable, for jobs.
     /// </summary>
     /// <remarks>
-    /// Within a stratum each point is taken with the same probability, points taken over points there: runs that leave it go on at
-    /// its beginning. Strata differ by one point in length, runs by one point in count; a sample of nearly all points may so lack
-    /// one point a run, and the places of one of all points have gaps.
+    /// Within a stratum each point is taken with the same probability, points taken over points there: runs that leave it go on
+    /// at its beginning. Strata differ by one point in length, runs by one point in count; a sample of nearly all points may so
+    /// lack one point a run, and the places of one of all points have gaps.
     /// </remarks>
     public readonly struct RunPlan
     {
@@ -50,14 +50,15 @@ namespace FastPoints.Preview
         /// <summary>Points of the longest run's stretch of the file.</summary>
         public int MaxStretchPoints => RunCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
 
-        /// <summary>First place in the sample of the run that is so far up in the order; <see cref="PlaceCount"/> for the one after
-        /// the last.</summary>
+        /// <summary>First place in the sample of the run that is so far up in the order; <see cref="PlaceCount"/> for the one
+        /// after the last.</summary>
         public int PlaceOf(int rank) => (int)m_places.FirstOf(rank);
 
         /// <summary>How many runs it takes, from the first in the order, for so many points.</summary>
         public int RunsFor(int points) => points >= PlaceCount ? RunCount : m_places.StratumOf(points - 1) + 1;
 
-        /// <summary>The run of a stratum, in the file's order: one stretch, or two where it goes round its stratum's end.</summary>
+        /// <summary>The run of a stratum, in the file's order: one stretch, or two where it goes round its stratum's
+        /// end.</summary>
         /// <param name="rank">The stratum's place among the runs.</param>
         /// <returns>Whether there is a second one.</returns>
         public bool RunOf(int stratum, int rank, out PointRun run, out PointRun second)

@@ -23,7 +23,8 @@ namespace FastPoints.Preview
         /// <summary>Bytes of a slot's buffer.</summary>
         const int SlotBytes = 2 << 20;
 
-        /// <summary>What a slow disk reads in a second once it is there: a gap that takes less time than another read is read.</summary>
+        /// <summary>What a slow disk reads in a second once it is there: a gap that takes less time than another read is
+        /// read.</summary>
         const double BytesPerSecondOfGaps = 200e6;
 
         const int MinGapBytes = 512, MaxGapBytes = 256 << 10;

@@ -6,8 +6,8 @@ namespace FastPoints.Preview
     /// </summary>
     /// <remarks>
     /// The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011, with the
-    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order one lies in each
-    /// 2^-k of the strata (give or take the places beyond the last stratum, which are passed over).
+    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order one lies in
+    /// each 2^-k of the strata (give or take the places beyond the last stratum, which are passed over).
     /// </remarks>
     public readonly struct SampleOrder
     {

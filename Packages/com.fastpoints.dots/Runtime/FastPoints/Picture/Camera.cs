@@ -13,8 +13,8 @@ namespace FastPoints.Picture
     {
         public double3 EyeGeo;
 
-        /// <summary>Right, up and forward are those of the picture (forward goes into it): unit vectors, or, where a CRS unit is not
-        /// the same length along every axis, such vectors times these lengths.</summary>
+        /// <summary>Right, up and forward are those of the picture (forward goes into it): unit vectors, or, where a CRS unit
+        /// is not the same length along every axis, such vectors times these lengths.</summary>
         public double3 Right;
         public double3 Up;
         public double3 Forward;

@@ -20,7 +20,8 @@ namespace FastPoints.Picture
         const double Widening = 0.1;
 
         /// <summary>What lies farther from the middle half than so many times its longest edge is not framed, however many points
-        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.</summary>
+        /// that are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one
+        /// pixel.</summary>
         const double FarInMiddleHalves = 50;
 
         /// <summary>Bounds so many times as large as those that are framed are told of.</summary>
@@ -221,8 +222,8 @@ namespace FastPoints.Picture
                     + ": these are framed");
         }
 
-        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of the
-        /// cloud gives the same.</summary>
+        /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of
+        /// the cloud gives the same.</summary>
         void SetLengths()
         {
             LengthsPerUnit = new double3(1, 1, 1);

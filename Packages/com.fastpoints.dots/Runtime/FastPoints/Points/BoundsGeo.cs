@@ -2,7 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>An axis-aligned box in georeferenced coordinates (CRS units). Empty when any minimum exceeds its maximum.</summary>
+    /// <summary>An axis-aligned box in georeferenced coordinates (CRS units). Empty when any minimum exceeds its
+    /// maximum.</summary>
     public struct BoundsGeo
     {
         public double3 Min;

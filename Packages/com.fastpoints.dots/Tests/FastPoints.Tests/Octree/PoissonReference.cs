@@ -66,7 +66,8 @@ namespace FastPoints.Tests.Octree
             }
         }
 
-        /// <summary>The points of the cubes, which come along the curve as they do: by tile, the order kept within each.</summary>
+        /// <summary>The points of the cubes, which come along the curve as they do: by tile, the order kept within
+        /// each.</summary>
         int[] ByTile(int[] order, List<Cube> cubes, Cube[] cubeOfPoint, int cell)
         {
             cubes.Sort((a, b) => a.Points[0].CompareTo(b.Points[0]));

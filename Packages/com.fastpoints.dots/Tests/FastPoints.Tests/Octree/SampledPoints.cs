@@ -117,7 +117,8 @@ namespace FastPoints.Tests.Octree
             return result;
         }
 
-        /// <summary>Smallest distance between two sampled points, by the smaller of their spacings: 1 and more is right.</summary>
+        /// <summary>Smallest distance between two sampled points, by the smaller of their spacings: 1 and more is
+        /// right.</summary>
         public double SmallestRatio()
         {
             double smallest = double.PositiveInfinity;

@@ -11,7 +11,8 @@ namespace FastPoints.Tests.Pipeline
 {
     public class ConvertSamplesTests
     {
-        /// <summary>Every file that can be read becomes a cloud of the same points; one that cannot leaves nothing behind.</summary>
+        /// <summary>Every file that can be read becomes a cloud of the same points; one that cannot leaves nothing
+        /// behind.</summary>
         [Test, Category("Long")]
         public void Convert_EverySample_KeepsEveryPoint([Values("las", "laz", "ply", "broken")] string kind)
         {

@@ -199,8 +199,8 @@ namespace FastPoints.Tests.Pipeline
                 int stop = (int)((attempt + random.NextDouble()) / 6 * steps);
                 for (int i = 0; i < stop && work.MoveNext(); i++)
                     work.Current.Complete();
-                // What a kill would leave: the folder as it is now, and a file that nobody closed. The writer thread has no end to
-                // wait for here: it is given time, so that no file is renamed while it is copied.
+                // What a kill would leave: the folder as it is now, and a file that nobody closed. The writer thread has no end
+                // to wait for here: it is given time, so that no file is renamed while it is copied.
                 Thread.Sleep(30);
                 bool isWhole = Directory.Exists(Target(name));
                 if (!isWhole)

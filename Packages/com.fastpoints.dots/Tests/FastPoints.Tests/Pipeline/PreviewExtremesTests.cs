@@ -38,7 +38,8 @@ namespace FastPoints.Tests.Pipeline
 
         static string[] Warnings(PointReader reader) => reader.Info.Warnings.Select(w => w.Text).ToArray();
 
-        /// <summary>A LAS file of format 0 that claims so many points, and has room for them; x counts those that are written.</summary>
+        /// <summary>A LAS file of format 0 that claims so many points, and has room for them; x counts those that are
+        /// written.</summary>
         /// <param name="written">Those for which this holds: the others are a hole.</param>
         void WriteLas(long points, int stride, Func<long, bool> written)
         {

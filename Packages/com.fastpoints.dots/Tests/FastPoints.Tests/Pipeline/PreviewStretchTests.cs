@@ -61,8 +61,8 @@ namespace FastPoints.Tests.Pipeline
             var xs = Xs(sample);
             Assert.That(sample.IsOfBeginning, Is.False);
             Assert.That(xs.Distinct().Count(), Is.EqualTo(xs.Length));
-            // Of the bytes eight ninths are the second half's. A stretch has 820 or 103 lines to choose from: one more or less at its
-            // ends moves the shares by less than a hundredth.
+            // Of the bytes eight ninths are the second half's. A stretch has 820 or 103 lines to choose from: one more or less
+            // at its ends moves the shares by less than a hundredth.
             Assert.That(xs.Count(x => x < Lines / 2) / (double)xs.Length, Is.EqualTo(0.5).Within(0.02));
             foreach (var eighth in xs.GroupBy(x => (int)x / (Lines / 8)))
                 Assert.That(eighth.Count() / (double)xs.Length, Is.EqualTo(0.125).Within(0.01));

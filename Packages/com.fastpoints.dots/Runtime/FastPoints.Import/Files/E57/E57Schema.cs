@@ -10,9 +10,9 @@ namespace FastPoints.Files
     /// The one schema of a file whose scans may differ in their fields, and how each scan's fields become its attributes.
     /// </summary>
     /// <remarks>
-    /// A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float where they are floats
-    /// that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all scans; a scan without
-    /// it has 0.
+    /// A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float where they
+    /// are floats that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all scans; a
+    /// scan without it has 0.
     /// </remarks>
     sealed class E57Schema
     {
@@ -31,7 +31,8 @@ namespace FastPoints.Files
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
 
-        /// <summary>Grid positions: by scan and axis, steps of the grid that one of the scan's is, and what is added then.</summary>
+        /// <summary>Grid positions: by scan and axis, steps of the grid that one of the scan's is, and what is added
+        /// then.</summary>
         long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
 

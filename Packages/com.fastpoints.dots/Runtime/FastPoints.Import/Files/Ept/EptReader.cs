@@ -189,8 +189,8 @@ namespace FastPoints.Files
             return m_blocks[block];
         }
 
-        /// <summary>A node gave its last point before <paramref name="point"/>: blocks behind it are not tried, which would cost each
-        /// the node from its start.</summary>
+        /// <summary>A node gave its last point before <paramref name="point"/>: blocks behind it are not tried, which would
+        /// cost each the node from its start.</summary>
         internal void EndNode(in EptBlock block, long point)
         {
             var node = (block.Level, block.Cell);

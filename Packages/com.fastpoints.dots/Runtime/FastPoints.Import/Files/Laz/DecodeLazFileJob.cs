@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slice of a whole LAZ file in memory, header and all: the nodes of octrees that keep each in a file of its own. A chain of
-    /// these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
+    /// A slice of a whole LAZ file in memory, header and all: the nodes of octrees that keep each in a file of its own. A chain
+    /// of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob

@@ -98,8 +98,8 @@ namespace FastPoints.Files
             return m_blocks[block];
         }
 
-        /// <summary>A chunk gave its last point before <paramref name="point"/>, counted in it: blocks behind it are not tried, which
-        /// would cost each the chunk from its start.</summary>
+        /// <summary>A chunk gave its last point before <paramref name="point"/>, counted in it: blocks behind it are not tried,
+        /// which would cost each the chunk from its start.</summary>
         internal void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
         /// <summary>Points that a chunk can have, as far as is known.</summary>

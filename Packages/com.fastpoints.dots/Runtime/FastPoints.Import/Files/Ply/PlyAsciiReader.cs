@@ -47,7 +47,8 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>Vertices all over the file, by jumping: where there are faces as well, nothing tells their lines apart.</summary>
+        /// <summary>Vertices all over the file, by jumping: where there are faces as well, nothing tells their lines
+        /// apart.</summary>
         public override bool HasBeginnings => !m_areAllFound && m_hasVerticesAlone
             && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
 

@@ -3,7 +3,8 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Binary PLY records to columns. Every value's bytes are kept, turned round where the file is big endian. Called by jobs; HPC#.
+    /// Binary PLY records to columns. Every value's bytes are kept, turned round where the file is big endian. Called by jobs;
+    /// HPC#.
     /// </summary>
     static unsafe class PlyRecords
     {

@@ -33,7 +33,8 @@ namespace FastPoints.Files
         /// <summary>Records read in one go.</summary>
         const int StepRecords = 4096;
 
-        /// <summary>More points than Brotli packs into a byte, whatever they are: 20,000 equal points take some 60 bytes.</summary>
+        /// <summary>More points than Brotli packs into a byte, whatever they are: 20,000 equal points take some 60
+        /// bytes.</summary>
         const int MaxPointsPerByte = 1000;
 
         /// <summary>Of a node's Brotli stream, which a slot holds whole.</summary>

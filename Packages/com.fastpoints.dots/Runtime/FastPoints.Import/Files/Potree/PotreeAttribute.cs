@@ -55,8 +55,8 @@ namespace FastPoints.Files
         public bool IsPackedNormal =>
             Kind == PotreeAttributeKind.SphereMappedNormal || Kind == PotreeAttributeKind.OctahedralNormal;
 
-        /// <summary>An attribute by name, type and size as the index gives them. One whose size does not fit its type, or whose type
-        /// is not known, is read as single bytes, and <paramref name="oddity"/> says so.</summary>
+        /// <summary>An attribute by name, type and size as the index gives them. One whose size does not fit its type, or whose
+        /// type is not known, is read as single bytes, and <paramref name="oddity"/> says so.</summary>
         /// <param name="scales">Value = stored * scale + offset, by element; null for 1.</param>
         public static PotreeAttribute Make(string name, string typeName, int bytes, double[] scales, double[] offsets,
             out string oddity)
@@ -98,7 +98,8 @@ namespace FastPoints.Files
                 Columns[i] = new PointAttribute(Name + "[" + Text(i) + "]", Type);
         }
 
-        /// <summary>Of the attributes that are more than a list of numbers, if it is one of them in the form that these have.</summary>
+        /// <summary>Of the attributes that are more than a list of numbers, if it is one of them in the form that these
+        /// have.</summary>
         bool MakeSpecial(string canonical)
         {
             switch (canonical)

@@ -9,11 +9,11 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slot for nodes that are LAS or LAZ files: the file is opened for its range, its slots decode, and jobs move their columns
-    /// to the cloud's grid.
+    /// A slot for nodes that are LAS or LAZ files: the file is opened for its range, its slots decode, and jobs move their
+    /// columns to the cloud's grid.
     /// </summary>
-    /// <remarks>A header and a chunk table are read on the main thread, some hundred bytes, and the file's slots are made anew for
-    /// each node: these files are for being converted, not for streaming.</remarks>
+    /// <remarks>A header and a chunk table are read on the main thread, some hundred bytes, and the file's slots are made anew
+    /// for each node: these files are for being converted, not for streaming.</remarks>
     sealed class PotreeLasRead : BlockRead
     {
         /// <summary>A slot of the node's file, and where its columns are.</summary>

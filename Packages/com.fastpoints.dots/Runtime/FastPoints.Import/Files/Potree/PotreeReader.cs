@@ -14,9 +14,9 @@ namespace FastPoints.Files
     /// as levels are asked for.
     /// </summary>
     /// <remarks>
-    /// A node of more points than a slot should hold becomes several blocks where its records allow it; the tree then has an entry
-    /// for each, of the same cell. What a hierarchy claims is held against the files that are there: missing or short ones are
-    /// holes, and warnings; each byte of a hierarchy is believed once, so that loops end.
+    /// A node of more points than a slot should hold becomes several blocks where its records allow it; the tree then has an
+    /// entry for each, of the same cell. What a hierarchy claims is held against the files that are there: missing or short
+    /// ones are holes, and warnings; each byte of a hierarchy is believed once, so that loops end.
     /// </remarks>
     public abstract class PotreeReader : PointReader
     {

@@ -11,10 +11,10 @@ namespace FastPoints.Files
     /// hashed place, from its first line end on. What it takes does not depend on the file's size.
     /// </summary>
     /// <remarks>
-    /// Bytes are no points: where lines are long, fewer of them start in a stretch. Each line has the same chance nevertheless: one
-    /// that starts at byte b is found by the stretches that begin at most b - 1 and end behind b, which are as many for a long line
-    /// as for a short one, and whatever stands before it. Only all lines of a stretch are fair; a fixed number of each would prefer
-    /// lines among long ones.
+    /// Bytes are no points: where lines are long, fewer of them start in a stretch. Each line has the same chance nevertheless:
+    /// one that starts at byte b is found by the stretches that begin at most b - 1 and end behind b, which are as many for a
+    /// long line as for a short one, and whatever stands before it. Only all lines of a stretch are fair; a fixed number of
+    /// each would prefer lines among long ones.
     /// </remarks>
     sealed class AsciiStretches : IDisposable
     {
@@ -51,8 +51,8 @@ namespace FastPoints.Files
         /// <summary>Stretches with lines, and all that start in each.</summary>
         public PlyBlock[] TakeBlocks() => m_blocks.ToArray();
 
-        /// <summary>Lines of the whole file. The standard error is by the differences of neighbouring stretches, as each part has one
-        /// stretch alone (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
+        /// <summary>Lines of the whole file. The standard error is by the differences of neighbouring stretches, as each part
+        /// has one stretch alone (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
         public PointEstimate Estimate
         {
             get

@@ -8,7 +8,8 @@ using static FastPoints.Files.Tests.EptTestClouds;
 
 namespace FastPoints.Files.Tests
 {
-    /// <summary>Nodes that are LAZ files of their own: on other grids than the root's, of another kind, longer than claimed.</summary>
+    /// <summary>Nodes that are LAZ files of their own: on other grids than the root's, of another kind, longer than
+    /// claimed.</summary>
     public class EptLazNodeTests
     {
         [TestCase(0, 3, 100)]

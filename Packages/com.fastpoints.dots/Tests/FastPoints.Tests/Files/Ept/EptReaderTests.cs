@@ -296,7 +296,8 @@ namespace FastPoints.Files.Tests
                 }
         }
 
-        /// <summary>Flipped and cut bytes in ept.json, pages and nodes: a failure of one line, or no more points than before.</summary>
+        /// <summary>Flipped and cut bytes in ept.json, pages and nodes: a failure of one line, or no more points than
+        /// before.</summary>
         [TestCase(EptDataType.Binary)]
         [TestCase(EptDataType.Zstandard)]
         [TestCase(EptDataType.Laszip)]

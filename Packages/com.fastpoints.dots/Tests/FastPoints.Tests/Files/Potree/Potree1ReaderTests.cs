@@ -68,7 +68,8 @@ namespace FastPoints.Files.Tests
         static List<int> ReadAll(PointReader reader) =>
             PotreeCheck.Read(reader, reader.Info.Schema, PotreeCheck.WholeBlocks(reader), 3, "INDICES", Value);
 
-        /// <summary>Corners of the cells lie between steps, and yet all positions come back: see <see cref="Potree1Reader"/>.</summary>
+        /// <summary>Corners of the cells lie between steps, and yet all positions come back: see
+        /// <see cref="Potree1Reader"/>.</summary>
         [TestCase("1.4")]
         [TestCase("1.5")]
         [TestCase("1.7")]
@@ -111,7 +112,8 @@ namespace FastPoints.Files.Tests
                 }
         }
 
-        /// <summary>A scale that is no sum of powers of two: the converter's truncation takes a step off here and there.</summary>
+        /// <summary>A scale that is no sum of powers of two: the converter's truncation takes a step off here and
+        /// there.</summary>
         [Test]
         public void Read_DecimalScale_IsWithinAStep()
         {

@@ -31,8 +31,8 @@ namespace FastPoints.Files.Tests
             }
         }
 
-        /// <summary>Potree 1.7 BIN beside a plain reading of its files: positions in double, within a step above Potree's own, and
-        /// in their node's cell.</summary>
+        /// <summary>Potree 1.7 BIN beside a plain reading of its files: positions in double, within a step above Potree's own,
+        /// and in their node's cell.</summary>
         [Test]
         public void Potree1_Bin_HasThePointsOfItsFiles()
         {
