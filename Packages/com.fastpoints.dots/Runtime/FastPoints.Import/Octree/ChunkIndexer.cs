@@ -15,6 +15,7 @@ namespace FastPoints.Octree
         // How often the samplers look at a point, in most clouds.
         const int UsualLevels = 12;
         const int UsualLooks = 32;
+        const int UsualLooksOfAverage = 64;
 
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;
@@ -255,7 +256,8 @@ namespace FastPoints.Octree
                 PointsPerSlice = SamplePoissonJob.PointsOfSlice,
             };
             // Slices that come after the end have nothing to do; one takes what is left where levels are many.
-            for (long looked = 0; looked < (long)count * UsualLooks; looked += job.PointsPerSlice)
+            int looks = m_sampler == Sampler.Average ? UsualLooksOfAverage : UsualLooks;
+            for (long looked = 0; looked < (long)count * looks; looked += job.PointsPerSlice)
                 inputDeps = job.Schedule(inputDeps);
             job.PointsPerSlice = int.MaxValue;
             return job.Schedule(inputDeps);

@@ -64,6 +64,8 @@ namespace FastPoints.Octree
 
         public void Execute()
         {
+            if (Scratch.IsDone)
+                return;
             long begin = SliceTimes.Begin();
             Run();
             Slices.End(begin);

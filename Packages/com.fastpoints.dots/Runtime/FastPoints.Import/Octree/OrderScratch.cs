@@ -40,6 +40,8 @@ namespace FastPoints.Octree
 
         public bool IsCreated => Now.IsCreated;
 
+        public bool IsDone => Now.Value.Stage == OrderChunkJob.Stage.Done;
+
         public void Dispose()
         {
             if (!Now.IsCreated)

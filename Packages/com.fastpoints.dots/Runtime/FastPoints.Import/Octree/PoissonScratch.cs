@@ -1,5 +1,4 @@
 using System;
-using FastPoints.Points;
 using Unity.Collections;
 
 namespace FastPoints.Octree
@@ -14,19 +13,13 @@ namespace FastPoints.Octree
             public SamplePoissonJob.Stage Stage;
 
             /// <summary>The range in work, or -1; the first point of the tile in work, and its end where the first of its darts
-            /// are thrown; while a range is split, the first point of the next part; while the grid is filled, the next
-            /// sample.</summary>
+            /// are thrown; while a range is split, the first point of the next part, while it is averaged, the next point; while
+            /// the grid is filled, the next sample.</summary>
             public int At;
             public int Point;
             public int EndOfTile;
 
-            /// <summary>A range that is looked at, what was seen so far, and where it goes on: how many points were taken by
-            /// nodes above, and log2 of the largest cube that neighbours have in common since the last of these.</summary>
-            public SampledRange Looked;
-            public RangeLook Look;
-            public int LookAt;
-            public int Taken;
-            public int SinceTaken;
+            public RangeLooking Looking;
 
             /// <summary>How many of the darts are thrown, and whether the tile has others.</summary>
             public int Dart;
@@ -44,7 +37,7 @@ namespace FastPoints.Octree
         }
 
         public NativeReference<State> Now;
-        public NativeList<SampledRange> Ranges;
+        public WaitingRanges Ranges;
         public NativeList<PoissonSample> Samples;
 
         /// <summary>By slot of the hash grid: the sample that came last, or -1.</summary>
@@ -62,22 +55,16 @@ namespace FastPoints.Octree
         /// <summary>By run of a few points on the curve: the sample that kept off the last one of them, or -1.</summary>
         public NativeList<int> KeeperOfRun;
 
-        /// <summary>By cell size: first and last range that waits to be sampled, or -1.</summary>
-        public NativeArray<int> FirstRange;
-        public NativeArray<int> LastRange;
-
         public PoissonScratch(Allocator allocator)
         {
             Now = new NativeReference<State>(allocator);
-            Ranges = new NativeList<SampledRange>(64, allocator);
+            Ranges = new WaitingRanges(allocator);
             Samples = new NativeList<PoissonSample>(64, allocator);
             Heads = new NativeList<int>(64, allocator);
             Waiting = new NativeList<int>(64, allocator);
             Darts = new NativeList<int>(64, allocator);
             Covered = new NativeArray<ulong>(PoissonCover.Words, allocator);
             KeeperOfRun = new NativeList<int>(64, allocator);
-            FirstRange = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
-            LastRange = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
         }
 
         public bool IsDone => Now.Value.Stage == SamplePoissonJob.Stage.Done;
@@ -94,8 +81,6 @@ namespace FastPoints.Octree
             Darts.Dispose();
             Covered.Dispose();
             KeeperOfRun.Dispose();
-            FirstRange.Dispose();
-            LastRange.Dispose();
         }
     }
 }

@@ -101,6 +101,8 @@ namespace FastPoints.Octree
 
         public void Execute()
         {
+            if (Scratch.IsDone)
+                return;
             long begin = SliceTimes.Begin();
             Run();
             Slices.End(begin);
@@ -150,8 +152,6 @@ namespace FastPoints.Octree
             Nodes.Clear();
             Scratch.Ranges.Clear();
             Scratch.Samples.Clear();
-            for (int i = 0; i <= GridCube.MaxSideLog2; i++)
-                Scratch.FirstRange[i] = Scratch.LastRange[i] = -1;
             UnsafeUtility.MemSet(m_nodeOfPoint, 0xFF, (long)Count * sizeof(int));
             int runs = (Count >> RunLog2) + 1;
             Scratch.KeeperOfRun.ResizeUninitialized(runs);
@@ -170,48 +170,15 @@ namespace FastPoints.Octree
         /// <summary>What becomes of a range is seen when all its points were looked at.</summary>
         void Visit(in SampledRange range)
         {
-            m_now.Looked = range;
-            m_now.LookAt = range.First;
-            m_now.Look = default;
-            m_now.Taken = m_now.SinceTaken = 0;
+            m_now.Looking = new RangeLooking(range);
             m_now.Stage = Stage.Look;
         }
 
         void Look()
         {
-            var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
-            var range = m_now.Looked;
-            var look = m_now.Look;
-            int end = (int)math.min(range.End, m_now.LookAt + m_budget);
-            // By side: neighbours in the order whose smallest common cube has it; of all points, less those of the taken ones.
-            // A cell boundary lies between two points where their common cube is larger than the cell.
-            int taken = m_now.Taken;
-            uint sinceTaken = (uint)m_now.SinceTaken, largest = (uint)look.Largest;
-            for (int i = m_now.LookAt; i < end; i++)
-            {
-                if (i > range.First)
-                {
-                    look.CellsBelow[common[i]]++;
-                    sinceTaken = math.max(sinceTaken, common[i]);
-                    largest = math.max(largest, common[i]);
-                }
-                if (m_nodeOfPoint[i] < 0)
-                    continue;
-                if (taken++ > 0)
-                    look.CellsBelow[sinceTaken]--;
-                sinceTaken = 0;
-            }
-            look.Largest = (int)largest;
-            m_budget -= end - m_now.LookAt;
-            m_now.LookAt = end;
-            m_now.Look = look;
-            m_now.Taken = taken;
-            m_now.SinceTaken = (int)sinceTaken;
-            if (end < range.End)
+            if (!m_now.Looking.GoOn((byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr(), m_nodeOfPoint, ref m_budget))
                 return;
-            look.Left = range.End - range.First - taken;
-            look.AnyCell = taken > 0 ? 0 : 1;
-            Place(range, look);
+            Place(m_now.Looking.Range, m_now.Looking.Look);
             m_now.Stage = m_now.At < 0 ? Stage.NextSpacing : Stage.Split;
         }
 
@@ -219,36 +186,9 @@ namespace FastPoints.Octree
         void Place(SampledRange range, in RangeLook look)
         {
             if (!Drafting.TakeWhole(ref range, look, out int top))
-                Wait(range, Scratch.Ranges.Length);
+                Scratch.Ranges.Add(range);
             else if (top >= 0 && !Tops[top].IsLeaf)
                 AddTop(range);
-        }
-
-        /// <summary>Ranges of one spacing wait in their order along the curve, wherever they come from.</summary>
-        void Wait(SampledRange range, int number)
-        {
-            Scratch.Ranges.Add(range);
-            var ranges = Scratch.Ranges.GetUnsafePtr();
-            int after = Scratch.LastRange[range.CellLog2];
-            if (after >= 0 && ranges[after].First > range.First)
-            {
-                int before = Scratch.FirstRange[range.CellLog2];
-                after = -1;
-                for (; ranges[before].First < range.First; before = ranges[before].Next)
-                    after = before;
-            }
-            if (after >= 0)
-            {
-                ranges[number].Next = ranges[after].Next;
-                ranges[after].Next = number;
-            }
-            else
-            {
-                ranges[number].Next = Scratch.FirstRange[range.CellLog2];
-                Scratch.FirstRange[range.CellLog2] = number;
-            }
-            if (ranges[number].Next < 0)
-                Scratch.LastRange[range.CellLog2] = number;
         }
 
         /// <summary>What is left of a chunk's top keeps its distance from what is sampled beside it.</summary>
@@ -265,10 +205,8 @@ namespace FastPoints.Octree
         /// <summary>The widest spacing that ranges wait for, and a grid for it with all points taken so far.</summary>
         void NextSpacing()
         {
-            int cell = GridCube.MaxSideLog2;
-            while (cell >= 0 && Scratch.FirstRange[cell] < 0)
-                cell--;
-            if (cell < 0)
+            m_now.FirstRange = Scratch.Ranges.TakeWidest(out int cell);
+            if (m_now.FirstRange < 0)
             {
                 m_now.Stage = Stage.Done;
                 return;
@@ -282,8 +220,6 @@ namespace FastPoints.Octree
             UnsafeUtility.MemSet(Scratch.Heads.GetUnsafePtr(), 0xFF, (long)sizeof(int) << bits);
             PoissonCover.Begin((ulong*)Scratch.Covered.GetUnsafePtr(), cell);
             m_budget -= (1L << bits) >> 4;
-            m_now.FirstRange = Scratch.FirstRange[cell];
-            Scratch.FirstRange[cell] = Scratch.LastRange[cell] = -1;
             m_now.Point = 0;
             m_now.Stage = Stage.FillGrid;
         }
@@ -394,7 +330,7 @@ namespace FastPoints.Octree
         void Throw()
         {
             var darts = Scratch.Darts.GetUnsafePtr();
-            var range = Scratch.Ranges.GetUnsafePtr() + m_now.At;
+            ref var range = ref Scratch.Ranges[m_now.At];
             var samples = Scratch.Samples.GetUnsafePtr();
             int* keeper = Scratch.KeeperOfRun.GetUnsafePtr();
             var grid = GridOfSpacing;
@@ -416,9 +352,9 @@ namespace FastPoints.Octree
                     keeper[point >> RunLog2] = found;
                     continue;
                 }
-                if (range->Count == Sizes.MaxPointsPerNode)
+                if (range.Count == Sizes.MaxPointsPerNode)
                     continue;
-                range->Count++;
+                range.Count++;
                 m_nodeOfPoint[point] = node;
                 keeper[point >> RunLog2] = taken;
                 Scratch.Samples.Add(new PoissonSample { Place = place, Point = point, Next = grid.Heads[slot] });
@@ -448,7 +384,6 @@ namespace FastPoints.Octree
             BeginSplit(m_now.FirstRange);
             if (!Averaged.IsOn)
                 return;
-            m_now.At = m_now.FirstRange;
             m_now.Stage = Stage.Average;
             m_now.FirstAverage = Averaged.Averages.Length;
             Averaged.Averages.Resize(m_now.FirstAverage + Scratch.Samples.Length - m_now.FirstSample,
@@ -463,7 +398,8 @@ namespace FastPoints.Octree
             var samples = Scratch.Samples.GetUnsafePtr();
             var averages = Averaged.Averages.GetUnsafePtr() + m_now.FirstAverage;
             var grid = GridOfSpacing;
-            for (int i = range.First; i < range.End; i++)
+            int end = (int)math.min(range.End, m_now.Point + m_budget / LooksOfDart + 1);
+            for (int i = m_now.Point; i < end; i++)
             {
                 if (m_nodeOfPoint[i] >= 0 && (range.Count == 0 || m_nodeOfPoint[i] != range.Parent))
                     continue;
@@ -474,10 +410,16 @@ namespace FastPoints.Octree
                 averages[nearest].Points += own.Points;
                 averages[nearest].Sum += own.Sum;
             }
-            m_budget -= 4L * (range.End - range.First);
-            m_now.At = range.Next;
-            if (m_now.At >= 0)
+            m_budget -= LooksOfDart * (long)(end - m_now.Point);
+            m_now.Point = end;
+            if (end < range.End)
                 return;
+            if (range.Next >= 0)
+            {
+                m_now.At = range.Next;
+                m_now.Point = Scratch.Ranges[m_now.At].First;
+                return;
+            }
             for (int s = m_now.FirstSample; s < Scratch.Samples.Length; s++)
                 Averaged.AverageOfPoint[samples[s].Point] = m_now.FirstAverage + s - m_now.FirstSample;
             BeginSplit(m_now.FirstRange);

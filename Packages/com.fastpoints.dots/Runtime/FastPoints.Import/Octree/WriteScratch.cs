@@ -42,6 +42,8 @@ namespace FastPoints.Octree
             Ranges = new NativeList<PlaneRange>(64, allocator);
         }
 
+        public bool IsDone => Now.Value.Stage == WriteNodesJob.Stage.Done;
+
         public void Dispose()
         {
             if (!Now.IsCreated)
