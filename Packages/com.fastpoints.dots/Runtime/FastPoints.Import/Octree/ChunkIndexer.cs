@@ -15,7 +15,7 @@ namespace FastPoints.Octree
         // How often the samplers look at a point, in most clouds.
         const int UsualLevels = 12;
         const int UsualLooks = 32;
-        const int UsualLooksOfAverage = 64;
+        const int UsualLooksOfAverage = 96;
 
         readonly RecordLayout m_records;
         readonly NativeStoreLayout m_store;

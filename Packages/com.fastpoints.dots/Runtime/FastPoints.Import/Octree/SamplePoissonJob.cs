@@ -41,8 +41,9 @@ namespace FastPoints.Octree
         /// <summary>Takes about 4 ms.</summary>
         public const int PointsOfSlice = 60000;
 
-        // A dart costs as much as so many points that are only looked at.
+        // A dart costs as much as so many points that are only looked at, and so does a point that adds to an average.
         const int LooksOfDart = 3;
+        const int LooksOfAverage = 8;
 
         /// <summary>Edge of a tile: log2 of the spacings.</summary>
         public const int TileSpacingsLog2 = PoissonCover.TileSpacingsLog2;
@@ -398,7 +399,7 @@ namespace FastPoints.Octree
             var samples = Scratch.Samples.GetUnsafePtr();
             var averages = Averaged.Averages.GetUnsafePtr() + m_now.FirstAverage;
             var grid = GridOfSpacing;
-            int end = (int)math.min(range.End, m_now.Point + m_budget / LooksOfDart + 1);
+            int end = (int)math.min(range.End, m_now.Point + m_budget / LooksOfAverage + 1);
             for (int i = m_now.Point; i < end; i++)
             {
                 if (m_nodeOfPoint[i] >= 0 && (range.Count == 0 || m_nodeOfPoint[i] != range.Parent))
@@ -410,7 +411,7 @@ namespace FastPoints.Octree
                 averages[nearest].Points += own.Points;
                 averages[nearest].Sum += own.Sum;
             }
-            m_budget -= LooksOfDart * (long)(end - m_now.Point);
+            m_budget -= LooksOfAverage * (long)(end - m_now.Point);
             m_now.Point = end;
             if (end < range.End)
                 return;
