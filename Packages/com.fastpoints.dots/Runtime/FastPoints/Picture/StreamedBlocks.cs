@@ -13,6 +13,7 @@ namespace FastPoints.Picture
     public sealed unsafe class StreamedBlocks : IDisposable
     {
         readonly StreamContext m_stream;
+        readonly MemoryNodePool m_pool;
         readonly int m_cloud;
         readonly PicturePlan m_plan;
         readonly PointBatch m_block;
@@ -27,6 +28,8 @@ namespace FastPoints.Picture
         public StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
             m_stream = stream;
+            m_pool = stream.Pool as MemoryNodePool ??
+                throw new ArgumentException("wanted a pool in ordinary memory, got " + stream.Pool.GetType().Name, nameof(stream));
             m_cloud = cloud;
             m_plan = plan;
             var layout = stream.Clouds[cloud].Source.Layout;
@@ -86,7 +89,7 @@ namespace FastPoints.Picture
             {
                 if (drawn.Cloud != m_cloud)
                     continue;
-                byte* at = m_stream.Pool.AddressOf(drawn.Run);
+                byte* at = m_pool.AddressOf(drawn.Run);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 m_runs.Add(new BlockRun { Corner = cloud.Pages[drawn.Page].Places[drawn.Node].Corner, BlockCount = blocks });
                 for (int p = 0; p < planes; p++)

@@ -15,6 +15,8 @@ namespace FastPoints.Streaming
             var stats = new FrameStats();
             long start = Stopwatch.GetTimestamp();
 
+            stream.Pool.BeginFrame();
+
             // Copies that ended make nodes complete, tables that came make the hierarchy grow.
             stream.Uploads.TryEnd(ref stats);
             stream.TidyUp();

@@ -13,9 +13,12 @@ namespace FastPoints.Streaming
         {
         }
 
-        public override byte* AddressOf(PoolRun run) =>
+        /// <summary>Where a run's bytes are.</summary>
+        public byte* AddressOf(PoolRun run) =>
             (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[run.Bank]) +
             (long)run.FirstPage * PageBytes;
+
+        public override byte* AddressForUpload(PoolRun run, long bytes) => AddressOf(run);
 
         protected override void CreateBank(int bank)
         {

@@ -98,8 +98,24 @@ namespace FastPoints.Streaming
                     Free(bank);
         }
 
-        /// <summary>Where a run's bytes are written to, by jobs.</summary>
-        public abstract byte* AddressOf(PoolRun run);
+        /// <summary>Once a frame, before all else.</summary>
+        public virtual void BeginFrame()
+        {
+        }
+
+        /// <summary>Begins the one upload that may be under way, if there is memory to write to. It takes one node at
+        /// least.</summary>
+        public virtual bool TryBeginUpload() => true;
+
+        /// <summary>Where the upload's job writes what is to lie in a run: front to back, and never reads. Null where the upload
+        /// has no more room.</summary>
+        /// <param name="bytes">A multiple of 16.</param>
+        public abstract byte* AddressForUpload(PoolRun run, long bytes);
+
+        /// <summary>The upload's job is complete: from now on its nodes can be drawn.</summary>
+        public virtual void EndUpload()
+        {
+        }
 
         public virtual void Dispose()
         {

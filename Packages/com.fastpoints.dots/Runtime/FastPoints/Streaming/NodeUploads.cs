@@ -54,9 +54,13 @@ namespace FastPoints.Streaming
                 long size = fetch.Cloud.BytesOf(fetch.Page, node.Node);
                 if (m_slots.Length > 0 && bytes + size > m_stream.Settings.UploadBytesPerFrame)
                     break;
+                if (m_slots.Length == 0 && !m_stream.Pool.TryBeginUpload())
+                    return;
+                byte* to = m_stream.Pool.AddressForUpload(m_stream.Cache[node.Slot].Run, size);
+                if (to == null)
+                    break;
                 bytes += size;
-                fetch.AddParts(fetch.FirstWaiting++, m_stream.Pool.AddressOf(m_stream.Cache[node.Slot].Run), m_slots.Length,
-                    m_parts);
+                fetch.AddParts(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
                 m_slots.Add(node.Slot);
                 m_stream.Cache.SetPhase(node.Slot, CachePhase.Uploading);
                 if (!fetch.IsBeingCopied)
@@ -94,6 +98,7 @@ namespace FastPoints.Streaming
         {
             m_job.Complete();
             IsUnderWay = false;
+            m_stream.Pool.EndUpload();
             foreach (var fetch in m_copied)
                 fetch.IsBeingCopied = false;
             m_copied.Clear();

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
@@ -27,19 +28,16 @@ namespace FastPoints.Tests.Streaming
         readonly string m_scratch;
 
         public StreamedTestCloud(int points = 120_000, long pointsPerChunk = 6000, uint seed = 7)
+            : this(pointsPerChunk, Hills(points, seed))
+        {
+        }
+
+        public StreamedTestCloud(long pointsPerChunk, params PointReader[] readers)
         {
             m_scratch = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
             Directory.CreateDirectory(m_scratch);
             Path = System.IO.Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
-            var random = new Unity.Mathematics.Random(seed);
-            var places = new int3[points];
-            for (int i = 0; i < points; i++)
-            {
-                var at = random.NextInt2(20000);
-                places[i] = new int3(at, (int)(800 * math.sin(at.x * 0.0007) * math.cos(at.y * 0.0009)) + random.NextInt(20));
-            }
-            var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = OriginGeo };
-            WorkPump.RunToEnd(ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, Path,
+            WorkPump.RunToEnd(ConvertCloud.Run(readers, Path,
                 new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
         }
 
@@ -49,6 +47,19 @@ namespace FastPoints.Tests.Streaming
 
         public FolderSource Open(params string[] planes) =>
             new FolderSource(CloudFolder.Open(Path), planes.Length > 0 ? planes : new[] { StoreLayout.ColorName });
+
+        static MemoryReader Hills(int points, uint seed)
+        {
+            var random = new Unity.Mathematics.Random(seed);
+            var places = new int3[points];
+            for (int i = 0; i < points; i++)
+            {
+                var at = random.NextInt2(20000);
+                places[i] = new int3(at, (int)(800 * math.sin(at.x * 0.0007) * math.cos(at.y * 0.0009)) + random.NextInt(20));
+            }
+            var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = OriginGeo };
+            return MemoryReader.Of(places, centimetres, 5000);
+        }
 
         public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
 

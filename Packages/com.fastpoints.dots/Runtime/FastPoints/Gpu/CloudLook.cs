@@ -1,0 +1,22 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Gpu
+{
+    /// <summary>How a cloud's points get their colours: byte of a channel, or entry of the palette, is
+    /// floor(value * Scale + Bias), kept within 0 and 255.</summary>
+    public struct CloudLook
+    {
+        public ColorSource Source;
+
+        /// <summary>Counted among the planes that are streamed; not looked at for <see cref="ColorSource.Place"/>.</summary>
+        public int Plane;
+
+        /// <summary>For one unit of the attribute; of what stands in the file, before any divisor.</summary>
+        public double Scale;
+        public double Bias;
+
+        /// <summary>For <see cref="ColorSource.Place"/>: entries of the palette for one CRS unit along each of the cloud's axes;
+        /// <see cref="Bias"/> is then the root corner's entry.</summary>
+        public double3 ValuePerUnit;
+    }
+}

@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Gpu
+{
+    /// <summary>What one camera's draws read, from frame to frame in the same memory. Main thread.</summary>
+    public sealed unsafe class DrawList : IDisposable
+    {
+        readonly List<CloudLook> m_looks = new List<CloudLook>();
+        NativeList<DrawListCloud> m_listed;
+        NativeList<DrawCloud> m_clouds;
+        NativeList<DrawNode> m_nodes;
+        NativeList<uint> m_nodeOfInstance;
+        NativeList<BankDraw> m_draws;
+        NativeList<int> m_instanceOfBank;
+        NativeList<int> m_seen;
+        NativeReference<long> m_points;
+
+        public DrawList()
+        {
+            m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
+            m_clouds = new NativeList<DrawCloud>(Allocator.Persistent);
+            m_nodes = new NativeList<DrawNode>(1024, Allocator.Persistent);
+            m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
+            m_draws = new NativeList<BankDraw>(Allocator.Persistent);
+            m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
+            m_seen = new NativeList<int>(1024, Allocator.Persistent);
+            m_points = new NativeReference<long>(Allocator.Persistent);
+        }
+
+        public bool IsCreated => m_nodes.IsCreated;
+
+        /// <summary>By number of the cloud.</summary>
+        public NativeArray<DrawCloud> Clouds => m_clouds.AsArray();
+        public NativeArray<DrawNode> Nodes => m_nodes.AsArray();
+
+        /// <summary>By block: index in <see cref="Nodes"/>.</summary>
+        public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
+
+        /// <summary>One for each bank that something is drawn from.</summary>
+        public NativeArray<BankDraw> Draws => m_draws.AsArray();
+
+        /// <summary>Of the nodes that the camera sees.</summary>
+        public long Points => m_points.Value;
+
+        /// <summary>How a cloud is coloured from now on. A cloud that never had a look is not drawn.</summary>
+        public void SetLook(int cloud, CloudLook look)
+        {
+            // A plane of -1: not drawn.
+            while (m_looks.Count <= cloud)
+                m_looks.Add(new CloudLook { Plane = -1 });
+            m_looks[cloud] = look;
+        }
+
+        /// <summary>Fills the list with what the stream's last frame listed.</summary>
+        public void Build(StreamContext stream, in StreamView view)
+        {
+            m_listed.Clear();
+            m_clouds.Clear();
+            for (int c = 0; c < stream.Clouds.Count; c++)
+            {
+                var cloud = stream.Clouds[c];
+                if (cloud == null || cloud.IsLeaving || c >= m_looks.Count || m_looks[c].Plane < 0)
+                {
+                    m_listed.Add(default);
+                    m_clouds.Add(default);
+                    continue;
+                }
+                var listed = new DrawListCloud
+                {
+                    Pages = cloud.Pages,
+                    View = new CloudView(view, cloud.Placement),
+                    Placement = cloud.Placement,
+                    Look = m_looks[c],
+                    Step = cloud.Source.Grid.Step,
+                    EyeWorld = view.EyeWorld,
+                    PlaneCount = cloud.Source.Planes.Length,
+                };
+                m_listed.Add(listed);
+                m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[m_looks[c].Plane]));
+            }
+            new ListBlocksJob
+            {
+                Drawn = stream.Drawn.AsArray(),
+                Clouds = m_listed.AsArray(),
+                Nodes = m_nodes,
+                NodeOfInstance = m_nodeOfInstance,
+                Draws = m_draws,
+                InstanceOfBank = m_instanceOfBank,
+                Seen = m_seen,
+                Points = m_points,
+            }.Run();
+        }
+
+        public void Dispose()
+        {
+            if (!IsCreated)
+                return;
+            m_listed.Dispose();
+            m_clouds.Dispose();
+            m_nodes.Dispose();
+            m_nodeOfInstance.Dispose();
+            m_draws.Dispose();
+            m_instanceOfBank.Dispose();
+            m_seen.Dispose();
+            m_points.Dispose();
+        }
+    }
+}

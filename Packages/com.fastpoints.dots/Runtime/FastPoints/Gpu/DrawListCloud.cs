@@ -1,0 +1,86 @@
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Gpu
+{
+    /// <summary>One cloud, before one camera, as a <see cref="ListBlocksJob"/> sees it. Blittable.</summary>
+    public unsafe struct DrawListCloud
+    {
+        public HierarchyPage* Pages;
+        public CloudView View;
+        public CloudPlacement Placement;
+        public CloudLook Look;
+        public double3 Step;
+        public double3 EyeWorld;
+
+        /// <summary>Planes that are streamed.</summary>
+        public int PlaneCount;
+
+        /// <summary>The node's record, but for its first instance.</summary>
+        /// <param name="firstWord">Of the node's planes, in its bank.</param>
+        public readonly DrawNode Place(int cloud, int page, int node, uint firstWord)
+        {
+            var from = Pages + page;
+            var place = from->Places[node];
+            var planes = from->Planes + (long)node * PlaneCount;
+            uint colorWord = firstWord;
+            for (int p = 0; p < Look.Plane; p++)
+                colorWord += (uint)(planes[p].LengthBytes / sizeof(uint));
+            var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
+            var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
+            var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
+            var fromEye = Placement.OriginWorld - EyeWorld;
+            return new DrawNode
+            {
+                Anchor = new uint3((uint)anchor.X, (uint)anchor.Y, (uint)anchor.Z),
+                AnchorHigh = new uint3((uint)(anchor.X >> 32), (uint)(anchor.Y >> 32), (uint)(anchor.Z >> 32)),
+                AnchorView = (float3)(math.mul(Placement.Linear, anchorGrid * Step) + fromEye),
+                AnchorValue = (float)(math.dot(Look.ValuePerUnit, anchorGrid * Step) + Look.Bias),
+                PositionWord = firstWord,
+                ColorWord = colorWord,
+                Cloud = (uint)cloud,
+                IsWide = place.IsWide ? 1u : 0u,
+            };
+        }
+
+        /// <summary>The cloud's record.</summary>
+        /// <param name="layout">Of the cloud.</param>
+        /// <param name="plane">That points are coloured by, in the layout.</param>
+        public readonly DrawCloud Describe(StoreLayout layout, int plane)
+        {
+            var linear = Placement.Linear;
+            var cloud = new DrawCloud
+            {
+                StepX = (float3)(linear.c0 * Step.x),
+                StepY = (float3)(linear.c1 * Step.y),
+                StepZ = (float3)(linear.c2 * Step.z),
+                ColorSource = (uint)Look.Source,
+                ValuePerStep = (float3)(Look.ValuePerUnit * Step),
+                Bias = (float)Look.Bias,
+            };
+            if (Look.Source == ColorSource.Place)
+                return cloud;
+            var of = layout.Planes[plane];
+            cloud.Columns = (uint)(of.ColumnCount | of.Shape.WideColumns << 8);
+            for (int c = 0; c < of.ColumnCount; c++)
+            {
+                var column = layout.Columns[of.FirstColumn + c];
+                cloud.ColumnTypes |= (uint)column.Type << (8 * c);
+                cloud.Scale[c] = (float)(Look.Scale * column.Divisor);
+            }
+            return cloud;
+        }
+
+        /// <summary>The place in the node's box that is nearest to the camera, in grid steps from the node's corner.</summary>
+        readonly Grid3 AnchorOf(in StreamNode node, double3 corner, bool isWide)
+        {
+            double largest = isWide ? 1L << 60 : uint.MaxValue;
+            var low = math.clamp((node.Center - node.Half) / Step - corner, 0, largest);
+            var high = math.clamp((node.Center + node.Half) / Step - corner, 0, largest);
+            var nearest = math.round(math.clamp(View.Eye / Step - corner, low, high));
+            return new Grid3((long)nearest.x, (long)nearest.y, (long)nearest.z);
+        }
+    }
+}

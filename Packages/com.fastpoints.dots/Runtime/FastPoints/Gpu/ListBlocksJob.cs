@@ -1,0 +1,92 @@
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Gpu
+{
+    /// <summary>From nodes to draw to what one camera's draws read: nodes that it sees, and which node each block is of, bank by
+    /// bank.</summary>
+    [BurstCompile]
+    public unsafe struct ListBlocksJob : IJob
+    {
+        [ReadOnly] public NativeArray<DrawnNode> Drawn;
+
+        /// <summary>By number of the cloud; those without pages are not drawn.</summary>
+        [ReadOnly] public NativeArray<DrawListCloud> Clouds;
+
+        public NativeList<DrawNode> Nodes;
+        public NativeList<uint> NodeOfInstance;
+        public NativeList<BankDraw> Draws;
+
+        /// <summary>Scratch: by bank, then by node that is seen.</summary>
+        public NativeList<int> InstanceOfBank;
+        public NativeList<int> Seen;
+        public NativeReference<long> Points;
+
+        public void Execute()
+        {
+            Nodes.Clear();
+            Draws.Clear();
+            Seen.Clear();
+            InstanceOfBank.Clear();
+            Points.Value = 0;
+            int instances = CountBlocks();
+            NodeOfInstance.ResizeUninitialized(instances);
+            int first = 0;
+            for (int bank = 0; bank < InstanceOfBank.Length; bank++)
+            {
+                int count = InstanceOfBank[bank];
+                if (count > 0)
+                    Draws.Add(new BankDraw { Bank = bank, FirstInstance = first, InstanceCount = count });
+                InstanceOfBank[bank] = first;
+                first += count;
+            }
+            Write();
+        }
+
+        int CountBlocks()
+        {
+            var clouds = (DrawListCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            int instances = 0;
+            for (int i = 0; i < Drawn.Length; i++)
+            {
+                var drawn = Drawn[i];
+                var cloud = clouds + drawn.Cloud;
+                if (cloud->Pages == null)
+                    continue;
+                var node = cloud->Pages[drawn.Page].Nodes + drawn.Node;
+                if (!cloud->View.Sees(node->Center, node->Half))
+                    continue;
+                while (InstanceOfBank.Length <= drawn.Run.Bank)
+                    InstanceOfBank.Add(0);
+                InstanceOfBank[drawn.Run.Bank] += node->BlockCount;
+                instances += node->BlockCount;
+                Points.Value += node->PointCount;
+                Seen.Add(i);
+            }
+            return instances;
+        }
+
+        void Write()
+        {
+            var clouds = (DrawListCloud*)Clouds.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < Seen.Length; i++)
+            {
+                var drawn = Drawn[Seen[i]];
+                var cloud = clouds + drawn.Cloud;
+                int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
+                uint firstWord = (uint)drawn.Run.FirstPage * (NodePool.PageBytes / sizeof(uint));
+                var node = cloud->Place(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
+                int instance = InstanceOfBank[drawn.Run.Bank];
+                InstanceOfBank[drawn.Run.Bank] = instance + blocks;
+                node.FirstInstance = (uint)instance;
+                var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
+                for (int block = 0; block < blocks; block++)
+                    nodeOfInstance[instance + block] = (uint)Nodes.Length;
+                Nodes.Add(node);
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+// Written by RepoTools hlsl from FastPoints.Gpu.DrawCloud: 80 bytes.
+#ifndef FASTPOINTS_DRAW_CLOUD_INCLUDED
+#define FASTPOINTS_DRAW_CLOUD_INCLUDED
+
+struct DrawCloud
+{
+    float3 StepX;        // 0, 12
+    uint ColorSource;    // 12, 4
+    float3 StepY;        // 16, 12
+    uint ColumnTypes;    // 28, 4
+    float3 StepZ;        // 32, 12
+    uint Columns;        // 44, 4
+    float3 ValuePerStep; // 48, 12
+    float Bias;          // 60, 4
+    float3 Scale;        // 64, 12
+    uint Reserved;       // 76, 4
+};
+
+#endif

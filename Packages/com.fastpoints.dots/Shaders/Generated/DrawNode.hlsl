@@ -1,0 +1,19 @@
+// Written by RepoTools hlsl from FastPoints.Gpu.DrawNode: 64 bytes.
+#ifndef FASTPOINTS_DRAW_NODE_INCLUDED
+#define FASTPOINTS_DRAW_NODE_INCLUDED
+
+struct DrawNode
+{
+    uint3 Anchor;       // 0, 12
+    uint PositionWord;  // 12, 4
+    uint3 AnchorHigh;   // 16, 12
+    uint ColorWord;     // 28, 4
+    float3 AnchorView;  // 32, 12
+    float AnchorValue;  // 44, 4
+    uint FirstInstance; // 48, 4
+    uint Cloud;         // 52, 4
+    uint IsWide;        // 56, 4
+    uint Reserved;      // 60, 4
+};
+
+#endif
