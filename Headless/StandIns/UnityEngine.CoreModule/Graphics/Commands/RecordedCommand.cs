@@ -1,0 +1,42 @@
+namespace StandIns.Graphics
+{
+    enum CommandKind : byte
+    {
+        SetTarget,
+        ClearTarget,
+        SetViewport,
+        SetViewProjection,
+        SetGlobal,
+        SetGlobalTexture,
+        SetKeyword,
+        SetConstant,
+        SetKernelBuffer,
+        SetKernelTexture,
+        GetTemporary,
+        ReleaseTemporary,
+        Draw,
+        DrawIndirect,
+        Dispatch,
+        DispatchIndirect,
+        Upload,
+        CopyBuffer,
+        Fence,
+        ReadBuffer,
+        ReadTexture,
+    }
+
+    /// <summary>One entry of a command buffer. What the numbers mean is said where it is recorded.</summary>
+    struct RecordedCommand
+    {
+        internal CommandKind Kind;
+        internal object X;
+        internal object Y;
+        internal object Z;
+        internal int A;
+        internal int B;
+        internal int C;
+        internal int D;
+        /// <summary>Where the command's further data begins, in the list that its kind uses.</summary>
+        internal int Data;
+    }
+}

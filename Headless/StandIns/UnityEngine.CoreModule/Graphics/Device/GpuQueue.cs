@@ -1,0 +1,154 @@
+using System;
+using System.Collections.Generic;
+using StandIns.Vulkan;
+
+namespace StandIns.Graphics
+{
+    /// <summary>
+    /// What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no
+    /// longer wanted goes when the submissions that may use it have passed.
+    /// </summary>
+    sealed unsafe class GpuQueue
+    {
+        const int MaxInFlight = 32;
+
+        readonly GpuDevice m_device;
+        readonly IntPtr m_queue;
+        readonly uint m_family;
+        readonly ulong m_timeline;
+        readonly Queue<GpuRecording> m_inFlight = new Queue<GpuRecording>();
+        readonly Stack<GpuRecording> m_idle = new Stack<GpuRecording>();
+        readonly Queue<(ulong Use, object Resource)> m_retired = new Queue<(ulong, object)>();
+        GpuRecording m_open;
+        ulong m_submitted;
+
+        internal GpuQueue(GpuDevice device, IntPtr queue, uint family)
+        {
+            m_device = device;
+            m_queue = queue;
+            m_family = family;
+            var type = new VkSemaphoreTypeCreateInfo
+            {
+                sType = VkStructureType.SemaphoreTypeCreateInfo,
+                semaphoreType = VkSemaphoreType.Timeline,
+            };
+            var create = new VkSemaphoreCreateInfo { sType = VkStructureType.SemaphoreCreateInfo, pNext = &type };
+            ulong timeline;
+            Vk.Check(Vk.vkCreateSemaphore(device.Handle, &create, null, &timeline), "vkCreateSemaphore");
+            m_timeline = timeline;
+        }
+
+        /// <summary>What the host has learnt to be done: by waiting, or by asking a fence.</summary>
+        internal ulong Known { get; private set; }
+
+        /// <summary>The number that what is recorded now will have.</summary>
+        internal ulong Next => m_submitted + 1;
+
+        /// <summary>The open recording; opened if there is none.</summary>
+        internal GpuRecording Open()
+        {
+            if (m_open != null)
+                return m_open;
+            if (m_inFlight.Count >= MaxInFlight)
+                Await(m_inFlight.Peek().Number);
+            m_open = m_idle.Count > 0 ? m_idle.Pop() : new GpuRecording(m_device, m_family);
+            m_open.Begin(Next);
+            return m_open;
+        }
+
+        /// <summary>Submits what is recorded; gives the number of the last submission.</summary>
+        internal ulong Flush()
+        {
+            if (m_open == null)
+                return m_submitted;
+            GpuRecording recording = m_open;
+            m_open = null;
+            recording.End();
+            var commands = new VkCommandBufferSubmitInfo
+            {
+                sType = VkStructureType.CommandBufferSubmitInfo,
+                commandBuffer = recording.Commands,
+            };
+            var signal = new VkSemaphoreSubmitInfo
+            {
+                sType = VkStructureType.SemaphoreSubmitInfo,
+                semaphore = m_timeline,
+                value = recording.Number,
+                stageMask = VkPipelineStageFlags2.AllCommands,
+            };
+            var submit = new VkSubmitInfo2
+            {
+                sType = VkStructureType.SubmitInfo2,
+                commandBufferInfoCount = 1,
+                pCommandBufferInfos = &commands,
+                signalSemaphoreInfoCount = 1,
+                pSignalSemaphoreInfos = &signal,
+            };
+            Vk.Check(Vk.vkQueueSubmit2(m_queue, 1, &submit, 0), "vkQueueSubmit2");
+            m_submitted = recording.Number;
+            m_inFlight.Enqueue(recording);
+            return m_submitted;
+        }
+
+        /// <summary>Whether a submission is done; what is not yet submitted is not.</summary>
+        internal bool HasPassed(ulong number)
+        {
+            if (number > Known)
+            {
+                ulong value;
+                Vk.Check(Vk.vkGetSemaphoreCounterValue(m_device.Handle, m_timeline, &value), "vkGetSemaphoreCounterValue");
+                Learn(Math.Min(value, Math.Max(number, Known)));
+            }
+            return number <= Known;
+        }
+
+        /// <summary>Waits for a submission, and submits it before if need be.</summary>
+        internal void Await(ulong number)
+        {
+            if (number > m_submitted)
+                Flush();
+            number = Math.Min(number, m_submitted);
+            if (number <= Known)
+                return;
+            ulong timeline = m_timeline;
+            var wait = new VkSemaphoreWaitInfo
+            {
+                sType = VkStructureType.SemaphoreWaitInfo,
+                semaphoreCount = 1,
+                pSemaphores = &timeline,
+                pValues = &number,
+            };
+            Vk.Check(Vk.vkWaitSemaphores(m_device.Handle, &wait, ulong.MaxValue), "vkWaitSemaphores");
+            Learn(number);
+        }
+
+        /// <summary>Lets a <see cref="GpuBuffer"/> or <see cref="GpuImage"/> go when nothing in flight may use it.</summary>
+        internal void Retire(object resource)
+        {
+            m_retired.Enqueue((m_open != null ? Next : m_submitted, resource));
+            Collect();
+        }
+
+        void Learn(ulong number)
+        {
+            Known = Math.Max(Known, number);
+            while (m_inFlight.Count > 0 && m_inFlight.Peek().Number <= Known)
+                m_idle.Push(m_inFlight.Dequeue());
+            Collect();
+        }
+
+        void Collect()
+        {
+            while (m_retired.Count > 0 && m_retired.Peek().Use <= Known)
+                Destroy(m_retired.Dequeue().Resource);
+        }
+
+        void Destroy(object resource)
+        {
+            if (resource is GpuBuffer buffer)
+                buffer.Destroy(m_device);
+            else
+                ((GpuImage)resource).Destroy(m_device);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using StandIns.Vulkan;
+
+namespace StandIns.Graphics
+{
+    /// <summary>Memory that the host writes and one submission reads: handed out in order, all given back at once.</summary>
+    sealed unsafe class UploadArena
+    {
+        const ulong ChunkBytes = 256 << 10;
+        const ulong Alignment = 256;
+
+        readonly GpuDevice m_device;
+        readonly List<GpuBuffer> m_chunks = new List<GpuBuffer>();
+        int m_chunk;
+        ulong m_used;
+
+        internal UploadArena(GpuDevice device)
+        {
+            m_device = device;
+        }
+
+        /// <summary>Bytes handed out since the last reset.</summary>
+        internal ulong Bytes { get; private set; }
+
+        internal void Reset()
+        {
+            // What was made for one large upload is not kept.
+            for (int i = m_chunks.Count - 1; i >= 0; i--)
+                if (m_chunks[i].Bytes > ChunkBytes)
+                {
+                    m_chunks[i].Destroy(m_device);
+                    m_chunks.RemoveAt(i);
+                }
+            m_chunk = 0;
+            m_used = 0;
+            Bytes = 0;
+        }
+
+        /// <summary>Where to write; the buffer and offset are what the commands name.</summary>
+        internal byte* Take(ulong bytes, out GpuBuffer buffer, out ulong offset)
+        {
+            while (m_chunk < m_chunks.Count && m_used + bytes > m_chunks[m_chunk].Bytes)
+            {
+                m_chunk++;
+                m_used = 0;
+            }
+            if (m_chunk == m_chunks.Count)
+            {
+                const VkBufferUsageFlags usage = VkBufferUsageFlags.UniformBuffer;
+                m_chunks.Add(GpuBuffer.TryCreate(m_device, Math.Max(ChunkBytes, bytes), usage, isForHost: true)
+                    ?? throw new OutOfMemoryException("No graphics memory for an upload of " + bytes + " bytes"));
+            }
+            buffer = m_chunks[m_chunk];
+            offset = m_used;
+            m_used = (m_used + bytes + Alignment - 1) / Alignment * Alignment;
+            Bytes += bytes;
+            return buffer.Mapped + offset;
+        }
+    }
+}

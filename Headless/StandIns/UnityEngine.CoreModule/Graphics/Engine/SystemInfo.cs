@@ -1,0 +1,46 @@
+using StandIns.Graphics;
+using UnityEngine.Rendering;
+
+namespace UnityEngine
+{
+    /// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>
+    public sealed class SystemInfo
+    {
+        public static string graphicsDeviceName => GpuDevice.TryGet(out _)?.Name ?? "Null Device";
+
+        public static GraphicsDeviceType graphicsDeviceType => HasDevice ? GraphicsDeviceType.Vulkan : GraphicsDeviceType.Null;
+
+        public static bool supportsComputeShaders => HasDevice;
+
+        public static bool supportsIndirectArgumentsBuffer => HasDevice;
+
+        public static bool supportsInstancing => HasDevice;
+
+        public static bool supportsAsyncGPUReadback => HasDevice;
+
+        public static bool supportsGraphicsFence => HasDevice;
+
+        public static bool supports2DArrayTextures => HasDevice;
+
+        public static bool usesReversedZBuffer => true;
+
+        public static bool graphicsUVStartsAtTop => true;
+
+        /// <summary>In bytes: what one shader may see of a buffer.</summary>
+        public static long maxGraphicsBufferSize => GpuDevice.TryGet(out _)?.Limits.maxStorageBufferRange ?? 0;
+
+        public static int maxComputeBufferInputsVertex => StorageBuffers;
+
+        public static int maxComputeBufferInputsFragment => StorageBuffers;
+
+        public static int maxComputeBufferInputsCompute => StorageBuffers;
+
+        public static int maxComputeWorkGroupSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxComputeWorkGroupInvocations ?? 0);
+
+        public static int maxTextureSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxImageDimension2D ?? 0);
+
+        static bool HasDevice => GpuDevice.TryGet(out _) != null;
+
+        static int StorageBuffers => (int)(GpuDevice.TryGet(out _)?.Limits.maxPerStageDescriptorStorageBuffers ?? 0);
+    }
+}

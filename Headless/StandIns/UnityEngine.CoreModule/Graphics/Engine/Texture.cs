@@ -1,0 +1,46 @@
+using System.Collections.Generic;
+using StandIns.Graphics;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace UnityEngine
+{
+    public class Texture : Object
+    {
+        // A RenderTargetIdentifier is a plain struct and names a texture by its number.
+        static readonly Dictionary<int, Texture> s_textures = new Dictionary<int, Texture>();
+
+        protected Texture()
+        {
+            lock (s_textures)
+                s_textures.Add(Id, this);
+        }
+
+        public virtual int width { get; set; }
+
+        public virtual int height { get; set; }
+
+        public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
+
+        public virtual GraphicsFormat graphicsFormat => GraphicsFormat.None;
+
+        public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
+
+        public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
+
+        internal static Texture Find(int id)
+        {
+            lock (s_textures)
+                return s_textures.TryGetValue(id, out Texture texture) ? texture : null;
+        }
+
+        /// <summary>What shaders see.</summary>
+        internal virtual GpuImage ImageFor(bool isDepth) => throw new System.NotSupportedException(GetType().Name);
+
+        internal override void OnDestroyed()
+        {
+            lock (s_textures)
+                s_textures.Remove(Id);
+        }
+    }
+}

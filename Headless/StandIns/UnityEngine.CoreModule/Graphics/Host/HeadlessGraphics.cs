@@ -1,0 +1,75 @@
+using StandIns.Graphics;
+
+namespace FastPoints.Headless.Graphics
+{
+    /// <summary>What a host asks about the graphics, and tells it: the engine's own loop does the same for a game.</summary>
+    public static class HeadlessGraphics
+    {
+        /// <summary>Frames that the device may be behind: Unity's QualitySettings.maxQueuedFrames.</summary>
+        public const int FramesInFlight = 2;
+
+        static readonly ulong[] s_endOfFrame = new ulong[FramesInFlight];
+        static long s_frame;
+
+        /// <summary>Whether there is a device and a shader compiler; makes the device when first asked.</summary>
+        public static bool IsAvailable => WhyNot.Length == 0;
+
+        /// <summary>What is missing, in one line; empty where nothing is.</summary>
+        public static string WhyNot
+        {
+            get
+            {
+                if (GpuDevice.TryGet(out string reason) == null)
+                    return reason;
+                return ShaderCompiler.IsThere ? ""
+                    : "there is no glslangValidator (Debian, Ubuntu: apt-get install glslang-tools)";
+            }
+        }
+
+        /// <summary>
+        /// Whether the validation layer is to watch, where it is installed. To be set before anything is drawn.
+        /// </summary>
+        public static bool Validate
+        {
+            get => GpuDevice.Exists ? GpuDevice.Current.IsValidated : GpuDevice.Validate;
+            set => GpuDevice.Validate = value;
+        }
+
+        /// <summary>Device memory in use, in bytes, what is on its way and what is kept for uploads included.</summary>
+        public static long UsedBytes => GpuDevice.Exists ? (long)GpuDevice.Current.Memory.UsedBytes : 0;
+
+        /// <summary>Beyond so many bytes nothing more can be made, as on a device with less memory.</summary>
+        public static long MemoryLimitBytes
+        {
+            get => (long)System.Math.Min(long.MaxValue, GpuDevice.Current.Memory.LimitBytes);
+            set => GpuDevice.Current.Memory.LimitBytes = (ulong)value;
+        }
+
+        /// <summary>What the validation layer has said since the last call: nothing, or there is a fault.</summary>
+        public static string[] TakeValidationMessages() => ValidationLog.Take();
+
+        /// <summary>
+        /// Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind, and lets readbacks
+        /// that are done call back.
+        /// </summary>
+        public static void EndFrame()
+        {
+            if (!GpuDevice.Exists)
+                return;
+            GpuQueue queue = GpuDevice.Current.Queue;
+            ref ulong oldest = ref s_endOfFrame[s_frame++ % FramesInFlight];
+            queue.Await(oldest);
+            oldest = queue.Flush();
+            ReadbackTable.EndFrame();
+        }
+
+        /// <summary>Waits until the device has done all that was asked of it.</summary>
+        public static void WaitForIdle()
+        {
+            if (!GpuDevice.Exists)
+                return;
+            GpuQueue queue = GpuDevice.Current.Queue;
+            queue.Await(queue.Flush());
+        }
+    }
+}

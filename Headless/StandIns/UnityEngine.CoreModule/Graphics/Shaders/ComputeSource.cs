@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
+namespace StandIns.Graphics
+{
+    /// <summary>A .compute file: HLSL with the names of its kernels and its keywords in pragmas.</summary>
+    sealed class ComputeSource
+    {
+        internal readonly ShaderFiles Files;
+        /// <summary>The file's name.</summary>
+        internal readonly string Name;
+        internal readonly string Text;
+        internal readonly List<string> Kernels = new List<string>();
+        internal readonly KeywordGroup[] Keywords;
+
+        internal ComputeSource(string path)
+        {
+            Files = new ShaderFiles(path);
+            Name = Path.GetFileName(path);
+            Text = File.ReadAllText(path);
+            var keywords = new List<KeywordGroup>();
+            foreach (string[] words in ShaderPragmas.Of(Text))
+            {
+                if (words[0] == "kernel")
+                    Kernels.Add(words[1]);
+                else if (KeywordGroup.TryRead(words) is { } group)
+                    keywords.Add(group);
+            }
+            if (Kernels.Count == 0)
+                throw new InvalidDataException($"{path}: has no #pragma kernel");
+            Keywords = keywords.ToArray();
+        }
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+
+namespace StandIns.Graphics
+{
+    /// <summary>One multi_compile line: of its keywords one is on, or none where it begins with an underscore.</summary>
+    sealed class KeywordGroup
+    {
+        /// <summary>The names; null for none.</summary>
+        internal readonly string[] Keywords;
+        /// <summary>Global keywords do not reach it.</summary>
+        internal readonly bool IsLocal;
+
+        KeywordGroup(string[] keywords, bool isLocal)
+        {
+            Keywords = keywords;
+            IsLocal = isLocal;
+        }
+
+        /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
+        internal static KeywordGroup TryRead(string[] words)
+        {
+            string kind = words[0];
+            foreach (string stage in new[] { "_vertex", "_fragment" })
+                if (kind.EndsWith(stage, StringComparison.Ordinal))
+                    kind = kind[..^stage.Length];
+            bool isLocal = kind.EndsWith("_local", StringComparison.Ordinal);
+            if (isLocal)
+                kind = kind[..^"_local".Length];
+            if (kind != "multi_compile" && kind != "shader_feature")
+                return null;
+            var names = new List<string>();
+            if (kind == "shader_feature" && words.Length == 2)
+                names.Add(null);
+            for (int i = 1; i < words.Length; i++)
+                names.Add(words[i].Trim('_').Length == 0 ? null : words[i]);
+            return new KeywordGroup(names.ToArray(), isLocal);
+        }
+
+        /// <summary>
+        /// Which is on, as an index: the first that is asked for; else none, or the first where none is not offered.
+        /// </summary>
+        internal int Choose(KeywordSet local, KeywordSet global)
+        {
+            for (int i = 0; i < Keywords.Length; i++)
+                if (Keywords[i] != null && (local.Contains(Keywords[i]) || (!IsLocal && global.Contains(Keywords[i]))))
+                    return i;
+            return Math.Max(0, Array.IndexOf(Keywords, null));
+        }
+    }
+}

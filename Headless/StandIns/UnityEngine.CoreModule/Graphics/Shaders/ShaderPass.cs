@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
+namespace StandIns.Graphics
+{
+    /// <summary>One pass of a shader and its variants, each compiled when it is first drawn with.</summary>
+    sealed class ShaderPass
+    {
+        internal readonly ShaderLabSource Shader;
+        internal readonly string Name;
+        internal readonly Dictionary<string, string> Tags;
+        internal readonly RenderState State;
+        internal readonly KeywordGroup[] Keywords;
+        readonly string m_program;
+        readonly string m_vertex;
+        readonly string m_fragment;
+        readonly Dictionary<long, GraphicsProgram> m_programs = new Dictionary<long, GraphicsProgram>();
+
+        internal ShaderPass(ShaderLabSource shader, string name, Dictionary<string, string> tags, RenderState state,
+            string program)
+        {
+            Shader = shader;
+            Name = name;
+            Tags = tags;
+            State = state;
+            m_program = program;
+            var keywords = new List<KeywordGroup>();
+            foreach (string[] words in ShaderPragmas.Of(program))
+            {
+                if (words[0] == "vertex")
+                    m_vertex = words[1];
+                else if (words[0] == "fragment")
+                    m_fragment = words[1];
+                else if (KeywordGroup.TryRead(words) is { } group)
+                    keywords.Add(group);
+            }
+            if (m_vertex == null || m_fragment == null)
+                throw new InvalidDataException($"{shader.Name}, pass {name}: a #pragma vertex and a #pragma fragment are wanted");
+            Keywords = keywords.ToArray();
+        }
+
+        string Label => Name.Length == 0 ? Shader.Name : Shader.Name + ", pass " + Name;
+
+        /// <exception cref="InvalidOperationException">It does not compile.</exception>
+        internal GraphicsProgram Program(KeywordSet local)
+        {
+            long variant = KeywordVariant.Choose(Keywords, local);
+            if (!m_programs.TryGetValue(variant, out GraphicsProgram program))
+                m_programs.Add(variant, program = Compile(variant));
+            return program;
+        }
+
+        /// <summary>Both stages of a variant, without a device.</summary>
+        internal (byte[] Vertex, byte[] Fragment) Code(long variant) =>
+            (Code(variant, "vert", m_vertex), Code(variant, "frag", m_fragment));
+
+        byte[] Code(long variant, string stage, string entry) =>
+            ShaderCompiler.Compile(Shader.Files, Label, m_program, stage, entry,
+            KeywordVariant.Names(Keywords, variant));
+
+        GraphicsProgram Compile(long variant)
+        {
+            (byte[] vertex, byte[] fragment) = Code(variant);
+            return new GraphicsProgram(GpuDevice.Current, Label, new SpirvModule(vertex), m_vertex, new SpirvModule(fragment),
+                m_fragment);
+        }
+    }
+}

@@ -1,0 +1,15 @@
+namespace UnityEngine
+{
+    public enum RenderTextureFormat
+    {
+        ARGB32 = 0,
+        Depth = 1,
+        ARGBHalf = 2,
+        Default = 7,
+        DefaultHDR = 9,
+        ARGBFloat = 11,
+        RFloat = 14,
+        ARGBInt = 17,
+        RInt = 19,
+    }
+}
