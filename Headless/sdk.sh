@@ -37,3 +37,24 @@ require_sdk() {
   } >&2
   exit 1
 }
+
+# What drawing on a graphics card without a window takes: the Vulkan loader, a driver that needs no card, the layer that finds
+# faults, and the compiler and checker of shaders. Tests that want them are skipped without.
+graphics_packages="libvulkan1 mesa-vulkan-drivers vulkan-validationlayers glslang-tools spirv-tools"
+
+has_graphics() {
+  command -v glslangValidator >/dev/null 2>&1 && command -v spirv-val >/dev/null 2>&1 &&
+    { ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1' && ls /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json 2>/dev/null | grep -q .; }
+}
+
+install_graphics() {
+  if has_graphics; then
+    return 0
+  fi
+  if [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null 2>&1 &&
+    apt-get update -q >/dev/null 2>&1 </dev/null &&
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $graphics_packages >/dev/null 2>&1 </dev/null; then
+    return 0
+  fi
+  echo "no graphics here, tests of them are skipped; with root: apt-get install $graphics_packages" >&2
+}

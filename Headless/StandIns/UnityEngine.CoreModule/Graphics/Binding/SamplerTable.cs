@@ -7,7 +7,7 @@ namespace StandIns.Graphics
 {
     /// <summary>
     /// Samplers by what they do. A shader names one as sampler_Name after the texture whose own it is, or by what it does:
-    /// sampler_PointClamp, sampler_linear_repeat.
+    /// sampler_PointClamp, sampler_linear_repeat. Depth is never filtered.
     /// </summary>
     sealed unsafe class SamplerTable
     {
@@ -33,7 +33,7 @@ namespace StandIns.Graphics
                 m_textureOf.Add(sampler.NameId, name);
             }
             if (name >= 0 && scope.TryGet(name, out PropertyValue value) && value.Reference is Texture texture)
-                return Find(texture.filterMode, texture.wrapMode);
+                return Find(texture.ImageFor(value.IsDepth).IsDepth ? FilterMode.Point : texture.filterMode, texture.wrapMode);
             return Find(Says(sampler.Name, "linear") ? FilterMode.Bilinear : FilterMode.Point,
                 Says(sampler.Name, "repeat") ? TextureWrapMode.Repeat : TextureWrapMode.Clamp);
         }

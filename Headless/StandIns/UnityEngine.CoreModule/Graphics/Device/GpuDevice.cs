@@ -121,6 +121,8 @@ namespace StandIns.Graphics
             want.features.vertexPipelineStoresAndAtomics = able.features.vertexPipelineStoresAndAtomics;
             want.features.fragmentStoresAndAtomics = able.features.fragmentStoresAndAtomics;
             want.features.shaderStorageImageWriteWithoutFormat = able.features.shaderStorageImageWriteWithoutFormat;
+            // For a vertex shader that chooses the slice, glslang asks for this as well.
+            want.features.geometryShader = able.features.geometryShader;
             want.features.independentBlend = able.features.independentBlend;
             want.features.shaderInt64 = able.features.shaderInt64;
 
