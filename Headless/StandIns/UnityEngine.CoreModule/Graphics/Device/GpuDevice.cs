@@ -50,6 +50,8 @@ namespace StandIns.Graphics
                     Vk.vkGetDeviceProcAddr(Handle, name);
             Memory = new GpuMemory(this);
             Queue = new GpuQueue(this, queue, family);
+            // A driver that draws with threads of this process must be done with it before the process ends.
+            AppDomain.CurrentDomain.ProcessExit += (_, _) => Vk.vkDeviceWaitIdle(Handle);
         }
 
         /// <summary>Whether the validation layer is to watch; has an effect only before the device is made.</summary>

@@ -19,6 +19,14 @@ namespace UnityEngine
             s_replay.Run(buffer);
         }
 
+        /// <summary>Has passed when the device has done all that was asked of it until now.</summary>
+        public static GraphicsFence CreateGraphicsFence(GraphicsFenceType fenceType, SynchronisationStageFlags stage)
+        {
+            GraphicsFence fence = GraphicsFence.Create();
+            GraphicsFence.Execute(fence.Id, Math.Max(1, GpuDevice.Current.Queue.Flush()));
+            return fence;
+        }
+
         /// <summary>All of one buffer into another of the same size.</summary>
         public static void CopyBuffer(GraphicsBuffer source, GraphicsBuffer dest)
         {
