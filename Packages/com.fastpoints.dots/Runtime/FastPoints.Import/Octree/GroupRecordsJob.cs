@@ -25,7 +25,7 @@ namespace FastPoints.Octree
         [ReadOnly] public NativeArray<RecordField> Fields;
         public SourceGrid Grid;
         public RecordLayout Layout;
-        public CellFinder Cells;
+        public ChunkFinder Chunks;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
 
         /// <summary>Room for the batch's records.</summary>
@@ -92,7 +92,7 @@ namespace FastPoints.Octree
             long* x = stackalloc long[RunPoints];
             long* y = stackalloc long[RunPoints];
             long* z = stackalloc long[RunPoints];
-            int outside = FirstOfChunk.Length - 2;
+            var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
             Grid3 min = findings.Min, max = findings.Max;
             for (int done = 0; done < count; done += RunPoints)
             {
@@ -112,8 +112,7 @@ namespace FastPoints.Octree
                     max.X = math.max(max.X, x[i]);
                     max.Y = math.max(max.Y, y[i]);
                     max.Z = math.max(max.Z, z[i]);
-                    int cell = Cells.CellOf(x[i], y[i], z[i]);
-                    int chunk = cell < 0 ? outside : ChunkOfCell[cell];
+                    int chunk = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
                     chunkOfPoint[done + i] = chunk;
                     countOfChunk[chunk]++;
                 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Preview;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -19,17 +20,19 @@ namespace FastPoints.Octree
         const int RunPoints = 1024;
 
         NativeList<double3> m_stored;
+        NativeList<SampleRun> m_runs;
 
         SourceSample()
         {
             m_stored = new NativeList<double3>(RunPoints, Allocator.Persistent);
+            m_runs = new NativeList<SampleRun>(MaxRuns, Allocator.Persistent);
         }
 
         /// <summary>As the file stores them, not finite ones among them.</summary>
         public NativeArray<double3> Stored => m_stored.AsArray();
 
-        /// <summary>Points of the source that each one stands for.</summary>
-        public double Weight { get; private set; }
+        /// <summary>In the file's order: each stands for the points up to the next one.</summary>
+        public NativeArray<SampleRun> Runs => m_runs.AsArray();
 
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
         /// <param name="slots">Runs in flight.</param>
@@ -61,7 +64,7 @@ namespace FastPoints.Octree
                         yield return jobs[s];
                         jobs[s].Complete();
                         reads[s].Complete();
-                        sample.m_stored.AddRange(buffers[s].GetSubArray(0, reads[s].Points.Count));
+                        sample.Add(buffers[s], reads[s].Points.Count, PointsUpToNext(reader, runs, r - slots));
                     }
                     if (r < runs.Count)
                     {
@@ -79,7 +82,6 @@ namespace FastPoints.Octree
                         JobHandle.ScheduleBatchedJobs();
                     }
                 }
-                sample.Weight = sample.m_stored.Length > 0 ? reader.PointCount / (double)sample.m_stored.Length : 0;
                 take(sample);
                 sample = null;
             }
@@ -96,10 +98,32 @@ namespace FastPoints.Octree
             }
         }
 
+        /// <summary>From a run's first point to the next run's; the first run stands for what is before it as well.</summary>
+        static long PointsUpToNext(PointReader reader, List<BlockRange> runs, int run)
+        {
+            long first = run == 0 ? 0 : reader.FirstPointOfBlock(runs[run].Block) + runs[run].First;
+            return (run + 1 == runs.Count ? reader.PointCount
+                : reader.FirstPointOfBlock(runs[run + 1].Block) + runs[run + 1].First) - first;
+        }
+
+        void Add(NativeArray<double3> stored, int count, long pointsStoodFor)
+        {
+            m_runs.Add(new SampleRun
+            {
+                Stretch = m_runs.Length,
+                First = m_stored.Length,
+                Count = count,
+                Weight = pointsStoodFor / (double)Math.Max(1, count),
+            });
+            m_stored.AddRange(stored.GetSubArray(0, count));
+        }
+
         public void Dispose()
         {
-            if (m_stored.IsCreated)
-                m_stored.Dispose();
+            if (!m_stored.IsCreated)
+                return;
+            m_stored.Dispose();
+            m_runs.Dispose();
         }
     }
 }

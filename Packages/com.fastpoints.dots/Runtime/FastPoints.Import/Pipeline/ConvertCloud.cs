@@ -181,31 +181,9 @@ namespace FastPoints.Pipeline
                 Allocator.Persistent);
 
             var cube = FirstCube.Of(m_readers, m_sampleFindings, m_grid);
-            int levels = PartitionMap.LevelsFor(cube.SideLog2, PartitionMap.MaxLevels);
-            var counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
-            var job = default(JobHandle);
-            try
-            {
-                for (int i = 0; i < m_samples.Count; i++)
-                {
-                    job = new CountSampleJob
-                    {
-                        Stored = m_samples[i].Stored,
-                        Grid = m_grid.Sources[i],
-                        Cells = new CellFinder(cube, levels),
-                        Weight1024 = (long)(m_samples[i].Weight * 1024),
-                        PointsOfCell = counts,
-                    }.Schedule();
-                    yield return job;
-                    job.Complete();
-                }
-                m_map = PartitionMap.Plan(cube, levels, counts, m_plan.PointsPerPartition * 1024);
-            }
-            finally
-            {
-                job.Complete();
-                counts.Dispose();
-            }
+            using (var work = PartitionPlan.Of(cube, m_samples, m_grid, m_points, m_plan, map => m_map = map))
+                while (work.MoveNext())
+                    yield return work.Current;
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();

@@ -78,7 +78,7 @@ namespace FastPoints.Pipeline
                 Fields = m_fields,
                 Grid = grid,
                 Layout = m_layout,
-                Cells = new CellFinder(m_map.Cube, m_map.Levels),
+                Chunks = m_map.Finder,
                 ChunkOfCell = m_map.ChunkOfCell,
                 Records = Records,
                 FirstOfChunk = FirstOfChunk,

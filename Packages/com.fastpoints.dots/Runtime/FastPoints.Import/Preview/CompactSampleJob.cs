@@ -25,7 +25,8 @@ namespace FastPoints.Preview
     {
         const int RunLength = ColumnValues.RunLength;
 
-        [ReadOnly] public NativeArray<byte> Filled;
+        /// <summary>Becomes 0 where a point is left out.</summary>
+        public NativeArray<byte> Filled;
         [ReadOnly] public NativeArray<PointColumn> Columns;
         public NativeArray<byte> Sample;
         public PositionColumns Positions;
@@ -56,6 +57,7 @@ namespace FastPoints.Preview
                     if (!PositionBounds.IsFinite(x[i], y[i], z[i]))
                     {
                         state.Found.NonFinite++;
+                        Filled[start + i] = 0;
                         continue;
                     }
                     x[kept] = x[i];

@@ -22,6 +22,7 @@ namespace FastPoints.Preview
         const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
 
         readonly PrefixPlan m_plan;
+        readonly List<Prefix> m_taken = new List<Prefix>();
         BlockRead[] m_reads;
         NativeArray<PointColumn>[] m_columnsOfSlot;
         JobHandle[] m_copied;
@@ -61,6 +62,7 @@ namespace FastPoints.Preview
                     Begin(slot, prefixes[i]);
             }
             EndPlace = m_plan.Taken;
+            m_taken.AddRange(prefixes);
         }
 
         void Allocate(int slots, int longest)
@@ -90,6 +92,33 @@ namespace FastPoints.Preview
                 Filled = Buffer.Filled,
             }.Schedule(read.Decoded);
             JobHandle.ScheduleBatchedJobs();
+        }
+
+        private protected override JobHandle ListRuns(NativeList<SampleRun> runs)
+        {
+            m_taken.Sort((a, b) => a.Block != b.Block ? a.Block.CompareTo(b.Block) : a.First.CompareTo(b.First));
+            double pointsOfBlocks = 0;
+            for (int i = 0; i < m_taken.Count; i++)
+                if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)
+                    pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
+            double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
+            runs.Clear();
+            int stretch = 0;
+            for (int first = 0, end; first < m_taken.Count; first = end, stretch++)
+            {
+                int block = m_taken[first].Block, taken = 0;
+                for (end = first; end < m_taken.Count && m_taken[end].Block == block; end++)
+                    taken += m_taken[end].Count;
+                for (int i = first; i < end; i++)
+                    runs.Add(new SampleRun
+                    {
+                        Stretch = stretch,
+                        First = m_taken[i].Place,
+                        Count = m_taken[i].Count,
+                        Weight = scale * Reader.PointsInBlock(block) / taken,
+                    });
+            }
+            return default;
         }
 
         private protected override void Free()

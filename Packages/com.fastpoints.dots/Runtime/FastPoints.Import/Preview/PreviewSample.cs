@@ -1,5 +1,6 @@
 using System;
 using FastPoints.Points;
+using Unity.Collections;
 
 namespace FastPoints.Preview
 {
@@ -12,6 +13,8 @@ namespace FastPoints.Preview
         /// MB resident, whatever the size of the file.
         /// </summary>
         public const long MaxBytes = 80L << 20;
+
+        NativeList<SampleRun> m_runs;
 
         public PreviewSample(PointBatch points, PositionTransform transform)
         {
@@ -51,6 +54,25 @@ namespace FastPoints.Preview
         /// <summary>How the points were chosen, and what kept it from being otherwise: a line for people.</summary>
         public string Method { get; internal set; }
 
+        /// <summary>Whether it is known what each point stands for: not so of an octree's upper levels, of a file's beginning
+        /// alone, and of points that were chosen without regard to the file's order.</summary>
+        public bool StandsForStretches { get; internal set; }
+
+        /// <summary>The points that lie together in the file, in its order, substitutes apart; empty where each stands for a
+        /// stretch of its own.</summary>
+        public NativeArray<SampleRun> Runs => RunList.AsArray();
+
+        /// <summary>For who fills it.</summary>
+        internal NativeList<SampleRun> RunList
+        {
+            get
+            {
+                if (!m_runs.IsCreated)
+                    m_runs = new NativeList<SampleRun>(Allocator.Persistent);
+                return m_runs;
+            }
+        }
+
         public int Count => Points.Count;
 
         /// <summary>Share of the source's points that the sample has, 0 to 1.</summary>
@@ -61,6 +83,25 @@ namespace FastPoints.Preview
         /// <summary>The largest sample of this schema.</summary>
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));
 
-        public void Dispose() => Points.Dispose();
+        /// <summary>Tells how many points the source has, where that was an estimate or a part.</summary>
+        internal void StandFor(long pointsInSource)
+        {
+            double scale = pointsInSource / (double)Math.Max(1, PointsInSource);
+            for (int i = 0; i < Runs.Length; i++)
+            {
+                var run = m_runs[i];
+                run.Weight *= scale;
+                m_runs[i] = run;
+            }
+            PointsInSource = pointsInSource;
+        }
+
+        public void Dispose()
+        {
+            Points.Dispose();
+            if (m_runs.IsCreated)
+                m_runs.Dispose();
+            m_runs = default;
+        }
     }
 }

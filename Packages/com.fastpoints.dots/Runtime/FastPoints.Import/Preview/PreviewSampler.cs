@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Base;
 using FastPoints.Files;
+using Unity.Collections;
 using Unity.Jobs;
 
 namespace FastPoints.Preview
@@ -35,6 +36,7 @@ namespace FastPoints.Preview
             m_sample = Buffer.ShareSample(reader.Info.Transform);
             m_sample.PointsInSource = reader.PointCount;
             m_sample.Method = method;
+            m_sample.StandsForStretches = reader.Tree == null;
         }
 
         /// <summary>Raised on the pump's thread after each wave: the beginning of <see cref="Sample"/> that it is can be drawn
@@ -87,6 +89,10 @@ namespace FastPoints.Preview
                         using (var closing = Buffer.Close(Reader.Info.Transform, first, EndPlace))
                             while (closing.MoveNext())
                                 yield return closing.Current;
+                        if (m_sample.StandsForStretches)
+                            using (var moving = Buffer.MoveRuns(m_sample.RunList, EndPlace, ListRuns(m_sample.RunList)))
+                                while (moving.MoveNext())
+                                    yield return moving.Current;
                         TellWave();
                         Report(progress);
                     }
@@ -104,6 +110,9 @@ namespace FastPoints.Preview
         /// them.</summary>
         /// <param name="wanted">Places to come to, about; all of them for the last wave.</param>
         private protected abstract IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress);
+
+        /// <summary>Schedules the list of what the waves so far have read, by place.</summary>
+        private protected abstract JobHandle ListRuns(NativeList<SampleRun> runs);
 
         /// <summary>Frees what <see cref="Read"/> needs; jobs in flight are awaited. May run twice.</summary>
         private protected abstract void Free();

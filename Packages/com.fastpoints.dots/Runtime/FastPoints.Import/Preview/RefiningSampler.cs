@@ -378,6 +378,9 @@ namespace FastPoints.Preview
                     while (closing.MoveNext())
                         yield return closing.Current;
                 Replace(drawn.TakeSample(m_reader.Info.Transform));
+                using (var listing = ListRuns(drawn, gathered.Value))
+                    while (listing.MoveNext())
+                        yield return listing.Current;
                 m_sample.PointsInSource = m_reader.PointCount;
                 m_sample.Substitutes = others.Value.Points;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
@@ -391,6 +394,35 @@ namespace FastPoints.Preview
             }
         }
 
+        /// <summary>Tells the sample which of its own points are of which block.</summary>
+        IEnumerator<JobHandle> ListRuns(SampleBuffer drawn, int ownPoints)
+        {
+            var firsts = new NativeArray<long>(m_reader.BlockCount + 1, Allocator.Persistent);
+            for (int block = 0; block < m_reader.BlockCount; block++)
+                firsts[block] = m_reader.FirstPointOfBlock(block);
+            firsts[m_reader.BlockCount] = m_reader.PointCount;
+            var listed = new ListBlockRunsJob
+            {
+                Filled = m_buffer.Filled,
+                Strata = m_strata,
+                FirstPointOfBlock = firsts,
+                Weight = m_reader.PointCount / (double)Math.Max(1, ownPoints),
+                Runs = m_sample.RunList,
+            }.Schedule();
+            try
+            {
+                using (var moving = drawn.MoveRuns(m_sample.RunList, ownPoints, listed))
+                    while (moving.MoveNext())
+                        yield return moving.Current;
+                m_sample.StandsForStretches = true;
+            }
+            finally
+            {
+                listed.Complete();
+                firsts.Dispose();
+            }
+        }
+
         /// <summary>The full scan's sample.</summary>
         IEnumerator<JobHandle> Close()
         {
@@ -400,6 +432,7 @@ namespace FastPoints.Preview
             Replace(m_buffer.TakeSample(m_reader.Info.Transform));
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;
+            m_sample.StandsForStretches = true;
             m_sample.Method = "full scan, one point of each stratum";
         }
 

@@ -57,6 +57,10 @@ namespace FastPoints.Preview
         /// <summary>How many runs it takes, from the first in the order, for so many points.</summary>
         public int RunsFor(int points) => points >= PlaceCount ? RunCount : m_places.StratumOf(points - 1) + 1;
 
+        /// <summary>Points of a stratum's run.</summary>
+        public int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
+            m_strata.FirstOf(stratum + 1) - m_strata.FirstOf(stratum));
+
         /// <summary>The run of a stratum, in the file's order: one stretch, or two where it goes round its stratum's
         /// end.</summary>
         /// <param name="rank">The stratum's place among the runs.</param>
@@ -66,7 +70,7 @@ namespace FastPoints.Preview
             long first = m_strata.FirstOf(stratum);
             long length = m_strata.FirstOf(stratum + 1) - first;
             int place = PlaceOf(rank);
-            int count = (int)Math.Min(PlaceOf(rank + 1) - place, length);
+            int count = PointsOf(stratum, rank);
             // A stratum not much longer than the span is gone through from end to end.
             long span = length <= 2 * m_spanPoints ? length : m_spanPoints;
             int step = (int)(span / count);

@@ -130,6 +130,15 @@ namespace FastPoints.Preview
                     Math.Min(MaxGapBytes, (Seconds - begun) / stretches * BytesPerSecondOfGaps));
         }
 
+        private protected override JobHandle ListRuns(NativeList<SampleRun> runs) => new ListRunsJob
+        {
+            Plan = m_plan,
+            Ranks = m_ranks,
+            RunCount = m_endRank,
+            PointsInSource = Reader.PointCount,
+            Runs = runs,
+        }.Schedule();
+
         private protected override void Free()
         {
             if (m_reads != null)

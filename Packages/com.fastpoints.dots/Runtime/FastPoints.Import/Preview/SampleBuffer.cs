@@ -72,6 +72,25 @@ namespace FastPoints.Preview
             Points.Count = m_state.Value.Kept;
         }
 
+        /// <summary>Work for a pump: runs of places become runs of points; after <see cref="Close(PositionTransform)"/>.</summary>
+        /// <param name="runs">All within the places that are closed.</param>
+        /// <param name="end">Of these places.</param>
+        /// <param name="listed">When the runs are there.</param>
+        public IEnumerator<JobHandle> MoveRuns(NativeList<SampleRun> runs, int end, JobHandle listed)
+        {
+            var scratch = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var moved = new MoveRunsJob { Filled = m_filled, Places = end, PointOfPlace = scratch, Runs = runs }.Schedule(listed);
+            try
+            {
+                yield return moved;
+            }
+            finally
+            {
+                moved.Complete();
+                scratch.Dispose();
+            }
+        }
+
         /// <summary>Hands the closed sample over; the caller sets what is known beside.</summary>
         public PreviewSample TakeSample(PositionTransform transform)
         {

@@ -57,6 +57,7 @@ namespace FastPoints.Preview
                 m_sample.PointsInSource = m_pointsFound;
                 m_sample.BytesRead = m_bytesRead;
                 m_sample.IsFullScan = true;
+                m_sample.StandsForStretches = true;
                 m_sample.Method = "full scan, one point of each stratum";
             }
             finally

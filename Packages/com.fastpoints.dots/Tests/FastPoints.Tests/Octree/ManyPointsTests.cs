@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Octree;
@@ -8,6 +9,7 @@ using FastPoints.Pipeline;
 using FastPoints.Points;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -103,7 +105,7 @@ namespace FastPoints.Tests.Octree
         }
 
         [Test]
-        public void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
+        public unsafe void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
         {
             using (var reader = new VirtualReader())
             {
@@ -112,38 +114,29 @@ namespace FastPoints.Tests.Octree
                 WorkPump.RunToEnd(SourceSample.Read(reader, 4, s => sample = s));
                 using (sample)
                 {
-                    Assert.That(sample.Weight * sample.Stored.Length, Is.EqualTo((double)Points).Within(1));
+                    double weight = sample.Runs[0].Weight;
+                    Assert.That(weight * sample.Stored.Length, Is.EqualTo((double)Points).Within(1e-6 * Points));
                     var cube = RootCube.Around(default, new Grid3(150000, Points / 150000, 7));
-                    const int levels = 6;
-                    var counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
-                    new CountSampleJob
-                    {
-                        Stored = sample.Stored,
-                        Grid = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) }),
-                        Cells = new CellFinder(cube, levels),
-                        Weight1024 = (long)(sample.Weight * 1024),
-                        PointsOfCell = counts,
-                    }.Run();
+                    var axes = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) });
+                    var grid = new GridChoice { Sources = new[] { axes } };
                     var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
                     Assert.That(plan.IsStored, Is.True);
-                    using (var map = PartitionMap.Plan(cube, levels, counts, plan.PointsPerPartition * 1024))
+                    PartitionMap map = null;
+                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, m => map = m));
+                    using (map)
                     {
-                        long sum = 0, largest = 0;
-                        var points = new long[map.Chunks.Length];
-                        for (int c = 0; c < counts.Length; c++)
-                            points[map.ChunkOfCell[c]] += counts[c];
-                        foreach (long inChunk in points)
-                        {
-                            sum += inChunk;
-                            largest = System.Math.Max(largest, inChunk);
-                        }
-                        Assert.That(sum / 1024.0, Is.EqualTo((double)Points).Within(1e-3 * Points));
+                        var points = new double[map.Chunks.Length + 1];
+                        int* chunkOfCell = (int*)map.ChunkOfCell.GetUnsafeReadOnlyPtr();
+                        foreach (var stored in sample.Stored)
+                            points[map.Finder.ChunkOf(chunkOfCell, SourceGrid.ToGrid(axes.X, stored.x),
+                                SourceGrid.ToGrid(axes.Y, stored.y), SourceGrid.ToGrid(axes.Z, stored.z))] += weight;
+                        Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
+                        Assert.That(points[map.Outside], Is.Zero);
                         // A run of the sample is in one cell and stands for 20 million points: no estimate is finer.
-                        Assert.That(largest, Is.LessThan(4 * plan.PointsPerPartition * 1024));
+                        Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
                         // Each has a page, and there is room for more.
-                        Assert.That(map.Chunks.Length, Is.InRange(Points / plan.PointsPerPartition, plan.MostPages));
+                        Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MostPages));
                     }
-                    counts.Dispose();
                 }
             }
         }

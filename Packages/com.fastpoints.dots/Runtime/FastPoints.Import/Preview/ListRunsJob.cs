@@ -1,0 +1,42 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Preview
+{
+    /// <summary>The runs that the waves of a <see cref="RunPlan"/> have come to, in the file's order, by place.</summary>
+    [BurstCompile]
+    struct ListRunsJob : IJob
+    {
+        public RunPlan Plan;
+
+        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has come to.</summary>
+        [ReadOnly] public NativeArray<int> Ranks;
+
+        /// <summary>Runs that were come to.</summary>
+        public int RunCount;
+
+        public long PointsInSource;
+
+        public NativeList<SampleRun> Runs;
+
+        public void Execute()
+        {
+            Runs.Clear();
+            for (int stratum = 0; stratum < Ranks.Length; stratum++)
+            {
+                int rank = Ranks[stratum] - 1;
+                if (rank < 0)
+                    continue;
+                int count = Plan.PointsOf(stratum, rank);
+                Runs.Add(new SampleRun
+                {
+                    Stretch = Runs.Length,
+                    First = Plan.PlaceOf(rank),
+                    Count = count,
+                    Weight = PointsInSource / ((double)RunCount * count),
+                });
+            }
+        }
+    }
+}
