@@ -93,6 +93,7 @@ namespace StandIns.Io
             }
             if (Status != FileStatus.Open || offset < 0)
                 return -1;
+            SimulatedLatency.Read();
             long done = 0;
             try
             {

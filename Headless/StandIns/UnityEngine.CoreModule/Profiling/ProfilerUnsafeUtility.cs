@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using StandIns.Io;
 
 namespace Unity.Profiling.LowLevel.Unsafe
 {
@@ -11,7 +12,7 @@ namespace Unity.Profiling.LowLevel.Unsafe
             public long Denominator;
         }
 
-        public static long Timestamp => Stopwatch.GetTimestamp();
+        public static long Timestamp => Stopwatch.GetTimestamp() + SimulatedLatency.Ticks;
 
         public static TimestampConversionRatio TimestampToNanosecondsConversionRatio => new TimestampConversionRatio
         {

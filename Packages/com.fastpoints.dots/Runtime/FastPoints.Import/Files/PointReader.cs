@@ -34,7 +34,7 @@ namespace FastPoints.Files
             yield break;
         }
 
-        /// <summary>Whether <see cref="FindBeginnings"/> has something to read long before <see cref="FindBlocks"/>
+        /// <summary>Whether <see cref="FindBeginnings()"/> has something to read long before <see cref="FindBlocks"/>
         /// has.</summary>
         public virtual bool HasBeginnings => false;
 
@@ -43,11 +43,18 @@ namespace FastPoints.Files
         /// their place, when there are no slots.</summary>
         public virtual IEnumerator<JobHandle> FindBeginnings() => FindBlocks();
 
-        /// <summary>Whether what <see cref="FindBeginnings"/> finds lies all over the source, each point as likely as any
+        /// <summary>Whether what <see cref="FindBeginnings()"/> finds lies all over the source, each point as likely as any
         /// other, and not in its beginning.</summary>
         public virtual bool BeginningsAreSpread => false;
 
-        /// <summary>Points of the whole source, after <see cref="FindBeginnings"/>.</summary>
+        /// <summary>Where they are spread, how many places there are to look at.</summary>
+        public virtual int MostBeginnings => 0;
+
+        /// <summary>As <see cref="FindBeginnings()"/>, until so many places were looked at; called again for more. The blocks come
+        /// in an order of which every beginning is spread over the source, and those found before keep their numbers.</summary>
+        public virtual IEnumerator<JobHandle> FindBeginnings(int places) => FindBeginnings();
+
+        /// <summary>Points of the whole source, after <see cref="FindBeginnings()"/>.</summary>
         public virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
         /// <summary>The octree that the source brings along, or null. Its blocks come level by level within each page of the
@@ -67,6 +74,9 @@ namespace FastPoints.Files
         public abstract long FirstPointOfBlock(int block);
 
         public abstract int PointsInBlock(int block);
+
+        /// <summary>Grows from block to block as they lie in the source, in whatever order they were found.</summary>
+        public virtual long PlaceOfBlock(int block) => block;
 
         /// <summary>Bytes of the file that a range takes to read (an estimate where the format gives none).</summary>
         public abstract long BytesOfRange(BlockRange range);

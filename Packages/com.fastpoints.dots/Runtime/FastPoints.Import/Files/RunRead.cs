@@ -29,6 +29,7 @@ namespace FastPoints.Files
         NativeArray<RunInBuffer> m_runs;
         // The read manager keeps the pointer to its commands until the read has ended.
         NativeArray<ReadCommand> m_commands;
+        NativeReference<long> m_ended;
         ReadHandle m_read;
         bool m_isReading;
 
@@ -47,6 +48,7 @@ namespace FastPoints.Files
             m_records = new NativeArray<byte>(maxBytes + PaddingBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_runs = new NativeArray<RunInBuffer>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
             m_commands = new NativeArray<ReadCommand>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
+            m_ended = new NativeReference<long>(allocator);
         }
 
         public PointBatch Target { get; }
@@ -59,6 +61,11 @@ namespace FastPoints.Files
 
         /// <summary>Of the last request, with the gaps that were read along.</summary>
         public long BytesRead { get; private set; }
+
+        /// <summary>When the last request began, and when its bytes were there: by <see cref="ReadClock"/>.</summary>
+        internal long Begun { get; private set; }
+
+        internal long Ended => m_ended.Value;
 
         /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
@@ -107,13 +114,15 @@ namespace FastPoints.Files
                 throw new ArgumentException("a run does not fit into the slot's " + capacity + " bytes", nameof(runs));
             Stretches = stretches;
             BytesRead = used;
+            Begun = ReadClock.Now;
             m_read = AsyncReadManager.Read(m_file, new ReadCommandArray
             {
                 CommandCount = stretches,
                 ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
             });
             m_isReading = true;
-            Decoded = Schedule(m_records, m_runs, taken, m_read.JobHandle);
+            var stamped = new StampJob { At = m_ended }.Schedule(m_read.JobHandle);
+            Decoded = JobHandle.CombineDependencies(stamped, Schedule(m_records, m_runs, taken, m_read.JobHandle));
             return taken;
         }
 
@@ -151,6 +160,7 @@ namespace FastPoints.Files
             m_records.Dispose();
             m_runs.Dispose();
             m_commands.Dispose();
+            m_ended.Dispose();
         }
 
         /// <summary>Decodes the runs behind the read.</summary>

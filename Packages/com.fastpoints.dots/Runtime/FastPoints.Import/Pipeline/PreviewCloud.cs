@@ -206,15 +206,17 @@ namespace FastPoints.Pipeline
         IEnumerator<JobHandle> TakeBeginnings(StageProgress progress)
         {
             progress?.Begin("sample");
-            using (var finding = m_reader.FindBeginnings())
+            // Of those that are spread a sampler looks for as many as a wave needs.
+            using (var finding = m_reader.BeginningsAreSpread ? m_reader.FindBeginnings(1) : m_reader.FindBeginnings())
                 while (finding.MoveNext())
                     yield return finding.Current;
             using (var taking = Take(m_options.Points, progress))
                 while (taking.MoveNext())
                     yield return taking.Current;
             var estimate = m_reader.EstimatedPoints;
-            Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
+            Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
             Sample.IsOfBeginning = !Sample.IsWhole && !m_reader.BeginningsAreSpread;
+            Sample.StandsForStretches &= !Sample.IsOfBeginning;
             if (m_reader.BeginningsAreSpread)
             {
                 Sample.Method = "lines of stretches all over the file";

@@ -12,13 +12,13 @@ namespace FastPoints.Preview
     sealed class PrefixPlan
     {
         /// <summary>Points of a block that its start-up is worth: fewer blocks are chosen where all would get fewer.</summary>
-        const int LeastPoints = 50;
+        public const int LeastPoints = 50;
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
         /// <summary>Points that each block has given so far.</summary>
-        readonly int[] m_taken;
+        int[] m_taken;
 
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
         readonly List<List<int>> m_levels;
@@ -43,6 +43,9 @@ namespace FastPoints.Preview
 
         /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
+
+        /// <summary>Takes in blocks that were found since the last wave.</summary>
+        public void Grow() => Array.Resize(ref m_taken, m_reader.BlockCount);
 
         /// <summary>What the next wave takes of which blocks until <paramref name="wanted"/> points are taken in all.</summary>
         public List<Prefix> Next(int wanted)
@@ -106,11 +109,14 @@ namespace FastPoints.Preview
         {
             var blocks = new List<int>();
             long points = 0;
-            for (int place = 0; place < m_order.Places; place++)
+            // What is found by jumping comes in an order that is spread already.
+            bool isSpread = m_reader.BeginningsAreSpread && !m_reader.BlocksAreKnown;
+            int places = isSpread ? m_taken.Length : m_order.Places;
+            for (int place = 0; place < places; place++)
             {
                 if (blocks.Count > wanted / LeastPoints && points >= wanted)
                     break;
-                int block = m_order.StratumAt(place);
+                int block = isSpread ? place : m_order.StratumAt(place);
                 if (block < 0 || block >= m_taken.Length)
                     continue;
                 blocks.Add(block);

@@ -28,21 +28,40 @@ namespace FastPoints.Preview
         JobHandle[] m_copied;
 
         public PrefixSampler(PointReader reader, int wanted, uint seed)
-            : base(reader, (int)Math.Min(wanted, reader.PointCount), reader.Tree == null ? "beginnings of blocks, in waves" : "levels of its octree, in waves")
+            : base(reader, reader.BeginningsAreSpread && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
+                reader.Tree == null ? "beginnings of blocks, in waves" : "levels of its octree, in waves")
         {
             m_plan = new PrefixPlan(reader, seed);
         }
 
+        /// <summary>Work for a pump: as many as the wave is spread over, and more where these have too few points.</summary>
+        IEnumerator<JobHandle> FindBeginnings(int wanted)
+        {
+            for (long places = wanted / PrefixPlan.LeastPoints + 1L; ; places *= 2)
+            {
+                using (var finding = Reader.FindBeginnings((int)Math.Min(places, Reader.MostBeginnings)))
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                if (Reader.PointCount >= wanted || places >= Reader.MostBeginnings)
+                    break;
+            }
+            m_plan.Grow();
+        }
+
         private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
         {
+            // Slots for beginnings of another length than in the wave before.
+            Free();
+            if (Reader.BeginningsAreSpread && !Reader.BlocksAreKnown)
+                using (var finding = FindBeginnings(wanted))
+                    while (finding.MoveNext())
+                        yield return finding.Current;
             var prefixes = m_plan.Next(wanted);
             int longest = 0;
             foreach (var prefix in prefixes)
                 longest = Math.Max(longest, prefix.Count);
             if (longest == 0)
                 yield break;
-            // Slots for beginnings of another length than in the wave before.
-            Free();
             if (slots < 1)
                 slots = longest <= ShortPrefix ? SlotsForShortPrefixes : SourceScan.SlotsFor(Reader, Buffer.Points.Schema);
             Allocate(Math.Min(slots, prefixes.Count), longest);
@@ -96,7 +115,9 @@ namespace FastPoints.Preview
 
         private protected override JobHandle ListRuns(NativeList<SampleRun> runs)
         {
-            m_taken.Sort((a, b) => a.Block != b.Block ? a.Block.CompareTo(b.Block) : a.First.CompareTo(b.First));
+            // In the file's order, which is not that in which lines were found by jumping.
+            m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)
+                : Reader.PlaceOfBlock(a.Block).CompareTo(Reader.PlaceOfBlock(b.Block)));
             double pointsOfBlocks = 0;
             for (int i = 0; i < m_taken.Count; i++)
                 if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)

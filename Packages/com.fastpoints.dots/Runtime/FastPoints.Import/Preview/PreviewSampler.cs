@@ -34,7 +34,6 @@ namespace FastPoints.Preview
             Reader = reader;
             Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), placeCount);
             m_sample = Buffer.ShareSample(reader.Info.Transform);
-            m_sample.PointsInSource = reader.PointCount;
             m_sample.Method = method;
             m_sample.StandsForStretches = reader.Tree == null;
         }
@@ -124,6 +123,7 @@ namespace FastPoints.Preview
         {
             Buffer.Measure(m_sample);
             m_sample.BytesRead = BytesRead;
+            m_sample.PointsInSource = Reader.PointCount;
             var wave = new SampleWave { Points = m_sample.Count, Seconds = Seconds, BytesRead = BytesRead };
             m_waves.Add(wave);
             WaveReady?.Invoke(wave);

@@ -15,10 +15,11 @@ namespace FastPoints.Preview
     /// </remarks>
     public readonly struct RunPlan
     {
-        /// <summary>Points of a run: a page of the file costs the same whether one is wanted of it or sixteen.</summary>
-        const int PointsPerRun = 16;
+        /// <summary>Points of a usual run: a page of the file costs the same whether one is wanted of it or sixteen.</summary>
+        const int PointsPerUsualRun = 16;
 
-        /// <summary>Bytes of the file that a run spans, where its stratum has so many: about two pages.</summary>
+        /// <summary>Bytes of the file that a usual run spans, where its stratum has so many: about two pages. Longer ones span as
+        /// much more.</summary>
         const int SpanBytes = 4096;
 
         const int MaxSpanPoints = 256;
@@ -31,11 +32,13 @@ namespace FastPoints.Preview
 
         /// <param name="points">Of the source.</param>
         /// <param name="wanted">Of the sample.</param>
-        public RunPlan(long points, int wanted, int recordBytes, uint seed)
+        /// <param name="pointsPerRun">Of the sample.</param>
+        public RunPlan(long points, int wanted, int recordBytes, uint seed, int pointsPerRun = PointsPerUsualRun)
         {
             wanted = (int)Math.Min(points, Math.Max(0, wanted));
-            m_spanPoints = Math.Max(PointsPerRun, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)));
-            long runs = Math.Min((wanted + PointsPerRun - 1L) / PointsPerRun, Math.Max(1, points / m_spanPoints));
+            int times = Math.Max(1, pointsPerRun / PointsPerUsualRun);
+            m_spanPoints = Math.Max(pointsPerRun, Math.Min(MaxSpanPoints, SpanBytes / Math.Max(1, recordBytes)) * times);
+            long runs = Math.Min((wanted + pointsPerRun - 1L) / pointsPerRun, Math.Max(1, points / m_spanPoints));
             m_strata = new SampleStrata(points, (int)runs, seed);
             // Of all points the longest stratum's must find room wherever it comes in the order.
             m_places = new SampleStrata(wanted == points ? wanted + runs : wanted, (int)runs, seed);

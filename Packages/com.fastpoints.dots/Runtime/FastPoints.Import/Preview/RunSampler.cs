@@ -9,12 +9,10 @@ namespace FastPoints.Preview
 {
     /// <summary>Short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for
     /// which.</summary>
-    /// <remarks>How long the first wave's reads take only decides which gaps between runs are read along.</remarks>
+    /// <remarks>How long the first reads take decides between two plans (<see cref="ReadPace"/>), and what the first wave's take,
+    /// which gaps between runs are read along.</remarks>
     sealed class RunSampler : PreviewSampler
     {
-        /// <summary>Requests in flight: enough for a solid state disk to work at depth.</summary>
-        const int DefaultSlots = 8;
-
         /// <summary>Runs of one request at most: about a millisecond.</summary>
         const int MaxRunsPerRequest = 256;
 
@@ -23,35 +21,39 @@ namespace FastPoints.Preview
         /// <summary>Bytes of a slot's buffer.</summary>
         const int SlotBytes = 2 << 20;
 
-        /// <summary>What a slow disk reads in a second once it is there: a gap that takes less time than another read is
-        /// read.</summary>
-        const double BytesPerSecondOfGaps = 200e6;
-
-        const int MinGapBytes = 512, MaxGapBytes = 256 << 10;
-
-        readonly RunPlan m_plan;
+        readonly int m_wanted;
+        readonly uint m_seed;
+        RunPlan m_plan;
+        ReadPace m_pace;
         RunRead[] m_reads;
         NativeArray<int> m_ranks;
         NativeReference<int> m_nextPlace;
         NativeList<PointRun> m_runs;
         int m_endRank;
-        int m_gapBytes = MinGapBytes;
+        int m_gapBytes;
 
         public RunSampler(PointReader reader, int wanted, uint seed)
-            : this(reader, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed))
+            : this(reader, wanted, seed, new RunPlan(reader.PointCount, wanted, reader.Info.RecordBytes, seed))
         {
         }
 
-        RunSampler(PointReader reader, RunPlan plan)
+        RunSampler(PointReader reader, int wanted, uint seed, RunPlan plan)
             : base(reader, plan.PlaceCount, plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
         {
+            m_wanted = wanted;
+            m_seed = seed;
             m_plan = plan;
         }
 
         private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
         {
             if (m_reads == null)
-                Allocate(slots < 1 ? DefaultSlots : slots);
+            {
+                using (var trying = Try())
+                    while (trying.MoveNext())
+                        yield return trying.Current;
+                Allocate(slots < 1 ? m_pace.Slots : slots);
+            }
             int end = m_plan.RunsFor(wanted);
             if (end == m_endRank)
                 yield break;
@@ -69,6 +71,42 @@ namespace FastPoints.Preview
                     yield return reading.Current;
             m_endRank = end;
             EndPlace = m_plan.PlaceOf(end);
+        }
+
+        /// <summary>Work for a pump: reads the first runs of the usual plan, and takes the other one where that is slow.</summary>
+        IEnumerator<JobHandle> Try()
+        {
+            m_gapBytes = m_pace.GapBytes(0);
+            if (m_plan.RunCount < ReadPace.Tries || m_plan.PlaceCount >= Reader.PointCount)
+                yield break;
+            m_reads = new RunRead[ReadPace.Tries];
+            m_runs = new NativeList<PointRun>(Allocator.Persistent);
+            for (int rank = 0, place = 0; rank < ReadPace.Tries; place++)
+            {
+                int stratum = m_plan.Order.StratumAt(place);
+                if (stratum < 0)
+                    continue;
+                m_plan.RunOf(stratum, rank, out var run, out _);
+                m_runs.Add(run);
+                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxStretchPoints * Reader.Info.RecordBytes, Allocator.Persistent);
+                m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
+                rank++;
+            }
+            JobHandle.ScheduleBatchedJobs();
+            double quickest = double.PositiveInfinity;
+            foreach (var read in m_reads)
+            {
+                yield return read.Decoded;
+                read.Complete();
+                BytesRead += read.BytesRead;
+                quickest = Math.Min(quickest, ReadClock.Seconds(read.Begun, read.Ended));
+            }
+            Free();
+            m_pace = ReadPace.Of(quickest, Reader.PointCount * Reader.Info.RecordBytes);
+            if (!m_pace.IsSlow)
+                yield break;
+            m_plan = new RunPlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRun);
+            Sample.Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of the file, in waves";
         }
 
         void Allocate(int slots)
@@ -103,10 +141,9 @@ namespace FastPoints.Preview
         {
             var runs = m_runs.AsArray();
             int slots = m_reads.Length;
-            int most = Math.Max(MinRunsPerRequest, Math.Min(MaxRunsPerRequest, runs.Length / (2 * slots)));
+            int most = m_pace.RunsPerRequest(runs.Length, slots, MinRunsPerRequest, MaxRunsPerRequest);
             bool isFirstWave = m_endRank == 0;
-            long stretches = 0;
-            double begun = Seconds;
+            long stretches = 0, begun = ReadClock.Now, ended = begun;
             int next = 0;
             long request = 0, completed = 0;
             while (next < runs.Length || completed < request)
@@ -118,6 +155,7 @@ namespace FastPoints.Preview
                     oldest.Complete();
                     BytesRead += oldest.BytesRead;
                     stretches += oldest.Stretches;
+                    ended = Math.Max(ended, oldest.Ended);
                     Report(progress);
                     continue;
                 }
@@ -126,8 +164,7 @@ namespace FastPoints.Preview
             }
             // From the first wave, whose runs lie far apart: with gaps read along a stretch takes longer for its bytes.
             if (isFirstWave)
-                m_gapBytes = (int)Math.Max(MinGapBytes,
-                    Math.Min(MaxGapBytes, (Seconds - begun) / stretches * BytesPerSecondOfGaps));
+                m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(begun, ended) / stretches);
         }
 
         private protected override JobHandle ListRuns(NativeList<SampleRun> runs) => new ListRunsJob

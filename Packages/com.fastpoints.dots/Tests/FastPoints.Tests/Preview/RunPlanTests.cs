@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Files;
 using FastPoints.Preview;
 using NUnit.Framework;
 

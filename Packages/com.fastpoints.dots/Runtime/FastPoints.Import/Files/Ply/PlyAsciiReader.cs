@@ -25,6 +25,7 @@ namespace FastPoints.Files
         PlyBlock[] m_blocks;
         int m_maxPoints;
         bool m_areAllFound;
+        AsciiStretches m_stretches;
 
         public PlyAsciiReader(PlyHeader header, SourceInfo info)
             : base(header, info)
@@ -53,6 +54,7 @@ namespace FastPoints.Files
             && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
 
         public override bool BeginningsAreSpread => true;
+        public override int MostBeginnings => AsciiStretches.Count;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 
@@ -66,17 +68,19 @@ namespace FastPoints.Files
 
         public override int PointsInBlock(int block) => Found()[block].Points;
 
+        public override long PlaceOfBlock(int block) => Found()[block].OffsetBytes;
+
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<JobHandle> FindBeginnings()
+        public override IEnumerator<JobHandle> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+
+        public override IEnumerator<JobHandle> FindBeginnings(int places)
         {
-            using (var stretches = new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset))
-            {
-                using (var finding = stretches.Run())
-                    while (finding.MoveNext())
-                        yield return finding.Current;
-                Take(stretches.TakeBlocks());
-            }
+            m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset);
+            using (var finding = m_stretches.Find(places))
+                while (finding.MoveNext())
+                    yield return finding.Current;
+            Take(m_stretches.Blocks);
         }
 
         public override IEnumerator<JobHandle> FindBlocks()

@@ -8,7 +8,8 @@ namespace FastPoints.Files
 {
     /// <summary>
     /// Lines that are found by jumping into a text file: of each of <see cref="Count"/> equal parts of its bytes one stretch at a
-    /// hashed place, from its first line end on. What it takes does not depend on the file's size.
+    /// hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file, and
+    /// some can be looked for before others: what it takes depends on how many are wanted alone.
     /// </summary>
     /// <remarks>
     /// Bytes are no points: where lines are long, fewer of them start in a stretch. Each line has the same chance nevertheless:
@@ -16,7 +17,7 @@ namespace FastPoints.Files
     /// long line as for a short one, and whatever stands before it. Only all lines of a stretch are fair; a fixed number of
     /// each would prefer lines among long ones.
     /// </remarks>
-    sealed class AsciiStretches : IDisposable
+    sealed class AsciiStretches
     {
         public const int Count = 2048;
         public const int StretchBytes = 16 << 10;
@@ -24,32 +25,33 @@ namespace FastPoints.Files
         /// <summary>Of a smaller file all lines are counted about as soon.</summary>
         public const long LeastBytes = 2L * Count * StretchBytes;
 
-        const int Slots = 16;
+        /// <summary>Reads in flight: where each takes long, all take as long as one.</summary>
+        const int Slots = 32;
 
+        const uint OrderSeed = 1;
+
+        readonly string m_path;
+        readonly FileHandle m_file;
         readonly long m_offset;
         readonly long m_bytes;
-        readonly NativeFileRead[] m_reads = new NativeFileRead[Slots];
-        readonly NativeReference<AsciiRowCount>[] m_rows = new NativeReference<AsciiRowCount>[Slots];
-        readonly JobHandle[] m_counted = new JobHandle[Slots];
         readonly List<PlyBlock> m_blocks = new List<PlyBlock>();
+        readonly int[] m_rowsOfPart = new int[Count];
         long m_points;
-        long m_lastRows = -1;
-        double m_squaresOfDifferences;
+        int m_found;
 
         /// <param name="offset">Where the lines start; they go on to the file's end.</param>
         public AsciiStretches(string path, FileHandle file, long fileBytes, long offset)
         {
+            m_path = path;
+            m_file = file;
             m_offset = offset;
             m_bytes = fileBytes - offset;
-            for (int i = 0; i < Slots; i++)
-            {
-                m_reads[i] = new NativeFileRead(path, file, StretchBytes, Allocator.Persistent);
-                m_rows[i] = new NativeReference<AsciiRowCount>(Allocator.Persistent);
-            }
+            for (int part = 0; part < Count; part++)
+                m_rowsOfPart[part] = -1;
         }
 
-        /// <summary>Stretches with lines, and all that start in each.</summary>
-        public PlyBlock[] TakeBlocks() => m_blocks.ToArray();
+        /// <summary>Stretches with lines, and all that start in each, in the order in which they were found.</summary>
+        public PlyBlock[] Blocks => m_blocks.ToArray();
 
         /// <summary>Lines of the whole file. The standard error is by the differences of neighbouring stretches, as each part
         /// has one stretch alone (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
@@ -57,32 +59,49 @@ namespace FastPoints.Files
         {
             get
             {
-                double parts = m_bytes / (double)Count / (StretchBytes - 1);
-                return new PointEstimate(parts * m_points, parts * Math.Sqrt(m_squaresOfDifferences / 2));
+                double squares = 0;
+                int last = -1;
+                foreach (int rows in m_rowsOfPart)
+                {
+                    if (rows < 0)
+                        continue;
+                    if (last >= 0)
+                        squares += (rows - last) * (double)(rows - last);
+                    last = rows;
+                }
+                double weight = m_bytes / (double)Math.Max(1, m_found) / (StretchBytes - 1);
+                return new PointEstimate(weight * m_points, weight * Math.Sqrt(squares / 2));
             }
         }
 
-        /// <summary>Work for a pump, once.</summary>
-        public IEnumerator<JobHandle> Run()
+        /// <summary>Work for a pump: looks for the next ones, until it is so many in all.</summary>
+        public IEnumerator<JobHandle> Find(int count)
         {
-            for (int i = 0; i < Count + Slots; i++)
+            int first = m_found, wanted = Math.Min(Count, count) - first;
+            if (wanted <= 0)
+                yield break;
+            var order = new SampleOrder(Count, OrderSeed);
+            var slots = new Slot[Math.Min(Slots, wanted)];
+            try
             {
-                int slot = i % Slots;
-                if (i >= Slots)
+                for (int i = 0; i < slots.Length; i++)
+                    slots[i] = new Slot(m_path, m_file);
+                for (int i = 0; i < wanted + slots.Length; i++)
                 {
-                    yield return m_counted[slot];
-                    Take(slot);
+                    var slot = slots[i % slots.Length];
+                    if (i >= slots.Length && i - slots.Length < wanted)
+                    {
+                        yield return slot.Counted;
+                        Take(slot);
+                    }
+                    if (i < wanted)
+                        slot.Begin(order.StratumAt(first + i), this);
                 }
-                if (i >= Count)
-                    continue;
-                var read = m_reads[slot].Begin(PlaceOf(i), StretchBytes);
-                m_counted[slot] = new CountAsciiRowsJob
-                {
-                    Input = m_reads[slot].Buffer,
-                    Bytes = StretchBytes,
-                    Result = m_rows[slot],
-                }.Schedule(read);
-                JobHandle.ScheduleBatchedJobs();
+            }
+            finally
+            {
+                foreach (var slot in slots)
+                    slot?.Dispose();
             }
         }
 
@@ -96,19 +115,16 @@ namespace FastPoints.Files
             return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)places);
         }
 
-        void Take(int slot)
+        void Take(Slot slot)
         {
-            m_counted[slot].Complete();
-            m_reads[slot].End();
-            int rows = m_rows[slot].Value.RowsBehindFirstEnd;
-            if (m_lastRows >= 0)
-                m_squaresOfDifferences += (rows - m_lastRows) * (double)(rows - m_lastRows);
-            m_lastRows = rows;
+            int rows = slot.End();
+            m_found++;
+            m_rowsOfPart[slot.Part] = rows;
             if (rows == 0)
                 return;
             m_blocks.Add(new PlyBlock
             {
-                OffsetBytes = m_reads[slot].Offset,
+                OffsetBytes = slot.Read.Offset,
                 Bytes = StretchBytes,
                 FirstPoint = m_points,
                 Points = rows,
@@ -117,13 +133,41 @@ namespace FastPoints.Files
             m_points += rows;
         }
 
-        public void Dispose()
+        /// <summary>One stretch in flight.</summary>
+        sealed class Slot : IDisposable
         {
-            for (int i = 0; i < Slots; i++)
+            readonly NativeReference<AsciiRowCount> m_rows;
+
+            public Slot(string path, FileHandle file)
             {
-                m_counted[i].Complete();
-                m_reads[i].Dispose();
-                m_rows[i].Dispose();
+                Read = new NativeFileRead(path, file, StretchBytes, Allocator.Persistent);
+                m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
+            }
+
+            public NativeFileRead Read { get; }
+            public int Part { get; private set; }
+            public JobHandle Counted { get; private set; }
+
+            public void Begin(int part, AsciiStretches stretches)
+            {
+                Part = part;
+                var read = Read.Begin(stretches.PlaceOf(part), StretchBytes);
+                Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = StretchBytes, Result = m_rows }.Schedule(read);
+                JobHandle.ScheduleBatchedJobs();
+            }
+
+            public int End()
+            {
+                Counted.Complete();
+                Read.End();
+                return m_rows.Value.RowsBehindFirstEnd;
+            }
+
+            public void Dispose()
+            {
+                Counted.Complete();
+                Read.Dispose();
+                m_rows.Dispose();
             }
         }
     }

@@ -44,6 +44,7 @@ namespace FastPoints.Files
         int m_maxPoints;
         bool m_areAllFound;
         PointEstimate m_estimate;
+        AsciiStretches m_stretches;
 
         XyzReader(XyzSniff sniff, string[] names, SourceInfo info)
         {
@@ -59,6 +60,7 @@ namespace FastPoints.Files
             !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
 
         public override bool BeginningsAreSpread => true;
+        public override int MostBeginnings => AsciiStretches.Count;
         public override PointEstimate EstimatedPoints => m_estimate;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
@@ -153,18 +155,23 @@ namespace FastPoints.Files
 
         public override int PointsInBlock(int block) => Found()[block].Points;
 
+        public override long PlaceOfBlock(int block) => Found()[block].OffsetBytes;
+
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<JobHandle> FindBeginnings()
+        public override IEnumerator<JobHandle> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+
+        public override IEnumerator<JobHandle> FindBeginnings(int places)
         {
-            using (var stretches = new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset))
-            {
-                using (var finding = stretches.Run())
-                    while (finding.MoveNext())
-                        yield return finding.Current;
-                Take(stretches.TakeBlocks());
-                m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : stretches.Estimate;
-            }
+            m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset);
+            using (var finding = m_stretches.Find(places))
+                while (finding.MoveNext())
+                    yield return finding.Current;
+            var told = m_isTold;
+            Take(m_stretches.Blocks);
+            for (int block = 0; told != null && block < told.Length; block++)
+                m_isTold[block] = told[block];
+            m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_stretches.Estimate;
         }
 
         public override IEnumerator<JobHandle> FindBlocks()
@@ -177,6 +184,7 @@ namespace FastPoints.Files
                 while (scan.Next(out var handle))
                     yield return handle;
                 Take(scan.TakeBlocks());
+                Array.Clear(m_countOf, 0, m_countOf.Length);
                 m_areAllFound = true;
                 Info.PointsReadable = scan.Points;
                 if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
@@ -185,7 +193,6 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>What was odd about other blocks is counted anew.</summary>
         void Take(PlyBlock[] blocks)
         {
             m_blocks = blocks;
@@ -193,7 +200,6 @@ namespace FastPoints.Files
             foreach (var block in blocks)
                 m_maxPoints = Math.Max(m_maxPoints, block.Points);
             m_isTold = new BitArray(blocks.Length);
-            Array.Clear(m_countOf, 0, m_countOf.Length);
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)

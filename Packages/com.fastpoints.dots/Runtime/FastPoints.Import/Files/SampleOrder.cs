@@ -1,4 +1,4 @@
-namespace FastPoints.Preview
+namespace FastPoints.Files
 {
     /// <summary>
     /// An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput sequence, Owen
