@@ -121,6 +121,24 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Dispatch_AnotherFormatThanTheShaderReads_Throws()
+        {
+            var texture = new RenderTexture(8, 8, 0, GraphicsFormat.R32_SFloat) { enableRandomWrite = true };
+            m_shader.SetTexture(4, Id("_Most"), texture);
+            Assert.That(() => m_shader.Dispatch(4, 1, 1, 1), Throws.InvalidOperationException.With.Message.Contains("R32Uint"));
+            UnityEngine.Object.DestroyImmediate(texture);
+            texture = new RenderTexture(8, 8, 0, GraphicsFormat.R32_UInt) { enableRandomWrite = true };
+            using var commands = new CommandBuffer();
+            commands.SetRenderTarget(texture);
+            commands.ClearRenderTarget(false, true, new Color(5, 0, 0, 0));
+            commands.SetComputeTextureParam(m_shader, 4, Id("_Most"), texture);
+            commands.DispatchCompute(m_shader, 4, 1, 1, 1);
+            Execute(commands);
+            Assert.That(Read<uint>(texture), Is.EqualTo(Enumerable.Range(0, 64).Select(i => Math.Max(i, 5))));
+            UnityEngine.Object.DestroyImmediate(texture);
+        }
+
+        [Test]
         public void Dispatch_WhatDoesNotFit_Throws()
         {
             ComputeShader shader = HeadlessShaders.LoadCompute(PathOf("Numbers.compute"));

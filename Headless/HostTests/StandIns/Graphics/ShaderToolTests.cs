@@ -85,6 +85,15 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Keywords_Stereo_IsThereForWhoAsks()
+        {
+            Write("eyes.hlsl", "#if defined(STEREO_INSTANCING_ON)\n#endif\n");
+            string stereo = Pass.Replace("ENDHLSL", "#include \"eyes.hlsl\"\nENDHLSL");
+            ShaderLabSource shader = Read("SubShader { Pass { " + Pass + " } Pass { " + stereo + " } }");
+            Assert.That(shader.Passes.Select(p => KeywordVariant.Count(p.Keywords)), Is.EqualTo(new[] { 1, 2 }));
+        }
+
+        [Test]
         public void Compile_Error_NamesTheFileAndItsLine()
         {
             RequireCompiler();

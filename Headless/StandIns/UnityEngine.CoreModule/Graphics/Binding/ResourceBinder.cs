@@ -113,7 +113,11 @@ namespace StandIns.Graphics
                 throw new InvalidOperationException($"{shader}: {resource.Name} is {(resource.IsArray ? "" : "not ")}an array of "
                     + "textures, "
                     + $"{texture.name} is {texture.dimension}");
-            return texture.ImageFor(value.IsDepth).View;
+            GpuImage image = texture.ImageFor(value.IsDepth);
+            if (resource.Format != VkFormat.Undefined && resource.Format != image.Format)
+                throw new InvalidOperationException($"{shader}: {resource.Name} is {resource.Format} in the shader, and "
+                    + $"{texture.name} is {image.Format}");
+            return image.View;
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using StandIns.Graphics;
+using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
@@ -70,6 +71,9 @@ namespace UnityEngine
         public void SetBuffer(string name, GraphicsBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
 
         public void SetTexture(int nameID, Texture value) => Sheet.Set(nameID, value);
+
+        public void SetTexture(int nameID, RenderTexture value, RenderTextureSubElement element) =>
+            Sheet.Set(nameID, value, element == RenderTextureSubElement.Depth);
 
         public float GetFloat(int nameID) => m_shader.Source.Value(Sheet, nameID, out PropertyValue value) ? value.Vector.x : 0;
 

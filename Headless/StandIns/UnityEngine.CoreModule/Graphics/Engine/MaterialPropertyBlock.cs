@@ -1,4 +1,5 @@
 using StandIns.Graphics;
+using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
@@ -31,5 +32,8 @@ namespace UnityEngine
         public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 
         public void SetTexture(int nameID, Texture value) => Sheet.Set(nameID, value);
+
+        public void SetTexture(int nameID, RenderTexture value, RenderTextureSubElement element) =>
+            Sheet.Set(nameID, value, element == RenderTextureSubElement.Depth);
     }
 }

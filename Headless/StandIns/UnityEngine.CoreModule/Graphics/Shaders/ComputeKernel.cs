@@ -32,7 +32,8 @@ namespace StandIns.Graphics
         {
             byte[] code = ShaderCompiler.Compile(m_source.Files, m_source.Name, m_source.Text, "comp", Name,
                 KeywordVariant.Names(m_source.Keywords, variant));
-            return new ComputeProgram(GpuDevice.Current, m_source.Name + ", " + Name, Name, new SpirvModule(code));
+            return new ComputeProgram(GpuDevice.Current, m_source.Name + ", " + Name, Name,
+                SpirvModule.For(GpuDevice.Current, code));
         }
     }
 }

@@ -1,12 +1,16 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 
 namespace StandIns.Graphics
 {
     /// <summary>One pass of a shader and its variants, each compiled when it is first drawn with.</summary>
     sealed class ShaderPass
     {
+        // Unity adds it to every shader that asks for it, where a headset is drawn for in one pass.
+        const string Stereo = "STEREO_INSTANCING_ON";
+
         internal readonly ShaderLabSource Shader;
         internal readonly string Name;
         internal readonly Dictionary<string, string> Tags;
@@ -37,6 +41,8 @@ namespace StandIns.Graphics
             }
             if (m_vertex == null || m_fragment == null)
                 throw new InvalidDataException($"{shader.Name}, pass {name}: a #pragma vertex and a #pragma fragment are wanted");
+            if (Names(Stereo))
+                keywords.Add(KeywordGroup.TryRead(new[] { "multi_compile", "_", Stereo }));
             Keywords = keywords.ToArray();
         }
 
@@ -55,6 +61,9 @@ namespace StandIns.Graphics
         internal (byte[] Vertex, byte[] Fragment) Code(long variant) =>
             (Code(variant, "vert", m_vertex), Code(variant, "frag", m_fragment));
 
+        bool Names(string keyword) => m_program.Contains(keyword)
+            || Shader.Files.Includes(m_program).Any(file => File.ReadAllText(file).Contains(keyword));
+
         byte[] Code(long variant, string stage, string entry) =>
             ShaderCompiler.Compile(Shader.Files, Label, m_program, stage, entry,
             KeywordVariant.Names(Keywords, variant));
@@ -62,7 +71,9 @@ namespace StandIns.Graphics
         GraphicsProgram Compile(long variant)
         {
             (byte[] vertex, byte[] fragment) = Code(variant);
-            return new GraphicsProgram(GpuDevice.Current, Label, new SpirvModule(vertex), m_vertex, new SpirvModule(fragment),
+            GpuDevice device = GpuDevice.Current;
+            return new GraphicsProgram(device, Label, SpirvModule.For(device, vertex), m_vertex,
+                SpirvModule.For(device, fragment),
                 m_fragment);
         }
     }

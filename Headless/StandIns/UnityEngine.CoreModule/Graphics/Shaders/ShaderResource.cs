@@ -33,6 +33,9 @@ namespace StandIns.Graphics
         /// <summary>A texture of slices.</summary>
         internal bool IsArray { get; set; }
 
+        /// <summary>Of a texture that is read and written at random; undefined where it may have any.</summary>
+        internal VkFormat Format { get; set; }
+
         internal int Binding { get; set; }
 
         /// <summary>Of constants, in bytes.</summary>

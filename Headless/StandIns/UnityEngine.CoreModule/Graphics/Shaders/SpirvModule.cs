@@ -71,6 +71,10 @@ namespace StandIns.Graphics
         /// <summary>Of a compute shader.</summary>
         internal (uint X, uint Y, uint Z) GroupSize { get; private set; }
 
+        /// <summary>As a device takes it.</summary>
+        internal static SpirvModule For(GpuDevice device, byte[] code) =>
+            new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
+
         /// <summary>All resources that the code names, with no binding yet.</summary>
         internal List<ShaderResource> Resources()
         {
@@ -101,7 +105,11 @@ namespace StandIns.Graphics
                     const uint storage = 2;
                     VkDescriptorType kind = m_words[at + 7] == storage ? VkDescriptorType.StorageImage
                         : VkDescriptorType.SampledImage;
-                    return new ShaderResource(variable, m_names[variable], kind) { IsArray = m_words[at + 5] != 0 };
+                    return new ShaderResource(variable, m_names[variable], kind)
+                    {
+                        IsArray = m_words[at + 5] != 0,
+                        Format = SpirvImageFormats.Vulkan(m_words[at + 8]),
+                    };
                 case Op.TypeStruct when m_decorations.ContainsKey((type, uint.MaxValue, Decoration.BufferBlock)):
                     return new ShaderResource(variable, m_names[variable], VkDescriptorType.StorageBuffer)
                     {
