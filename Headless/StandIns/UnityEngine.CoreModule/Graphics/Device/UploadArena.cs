@@ -25,8 +25,8 @@ namespace StandIns.Graphics
 
         internal void Reset()
         {
-            // What was made for one large upload is not kept.
-            for (int i = m_chunks.Count - 1; i >= 0; i--)
+            // What one large upload took is kept only while the next one wants it as well.
+            for (int i = m_chunks.Count - 1; i > m_chunk; i--)
                 if (m_chunks[i].Bytes > ChunkBytes)
                 {
                     m_chunks[i].Destroy(m_device);

@@ -137,6 +137,8 @@ namespace UnityEngine
             Retire(ref m_depth);
         }
 
+        internal override GraphicsFormat Format => m_descriptor.graphicsFormat;
+
         internal ref readonly RenderTextureDescriptor Descriptor => ref m_descriptor;
 
         internal GpuImage Color => m_color;

@@ -22,11 +22,14 @@ namespace UnityEngine
 
         public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
 
-        public virtual GraphicsFormat graphicsFormat => GraphicsFormat.None;
+        public virtual GraphicsFormat graphicsFormat => Format;
 
         public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
 
         public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
+
+        /// <summary>RenderTexture hides <see cref="graphicsFormat"/> with one that can be set.</summary>
+        internal virtual GraphicsFormat Format => GraphicsFormat.None;
 
         internal static Texture Find(int id)
         {

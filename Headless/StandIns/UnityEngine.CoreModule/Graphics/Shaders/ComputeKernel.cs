@@ -28,12 +28,7 @@ namespace StandIns.Graphics
             return program;
         }
 
-        ComputeProgram Compile(long variant)
-        {
-            byte[] code = ShaderCompiler.Compile(m_source.Files, m_source.Name, m_source.Text, "comp", Name,
-                KeywordVariant.Names(m_source.Keywords, variant));
-            return new ComputeProgram(GpuDevice.Current, m_source.Name + ", " + Name, Name,
-                SpirvModule.For(GpuDevice.Current, code));
-        }
+        ComputeProgram Compile(long variant) => new ComputeProgram(GpuDevice.Current, m_source.Name + ", " + Name, Name,
+            SpirvModule.For(GpuDevice.Current, m_source.Code(Name, variant)));
     }
 }

@@ -22,6 +22,8 @@ namespace StandIns.Graphics
             var keywords = new List<KeywordGroup>();
             foreach (string[] words in ShaderPragmas.Of(Text))
             {
+                if (words[0] == "kernel" && words.Length > 2)
+                    throw new InvalidDataException($"{path}: kernel {words[1]} has definitions of its own, which is not supported");
                 if (words[0] == "kernel")
                     Kernels.Add(words[1]);
                 else if (KeywordGroup.TryRead(words) is { } group)
@@ -30,6 +32,13 @@ namespace StandIns.Graphics
             if (Kernels.Count == 0)
                 throw new InvalidDataException($"{path}: has no #pragma kernel");
             Keywords = keywords.ToArray();
+        }
+
+        /// <summary>A variant of a kernel, without a device.</summary>
+        internal byte[] Code(string kernel, long variant)
+        {
+            const string stage = "comp";
+            return ShaderCompiler.Compile(Files, Name, Text, stage, kernel, KeywordVariant.Names(Keywords, variant, stage));
         }
     }
 }

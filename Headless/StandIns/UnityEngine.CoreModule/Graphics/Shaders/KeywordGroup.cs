@@ -11,19 +11,26 @@ namespace StandIns.Graphics
         /// <summary>Global keywords do not reach it.</summary>
         internal readonly bool IsLocal;
 
-        KeywordGroup(string[] keywords, bool isLocal)
+        readonly string m_stage;
+
+        KeywordGroup(string[] keywords, bool isLocal, string stage)
         {
             Keywords = keywords;
             IsLocal = isLocal;
+            m_stage = stage;
         }
 
         /// <summary>Reads a pragma's words; null where it declares no keywords.</summary>
         internal static KeywordGroup TryRead(string[] words)
         {
             string kind = words[0];
+            string only = null;
             foreach (string stage in new[] { "_vertex", "_fragment" })
                 if (kind.EndsWith(stage, StringComparison.Ordinal))
+                {
                     kind = kind[..^stage.Length];
+                    only = stage[1..5];
+                }
             bool isLocal = kind.EndsWith("_local", StringComparison.Ordinal);
             if (isLocal)
                 kind = kind[..^"_local".Length];
@@ -34,8 +41,11 @@ namespace StandIns.Graphics
                 names.Add(null);
             for (int i = 1; i < words.Length; i++)
                 names.Add(words[i].Trim('_').Length == 0 ? null : words[i]);
-            return new KeywordGroup(names.ToArray(), isLocal);
+            return new KeywordGroup(names.ToArray(), isLocal, only);
         }
+
+        /// <summary>Whether a stage, as glslang calls it, is told of the keywords.</summary>
+        internal bool IsFor(string stage) => m_stage == null || m_stage == stage;
 
         /// <summary>
         /// Which is on, as an index: the first that is asked for; else none, or the first where none is not offered.

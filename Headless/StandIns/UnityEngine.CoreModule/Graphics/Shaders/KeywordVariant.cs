@@ -25,13 +25,14 @@ namespace StandIns.Graphics
             return count;
         }
 
-        internal static IEnumerable<string> Names(KeywordGroup[] groups, long variant)
+        /// <summary>The keywords that a stage, as glslang calls it, is compiled with.</summary>
+        internal static IEnumerable<string> Names(KeywordGroup[] groups, long variant, string stage)
         {
             foreach (KeywordGroup group in groups)
             {
                 string keyword = group.Keywords[variant % group.Keywords.Length];
                 variant /= group.Keywords.Length;
-                if (keyword != null)
+                if (keyword != null && group.IsFor(stage))
                     yield return keyword;
             }
         }

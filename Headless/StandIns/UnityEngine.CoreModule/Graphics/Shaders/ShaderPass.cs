@@ -57,24 +57,22 @@ namespace StandIns.Graphics
             return program;
         }
 
-        /// <summary>Both stages of a variant, without a device.</summary>
-        internal (byte[] Vertex, byte[] Fragment) Code(long variant) =>
-            (Code(variant, "vert", m_vertex), Code(variant, "frag", m_fragment));
+        /// <summary>A stage of a variant, without a device.</summary>
+        internal byte[] VertexCode(long variant) => Code(variant, "vert", m_vertex);
+
+        internal byte[] FragmentCode(long variant) => Code(variant, "frag", m_fragment);
 
         bool Names(string keyword) => m_program.Contains(keyword)
             || Shader.Files.Includes(m_program).Any(file => File.ReadAllText(file).Contains(keyword));
 
-        byte[] Code(long variant, string stage, string entry) =>
-            ShaderCompiler.Compile(Shader.Files, Label, m_program, stage, entry,
-            KeywordVariant.Names(Keywords, variant));
+        byte[] Code(long variant, string stage, string entry) => ShaderCompiler.Compile(Shader.Files, Label, m_program, stage,
+            entry, KeywordVariant.Names(Keywords, variant, stage));
 
         GraphicsProgram Compile(long variant)
         {
-            (byte[] vertex, byte[] fragment) = Code(variant);
             GpuDevice device = GpuDevice.Current;
-            return new GraphicsProgram(device, Label, SpirvModule.For(device, vertex), m_vertex,
-                SpirvModule.For(device, fragment),
-                m_fragment);
+            return new GraphicsProgram(device, Label, SpirvModule.For(device, VertexCode(variant)), m_vertex,
+                SpirvModule.For(device, FragmentCode(variant)), m_fragment);
         }
     }
 }
