@@ -17,7 +17,7 @@ namespace FastPoints.RepoTools.Layers
         private static readonly (string Assembly, string[] Rooms)[] s_order =
         {
             ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picture" }),
-            ("FastPoints.Import", new[] { "Files", "Preview", "Octree", "Store", "Pipeline" }),
+            ("FastPoints.Import", new[] { "Files", "Preview", "Octree", "Store", "Streaming", "Pipeline" }),
         };
 
         public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);

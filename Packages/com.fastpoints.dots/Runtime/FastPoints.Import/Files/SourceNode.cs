@@ -17,5 +17,8 @@ namespace FastPoints.Files
 
         /// <summary>Points of the block, as the hierarchy claims.</summary>
         public int PointCount;
+
+        /// <summary>What nodes of an octree are told apart by.</summary>
+        public int4 Key => new int4(Cell, Level);
     }
 }

@@ -42,6 +42,9 @@ namespace FastPoints.Files
 
         public SourceNode this[int node] => m_nodes[node];
 
+        /// <summary>The nodes that are known, for jobs: no more are added before these have ended.</summary>
+        public NativeArray<SourceNode> AsArray() => m_nodes.AsArray();
+
         public void Add(SourceNode node)
         {
             m_nodes.Add(node);

@@ -48,7 +48,7 @@ namespace FastPoints.Octree
                         LoadOffsets(runs[r].Points + first, count, corner, values);
                     else
                         LoadOffsetsNarrow(runs[r].Points + first, count, corner, (uint*)values);
-                    WriteBlock(values, count, shape, plane, ref descriptor, ref word, min + 3 * r, max + 3 * r);
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min + 3 * r, max + 3 * r);
                 }
             }
             return End(file, plane, start, word);
@@ -70,11 +70,12 @@ namespace FastPoints.Octree
                     for (int c = 0; c < shape.ColumnCount; c++)
                     {
                         if (shape.IsWide(c))
-                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], WideOf(values, c));
+                            LoadColumn(runs[r].Points + first, count, Columns[firstColumn + c], BlockWriting.WideOf(values, c));
                         else
-                            LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c], NarrowOf(values, c));
+                            LoadColumnNarrow(runs[r].Points + first, count, Columns[firstColumn + c],
+                                BlockWriting.NarrowOf(values, c));
                     }
-                    WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
                 }
             }
             return End(file, plane, start, word);
@@ -103,29 +104,25 @@ namespace FastPoints.Octree
                         {
                             ulong stored = averaged.Stored(average, firstColumn + c);
                             if (shape.IsWide(c))
-                                WideOf(values, c)[i] = stored;
+                                BlockWriting.WideOf(values, c)[i] = stored;
                             else
-                                NarrowOf(values, c)[i] = (uint)stored;
+                                BlockWriting.NarrowOf(values, c)[i] = (uint)stored;
                         }
                     }
-                    WriteBlock(values, count, shape, plane, ref descriptor, ref word, min, max);
+                    BlockWriting.Write(values, count, shape, plane, ref descriptor, ref word, min, max);
                 }
             }
             return End(file, plane, start, word);
         }
-
-        /// <summary>A column's place among a block's values: of 64 bits, or of 32.</summary>
-        static ulong* WideOf(ulong* values, int column) => values + column * PlaneShape.MaxPointsPerBlock;
-        static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
 
         void LoadOffsets(uint* points, int count, Grid3 corner, ulong* values)
         {
             for (int i = 0; i < count; i++)
             {
                 var offset = Layout.PlaceOf(Records + (long)points[i] * Layout.StrideBytes) - corner;
-                WideOf(values, 0)[i] = (ulong)offset.X;
-                WideOf(values, 1)[i] = (ulong)offset.Y;
-                WideOf(values, 2)[i] = (ulong)offset.Z;
+                BlockWriting.WideOf(values, 0)[i] = (ulong)offset.X;
+                BlockWriting.WideOf(values, 1)[i] = (ulong)offset.Y;
+                BlockWriting.WideOf(values, 2)[i] = (ulong)offset.Z;
             }
         }
 
@@ -185,52 +182,6 @@ namespace FastPoints.Octree
             }
             for (int i = 0; i < count; i++)
                 values[i] = (uint)OrderedBits.Load(attribute + points[i] * stride, type);
-        }
-
-        /// <param name="min">By column: lowered to the block's smallest; <paramref name="max"/> raised to its largest.</param>
-        static void WriteBlock(ulong* values, int count, PlaneShape shape, uint* plane, ref uint* descriptor, ref long word,
-            ulong* min, ulong* max)
-        {
-            uint widths = (uint)(count - 1) << 24;
-            descriptor[0] = (uint)word;
-            for (int c = 0; c < shape.ColumnCount; c++)
-            {
-                int at = shape.MinimumWord(c), width;
-                ulong least, most;
-                if (shape.IsWide(c))
-                {
-                    ulong* column = WideOf(values, c);
-                    least = most = column[0];
-                    for (int i = 1; i < count; i++)
-                    {
-                        least = math.min(least, column[i]);
-                        most = math.max(most, column[i]);
-                    }
-                    width = BlockCodec.WidthOf(most - least);
-                    descriptor[at + 1] = (uint)(least >> 32);
-                    word += BlockCodec.PackWide(column, least, count, width, plane + word);
-                }
-                else
-                {
-                    uint* column = NarrowOf(values, c);
-                    uint leastNarrow = column[0], mostNarrow = column[0];
-                    for (int i = 1; i < count; i++)
-                    {
-                        leastNarrow = math.min(leastNarrow, column[i]);
-                        mostNarrow = math.max(mostNarrow, column[i]);
-                    }
-                    least = leastNarrow;
-                    most = mostNarrow;
-                    width = BlockCodec.WidthOf(most - least);
-                    word += BlockCodec.Pack(column, leastNarrow, count, width, plane + word);
-                }
-                min[c] = math.min(min[c], least);
-                max[c] = math.max(max[c], most);
-                widths |= (uint)width << (8 * c);
-                descriptor[at] = (uint)least;
-            }
-            descriptor[1] = widths;
-            descriptor += shape.DescriptorWords;
         }
 
         /// <summary>Makes room for the longest plane that these runs could need.</summary>

@@ -17,12 +17,16 @@ namespace FastPoints.Base
         /// <summary>Byte offset in the file, or -1 where no single place is at fault.</summary>
         public long ByteOffset { get; }
 
+        /// <summary>The message without file and byte.</summary>
+        public string What { get; }
+
         public PointCloudException(FailureCode code, string path, long byteOffset, string what, Exception inner = null)
             : base(Line(path, byteOffset, what), inner)
         {
             Code = code;
             Path = path;
             ByteOffset = byteOffset;
+            What = what;
         }
 
         /// <summary>For example: <c>scan.las: at byte 96: offset to point data: wanted at least 227, got 12</c>.</summary>

@@ -20,6 +20,7 @@ namespace FastPoints.Streaming
             // Copies that ended make nodes complete, tables that came make the hierarchy grow.
             stream.Uploads.TryEnd(ref stats);
             stream.TidyUp();
+            stream.UpdateSources();
             stream.Reads.Receive(ref stats);
             stats.ReceiveMs = Lap(ref start);
 

@@ -72,6 +72,8 @@ namespace FastPoints.Streaming
 
         public void SetPhase(int slot, CachePhase phase) => m_slots.ElementAt(slot).Phase = phase;
 
+        public void SetRun(int slot, PoolRun run) => m_slots.ElementAt(slot).Run = run;
+
         /// <summary>Makes it the most useful.</summary>
         public void Use(int slot, uint frame, int rank)
         {

@@ -9,7 +9,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// One read, from its beginning until its memory can be used for the next: a page's table, or some nodes of one file, whose
-    /// planes are read in as few pieces as they lie in. Main thread; never waits, but for <see cref="Await"/>.
+    /// planes are read in as few pieces as they lie in, or a node that is made. Main thread; never waits, but for
+    /// <see cref="Await"/>.
     /// </summary>
     public sealed unsafe class NodeFetch : IDisposable
     {
@@ -25,6 +26,7 @@ namespace FastPoints.Streaming
         NativeReference<TableProblem> m_problem;
         ReadHandle m_read;
         JobHandle m_building;
+        NodeMaker m_maker;
         long m_readBytes;
 
         public NodeFetch()
@@ -60,6 +62,11 @@ namespace FastPoints.Streaming
         public void BeginTable(long number, int cloudIndex, StreamedCloud cloud, int page)
         {
             Begin(number, cloudIndex, cloud, page, true);
+            if (cloud.Source.MakesNodes)
+            {
+                Build();
+                return;
+            }
             var piece = cloud.Source.TableOf(page);
             m_commands.Add(new ReadCommand { Offset = piece.OffsetBytes, Size = piece.LengthBytes });
             Read(piece.Path, piece.LengthBytes);
@@ -68,6 +75,17 @@ namespace FastPoints.Streaming
         /// <summary>An empty read: <see cref="Add"/> some nodes, then <see cref="ReadNodes"/>.</summary>
         public void BeginNodes(long number, int cloudIndex, StreamedCloud cloud, int page) =>
             Begin(number, cloudIndex, cloud, page, false);
+
+        /// <summary>Begins to make a node.</summary>
+        /// <param name="maker">Of the cloud's source; this fetch gives it back.</param>
+        public void BeginMaking(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node, NodeMaker maker)
+        {
+            Begin(number, cloudIndex, cloud, page, false);
+            m_nodes.Add(node);
+            m_maker = maker;
+            maker.Begin(cloud.Pages[page], node.Node);
+            Phase = FetchPhase.Making;
+        }
 
         public void Add(FetchedNode node)
         {
@@ -135,10 +153,26 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a page of the table that was read.</summary>
+        /// <returns>Whether the node is made, or something is wrong with it.</returns>
+        public bool TryEndMaking(out MakeOutcome outcome, out StreamFailure failure, out long bytes)
+        {
+            outcome = default;
+            failure = default;
+            bytes = 0;
+            if (!m_maker.IsDone)
+                return false;
+            outcome = m_maker.End(out failure);
+            bytes = m_maker.BytesRead;
+            if (outcome == MakeOutcome.Made)
+                Cloud.SetLengths(Page, m_nodes[0].Node, m_maker);
+            Phase = FetchPhase.Arrived;
+            return true;
+        }
+
+        /// <summary>Begins to make a page of the table that was read, or of what the source knows.</summary>
         public void Build()
         {
-            m_building = Cloud.Source.ScheduleBuild(Page, m_bytes.GetSubArray(0, (int)m_readBytes), m_built, m_problem);
+            m_building = Cloud.Source.ScheduleBuild(Page, Table, m_built, m_problem);
             Phase = FetchPhase.Building;
         }
 
@@ -155,20 +189,22 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        public string Describe(TableProblem problem) =>
-            Cloud.Source.Describe(Page, m_bytes.GetSubArray(0, (int)m_readBytes), problem);
+        public string Describe(TableProblem problem) => Cloud.Source.Describe(Page, Table, problem);
 
         /// <summary>The planes of one of the nodes, as parts of an upload.</summary>
         /// <param name="to">Memory of the node.</param>
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
+            byte* made = m_maker != null ? m_maker.Planes : null;
             for (int p = 0; p < Cloud.Source.Planes.Length; p++)
             {
                 var range = Cloud.RangeOf(Page, node, p);
                 parts.Add(new UploadPart
                 {
-                    From = (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
+                    From = m_maker != null ? made
+                        : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
+                    IsMade = m_maker != null,
                     To = to,
                     LengthBytes = range.LengthBytes,
                     Hash = range.Hash,
@@ -177,6 +213,7 @@ namespace FastPoints.Streaming
                     Upload = upload,
                 });
                 to += range.LengthBytes;
+                made += range.LengthBytes;
             }
         }
 
@@ -184,6 +221,9 @@ namespace FastPoints.Streaming
         public void End()
         {
             Phase = FetchPhase.Idle;
+            if (m_maker != null)
+                Cloud.Source.GiveMaker(m_maker);
+            m_maker = null;
             Cloud = null;
         }
 
@@ -201,6 +241,10 @@ namespace FastPoints.Streaming
                 var built = m_built.Value;
                 if (m_problem.Value.IsNone)
                     built.Free();
+            }
+            else if (Phase == FetchPhase.Making)
+            {
+                m_maker.End(out _);
             }
             End();
         }
@@ -220,6 +264,8 @@ namespace FastPoints.Streaming
             m_built.Dispose();
             m_problem.Dispose();
         }
+
+        NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
         /// <summary>By place in the file: merging, since nodes come in runs that lie one after the other already.</summary>
         void SortParts()
@@ -252,6 +298,7 @@ namespace FastPoints.Streaming
             IsTable = isTable;
             IsCancelled = false;
             FirstWaiting = 0;
+            m_readBytes = 0;
             m_commands.Clear();
             m_parts.Clear();
             m_nodes.Clear();

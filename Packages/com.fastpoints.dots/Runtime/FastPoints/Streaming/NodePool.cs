@@ -90,6 +90,21 @@ namespace FastPoints.Streaming
                 Free(run.Bank);
         }
 
+        /// <summary>Keeps as much of a run as so many bytes need, and takes the rest back.</summary>
+        /// <returns>Whether the run is long enough.</returns>
+        public bool TryShorten(ref PoolRun run, long bytes)
+        {
+            int pages = PagesFor(bytes);
+            if (pages > run.PageCount)
+                return false;
+            var heap = m_banks[run.Bank];
+            heap.Shorten(run.FirstPage, pages);
+            m_banks[run.Bank] = heap;
+            UsedBytes -= (long)(run.PageCount - pages) * PageBytes;
+            run.PageCount = pages;
+            return true;
+        }
+
         /// <summary>Frees banks that nothing lies in and that are beyond the limit.</summary>
         public void FreeEmptyBanks()
         {

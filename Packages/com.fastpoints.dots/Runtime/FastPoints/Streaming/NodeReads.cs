@@ -59,6 +59,15 @@ namespace FastPoints.Streaming
                         EndRead(fetch, status);
                     }
                 }
+                if (fetch.Phase == FetchPhase.Making)
+                {
+                    CancelUnwanted(fetch);
+                    if (fetch.TryEndMaking(out var outcome, out var failure, out long bytes))
+                    {
+                        stats.ReadBytes += bytes;
+                        EndMaking(fetch, outcome, failure);
+                    }
+                }
                 if (fetch.Phase == FetchPhase.Building && fetch.TryEndBuild(out var page, out var problem))
                     EndBuild(fetch, page, problem);
                 if (fetch.Phase == FetchPhase.Arrived && !fetch.IsBeingCopied && !HasWaiting(fetch))
@@ -82,7 +91,8 @@ namespace FastPoints.Streaming
                 if (tables >= Math.Max(1, m_stream.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
                     break;
                 var page = m_stream.Clouds[missing.Cloud].Pages + missing.Page;
-                if (page->Status != PageStatus.Absent || !m_stream.IsTime(page->RetryFrame))
+                if (page->Status != PageStatus.Absent || !m_stream.IsTime(page->RetryFrame) ||
+                    !m_stream.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
                 page->Status = PageStatus.Loading;
                 fetch.BeginTable(++m_count, missing.Cloud, m_stream.Clouds[missing.Cloud], missing.Page);
@@ -149,6 +159,12 @@ namespace FastPoints.Streaming
                 if (!TryFindIdle(out var fetch))
                     return true;
                 var cloud = m_stream.Clouds[first.Cloud];
+                if (cloud.Source.MakesNodes)
+                {
+                    if (!TryMake(fetch, cloud, first, firstRank, ref stats))
+                        return false;
+                    continue;
+                }
                 long bytes = 0;
                 bool hasRoom = true;
                 for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_stream.Settings.BytesPerRead; j++)
@@ -175,6 +191,37 @@ namespace FastPoints.Streaming
                 if (!hasRoom)
                     return false;
             }
+            return true;
+        }
+
+        /// <summary>Begins to make a node, if its source has a maker that is idle.</summary>
+        /// <returns>Whether the pool had room for it.</returns>
+        bool TryMake(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
+        {
+            var maker = cloud.Source.TakeMaker();
+            if (maker == null)
+                return true;
+            // What is known is a bound, until the node was made once: only then it is too large for any bank.
+            var state = cloud.Pages[node.Page].States + node.Node;
+            long bytes = cloud.BytesOf(node.Page, node.Node), most = m_stream.Pool.BankBytes;
+            if (bytes > most && state->WasMade)
+            {
+                state->Failures = NodeState.IsHole;
+                m_stream.Report(new StreamFailure(cloud.Source.Path, -1,
+                    "a node of " + bytes + " bytes, a bank of the pool has " + most));
+                cloud.Source.GiveMaker(maker);
+                return true;
+            }
+            bytes = Math.Min(bytes, most);
+            if (!m_stream.TryPlace(node, firstRank + node.Parent, bytes, ref stats, out int slot))
+            {
+                cloud.Source.GiveMaker(maker);
+                return false;
+            }
+            var wanted = new FetchedNode { Node = node.Node, Slot = slot, Version = m_stream.Cache[slot].Version };
+            fetch.BeginMaking(++m_count, node.Cloud, cloud, node.Page, wanted, maker);
+            stats.RequestedNodes++;
+            stats.RequestedBytes += bytes;
             return true;
         }
 
@@ -232,6 +279,33 @@ namespace FastPoints.Streaming
                 fetch.Build();
             else
                 page->Failures = 0;
+        }
+
+        void EndMaking(NodeFetch fetch, MakeOutcome outcome, in StreamFailure failure)
+        {
+            var page = fetch.Cloud.Pages + fetch.Page;
+            var node = fetch.Nodes[0];
+            if (fetch.Cloud.IsLeaving || fetch.IsCancelled || !m_stream.Cache.IsAlive(node.Slot, node.Version))
+            {
+                Drop(fetch, page);
+                return;
+            }
+            if (outcome == MakeOutcome.Made)
+            {
+                page->Failures = 0;
+                // One that is longer than it can be, having points out of its cube, is asked for again as what it is.
+                var run = m_stream.Cache[node.Slot].Run;
+                if (m_stream.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
+                    m_stream.Cache.SetRun(node.Slot, run);
+                else
+                    Drop(fetch, page);
+                return;
+            }
+            if (outcome == MakeOutcome.Damaged)
+                m_stream.DropDamaged(node.Slot, failure);
+            Drop(fetch, page);
+            if (outcome == MakeOutcome.Unreadable)
+                CountFailure(page, failure.Path, failure.OffsetBytes, failure.What);
         }
 
         void EndBuild(NodeFetch fetch, HierarchyPage built, TableProblem problem)

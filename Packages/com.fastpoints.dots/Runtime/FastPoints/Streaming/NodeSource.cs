@@ -8,8 +8,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes in pages,
-    /// the first of them with the source; a node's planes are pieces of its page's file, packed in blocks, and are shown as
-    /// they lie there.
+    /// the first of them with the source. A node's planes are pieces of its page's file, packed in blocks, and are shown as
+    /// they lie there; or, where they do not lie so (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes them.
     /// </summary>
     public abstract class NodeSource : IDisposable
     {
@@ -25,7 +25,13 @@ namespace FastPoints.Streaming
         /// <summary>By plane of <see cref="Layout"/>; the position's as it is in nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
+        /// <summary>Pages that are known. Where nodes are made, building one may make more known, behind the others.</summary>
         public abstract int PageCount { get; }
+
+        /// <summary>Whether nodes are made when they are wanted, and pages of what the source has read of its hierarchy: then
+        /// <see cref="PlaneRange.LengthBytes"/> of a node is a bound until it was made once, and what is said of files here
+        /// and of tables means nothing.</summary>
+        public virtual bool MakesNodes => false;
 
         /// <summary>The boxes of all pages, and the nodes of the first. Whoever takes the pages frees them.</summary>
         /// <param name="pages">Room for <see cref="PageCount"/>.</param>
@@ -43,6 +49,31 @@ namespace FastPoints.Streaming
 
         /// <summary>What <see cref="ScheduleBuild"/> found wrong, in words.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
+
+        /// <summary>Where nodes are made: whether a page can be built now. If not, being asked makes the source read what is
+        /// missing.</summary>
+        public virtual bool CanBuild(int page) => true;
+
+        /// <summary>Where nodes are made: takes note of a page that was built. Pages that hang on it are numbered.</summary>
+        public virtual void Adopt(int page, in HierarchyPage built)
+        {
+        }
+
+        /// <summary>Where nodes are made: the box of a page that was not built yet.</summary>
+        public virtual HierarchyPage EmptyPage(int page) => default;
+
+        /// <summary>Once a frame. Waits for nothing.</summary>
+        /// <param name="stream">For what goes wrong.</param>
+        public virtual void Update(StreamContext stream)
+        {
+        }
+
+        /// <summary>Where nodes are made: a maker that is idle, until it is given back. Null while all are at work.</summary>
+        public virtual NodeMaker TakeMaker() => null;
+
+        public virtual void GiveMaker(NodeMaker maker)
+        {
+        }
 
         public abstract void Dispose();
     }

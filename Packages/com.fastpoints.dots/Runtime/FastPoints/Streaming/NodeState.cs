@@ -17,5 +17,8 @@ namespace FastPoints.Streaming
 
         /// <summary>Times that its bytes were damaged, or <see cref="IsHole"/>: it is not asked for any more.</summary>
         public int Failures;
+
+        /// <summary>Of a node that is made: whether it was, so that its length is known.</summary>
+        public bool WasMade;
     }
 }

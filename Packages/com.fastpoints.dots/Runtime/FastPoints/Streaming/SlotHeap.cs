@@ -84,6 +84,22 @@ namespace FastPoints.Streaming
             AddFree(begin, end - begin);
         }
 
+        /// <summary>Keeps the beginning of a run and gives the rest back.</summary>
+        /// <param name="first">A run that was taken and not given back.</param>
+        /// <param name="count">At least one, at most what the run has.</param>
+        public void Shorten(int first, int count)
+        {
+            int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
+            if (count < 1 || count > length)
+                throw new ArgumentOutOfRangeException(nameof(count), count, "wanted 1 to " + length);
+            if (count == length)
+                return;
+            Mark(first, length, 0);
+            Mark(first, count, count);
+            Mark(first + count, length - count, length - count);
+            Give(first + count);
+        }
+
         public void Dispose()
         {
             if (!m_length.IsCreated)

@@ -98,6 +98,14 @@ namespace FastPoints.Streaming
         /// <summary>Takes the oldest failure that nobody took yet.</summary>
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
+        /// <summary>Lets sources go on with what they do of their own.</summary>
+        public void UpdateSources()
+        {
+            for (int c = 0; c < m_clouds.Count; c++)
+                if (m_clouds[c] != null && !m_clouds[c].IsLeaving)
+                    m_clouds[c].Source.Update(this);
+        }
+
         /// <summary>Ends clouds that leave, and gives back what is beyond limits: at once, but for what a job writes
         /// to.</summary>
         public void TidyUp()
@@ -151,13 +159,21 @@ namespace FastPoints.Streaming
         {
             var node = Cache[slot];
             var cloud = m_clouds[node.Cloud];
+            DropDamaged(slot, new StreamFailure(cloud.Source.PathOf(node.Page),
+                cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
+        }
+
+        /// <param name="failure">What is reported in the end.</param>
+        public void DropDamaged(int slot, in StreamFailure failure)
+        {
+            var node = Cache[slot];
+            var cloud = m_clouds[node.Cloud];
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
             if (cloud.IsLeaving || ++state->Failures < Settings.MostTries)
                 return;
             state->Failures = NodeState.IsHole;
-            Report(new StreamFailure(cloud.Source.PathOf(node.Page), cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes,
-                "node " + node.Node + " is damaged"));
+            Report(failure);
         }
 
         /// <summary>Whether something was not wanted for so long that its read is called off.</summary>

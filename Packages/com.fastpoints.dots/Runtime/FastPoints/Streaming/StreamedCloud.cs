@@ -8,15 +8,17 @@ namespace FastPoints.Streaming
     /// <summary>A cloud while it is streamed: its source, its hierarchy, where it stands.</summary>
     public sealed unsafe class StreamedCloud : IDisposable
     {
-        NativeArray<HierarchyPage> m_pages;
+        NativeList<HierarchyPage> m_pages;
 
         public StreamedCloud(NodeSource source, CloudPlacement placement)
         {
             Source = source;
             Placement = placement;
-            m_pages = new NativeArray<HierarchyPage>(source.PageCount, Allocator.Persistent);
+            m_pages = new NativeList<HierarchyPage>(source.PageCount, Allocator.Persistent);
+            m_pages.Resize(source.PageCount, NativeArrayOptions.ClearMemory);
             source.CreatePages(Pages);
             HierarchyBytes = BytesOf(Pages[0]);
+            AddNewPages();
         }
 
         public NodeSource Source { get; }
@@ -31,8 +33,8 @@ namespace FastPoints.Streaming
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 
-        public HierarchyPage* Pages =>
-            (HierarchyPage*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_pages);
+        /// <summary>Where they are until a page is loaded.</summary>
+        public HierarchyPage* Pages => m_pages.GetUnsafePtr();
 
         /// <summary>Bytes of the planes that are streamed of a node.</summary>
         public long BytesOf(int page, int node)
@@ -51,9 +53,18 @@ namespace FastPoints.Streaming
             ? new PlaneShape(3, 7)
             : Source.Shapes[Source.Planes[plane]];
 
+        /// <summary>Takes note of the lengths of a node that was made.</summary>
+        public void SetLengths(int page, int node, NodeMaker made)
+        {
+            for (int p = 0; p < Source.Planes.Length; p++)
+                Pages[page].Planes[node * Source.Planes.Length + p].LengthBytes = made.LengthOf(p);
+            Pages[page].States[node].WasMade = true;
+        }
+
         /// <summary>Takes the nodes of a page over.</summary>
         public void Load(int page, in HierarchyPage built)
         {
+            Source.Adopt(page, built);
             var to = Pages + page;
             to->Nodes = built.Nodes;
             to->States = built.States;
@@ -64,6 +75,7 @@ namespace FastPoints.Streaming
             to->Failures = 0;
             to->Status = PageStatus.Loaded;
             HierarchyBytes += BytesOf(built);
+            AddNewPages();
         }
 
         /// <summary>Gives the nodes of a page up, none of which is in the cache.</summary>
@@ -81,6 +93,12 @@ namespace FastPoints.Streaming
                 Pages[p].Free();
             m_pages.Dispose();
             Source.Dispose();
+        }
+
+        void AddNewPages()
+        {
+            while (m_pages.Length < Source.PageCount)
+                m_pages.Add(Source.EmptyPage(m_pages.Length));
         }
 
         long BytesOf(in HierarchyPage page) => HierarchyPage.BytesFor(page.NodeCount, Source.Planes.Length);

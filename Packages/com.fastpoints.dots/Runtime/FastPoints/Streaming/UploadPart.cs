@@ -8,7 +8,10 @@ namespace FastPoints.Streaming
         public byte* From;
         public byte* To;
         public long LengthBytes;
+
+        /// <summary>Of the bytes as they were written; not looked at where they were made just now.</summary>
         public ulong Hash;
+        public bool IsMade;
         public PlaneShape Shape;
         public int BlockCount;
 

@@ -19,8 +19,8 @@ namespace FastPoints.Streaming
             var part = Parts[index];
             // The copy first: then the hash finds the bytes in the cache. What is damaged is not shown.
             UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
-            IsDamaged[index] = ContentHash.Of(part.From, part.LengthBytes) != part.Hash ||
-                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount);
+            IsDamaged[index] = !part.IsMade && (ContentHash.Of(part.From, part.LengthBytes) != part.Hash ||
+                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount));
         }
     }
 }

@@ -1,0 +1,170 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// A file or folder that brings its octree along (COPC, Potree, EPT), streamed as it is: nothing is converted. Its
+    /// hierarchy is read as deep as it is looked at, its nodes are decoded and packed as they are wanted.
+    /// </summary>
+    public sealed class TreeSource : NodeSource
+    {
+        /// <summary>Nodes that are made at once at most. Each has memory of its own: that of the largest node, decoded and
+        /// packed.</summary>
+        const int MostMakers = 8;
+
+        static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+
+        readonly TreePages m_pages;
+        readonly List<NodeMaker> m_makers = new List<NodeMaker>();
+        readonly Stack<NodeMaker> m_idle = new Stack<NodeMaker>();
+        readonly int m_mostMakers;
+        NativeArray<int> m_planes;
+        NativeArray<PlaneShape> m_shapes;
+        NativeArray<int> m_bitsOfPlane;
+        NativeArray<PlaneShape> m_shapeOfStreamed;
+
+        /// <param name="reader">Becomes this source's. <see cref="FindTop"/> has been run.</param>
+        /// <param name="planes">Names of planes that are streamed beside the position (<see cref="StoreLayout"/>); those that
+        /// the source has not are left out.</param>
+        /// <exception cref="PointCloudException">The source brings no octree, or one without a root.</exception>
+        public TreeSource(PointReader reader, params string[] planes)
+        {
+            if (reader.Tree == null)
+                throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
+                    "brings no octree along: wanted COPC, Potree or EPT, got " + reader.Info.Format);
+            Reader = reader;
+            Grids = new TreeGrid(reader.Info, reader.Tree);
+            m_pages = new TreePages(reader, Grids);
+            m_mostMakers = Math.Max(2, Math.Min(MostMakers, JobsUtility.JobWorkerCount));
+            var attributes = new List<PointAttribute>();
+            foreach (var attribute in reader.Info.Schema)
+                if (Array.IndexOf(s_position, attribute.Name) < 0)
+                    attributes.Add(attribute);
+            Layout = new StoreLayout(new PointSchema(attributes));
+            var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
+            foreach (string name in planes)
+                if (Layout.PlaneOf(name) >= 0)
+                    wanted.Add(Layout.PlaneOf(name));
+            var indices = new int[wanted.Count];
+            wanted.CopyTo(indices);
+            m_planes = new NativeArray<int>(indices, Allocator.Persistent);
+            m_shapes = Layout.CreateShapes(Allocator.Persistent);
+            m_bitsOfPlane = new NativeArray<int>(indices.Length, Allocator.Persistent);
+            m_shapeOfStreamed = new NativeArray<PlaneShape>(indices.Length, Allocator.Persistent);
+            var names = new List<string>(s_position);
+            for (int p = 0; p < indices.Length; p++)
+            {
+                var plane = Layout.Planes[indices[p]];
+                m_shapeOfStreamed[p] = plane.Shape;
+                for (int c = plane.FirstColumn; p > 0 && c < plane.FirstColumn + plane.ColumnCount; c++)
+                {
+                    m_bitsOfPlane[p] += 8 * Layout.Columns[c].Type.SizeOf();
+                    names.Add(Layout.Attributes[Layout.AttributeOfColumn[c]].Name);
+                }
+            }
+            Wanted = reader.Info.Schema.Select(names.ToArray());
+        }
+
+        public PointReader Reader { get; }
+
+        public override string Path => Reader.Info.Path;
+        public override CloudGrid Grid => Grids.Grid;
+        public override GridCube Root => Grids.Root;
+        public override StoreLayout Layout { get; }
+        public override NativeArray<int> Planes => m_planes;
+        public override NativeArray<PlaneShape> Shapes => m_shapes;
+        public override int PageCount => m_pages.Count;
+        public override bool MakesNodes => true;
+
+        /// <summary>What is decoded.</summary>
+        internal PointSchema Wanted { get; }
+
+        internal TreeGrid Grids { get; }
+
+        /// <summary>Whether all nodes lie in one file: one that cannot be read is told of once.</summary>
+        internal bool IsOneFile => Reader is CopcReader || Reader is Potree2Reader;
+
+        /// <summary>Work for a pump that comes before a source is made: reads the upper levels of the hierarchy.</summary>
+        /// <exception cref="PointCloudException">They cannot be read.</exception>
+        public static IEnumerator<JobHandle> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+
+        public override unsafe void CreatePages(HierarchyPage* pages)
+        {
+            using (var built = new NativeReference<HierarchyPage>(Allocator.TempJob))
+            using (var problem = new NativeReference<TableProblem>(Allocator.TempJob))
+            {
+                var job = JobFor(0, built, problem);
+                job.Run();
+                pages[0] = built.Value;
+            }
+            Adopt(0, pages[0]);
+        }
+
+        public override string PathOf(int page) => Path;
+
+        public override FilePiece TableOf(int page) => new FilePiece { Path = Path };
+
+        public override bool CanBuild(int page) => m_pages.IsKnown(page);
+
+        public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
+            NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
+
+        public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
+            "its hierarchy is damaged";
+
+        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Length);
+
+        public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
+
+        public override void Update(StreamContext stream)
+        {
+            if (m_pages.Update() is PointCloudException failure)
+                stream.Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
+        }
+
+        public override NodeMaker TakeMaker()
+        {
+            if (m_idle.Count > 0)
+                return m_idle.Pop();
+            if (m_makers.Count == m_mostMakers)
+                return null;
+            var maker = new TreeNodeMaker(this);
+            m_makers.Add(maker);
+            return maker;
+        }
+
+        public override void GiveMaker(NodeMaker maker) => m_idle.Push(maker);
+
+        public override void Dispose()
+        {
+            if (!m_planes.IsCreated)
+                return;
+            foreach (var maker in m_makers)
+                maker.Dispose();
+            m_pages.Dispose();
+            m_planes.Dispose();
+            m_shapes.Dispose();
+            m_bitsOfPlane.Dispose();
+            m_shapeOfStreamed.Dispose();
+            Reader.Dispose();
+        }
+
+        BuildTreePageJob JobFor(int page, NativeReference<HierarchyPage> built, NativeReference<TableProblem> problem)
+        {
+            var job = m_pages.JobFor(page);
+            job.BitsOfPlane = m_bitsOfPlane;
+            job.Shapes = m_shapeOfStreamed;
+            job.Built = built;
+            job.Problem = problem;
+            return job;
+        }
+    }
+}
