@@ -41,7 +41,8 @@ namespace FastPoints.Cli.Verbs
             HelpName = "N",
             Description = "Frames, 60 a second (default: 360, or as many as the path has).",
         };
-        readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (there is nothing else yet)." };
+        readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
+        readonly Option<bool> m_gpu = new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
         readonly Option<string?> m_output = new("--output", "-o")
         {
             HelpName = "DIR",
@@ -80,6 +81,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_path);
             Command.Add(m_frames);
             Command.Add(m_cpu);
+            Command.Add(m_gpu);
             Command.Add(m_output);
             Command.Add(m_every);
             Command.Add(m_budget);
@@ -105,20 +107,24 @@ namespace FastPoints.Cli.Verbs
                 throw new UsageException("--frames, --budget, --pool and --upload are at least 1");
             if (every < 1 || every > MostFramesAPicture)
                 throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
+            if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
+                throw new UsageException("--cpu or --gpu, not both");
             string? output = parsed.GetValue(m_output);
             if (output != null)
                 Directory.CreateDirectory(output);
 
             long pool = (long)parsed.GetValue(m_pool) << 20;
-            using var stream = new StreamContext(new MemoryNodePool(pool, (int)Math.Min(16 << 20, pool / 4)));
+            int bank = (int)Math.Min(16 << 20, pool / 4), upload = (int)Math.Min(1 << 30, (long)parsed.GetValue(m_upload) << 10);
+            var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
+            using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
             stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
-            stream.Settings.UploadBytesPerFrame = (int)Math.Min(1 << 30, (long)parsed.GetValue(m_upload) << 10);
-            using var picture = new StreamedPicture(options);
+            stream.Settings.UploadBytesPerFrame = upload;
+            using var picture = shaders != null ? new GpuPicture(shaders, stream, options) : (FlightPicture)new CpuPicture(stream, options);
             var bounds = BoundsGeo.Empty;
             foreach (string cloud in clouds)
             {
                 var plan = FlightCloud.Add(cloud, stream, options, run.Cancellation, out var ranges, out int number);
-                picture.Add(new StreamedBlocks(stream, number, plan), plan.Mode);
+                picture.Add(number, plan);
                 if (!ranges.Robust.IsEmpty)
                     bounds = bounds.IsEmpty ? ranges.Robust
                         : new BoundsGeo(math.min(bounds.Min, ranges.Robust.Min), math.max(bounds.Max, ranges.Robust.Max));
@@ -134,7 +140,7 @@ namespace FastPoints.Cli.Verbs
             var log = new FlightLog(frames);
             double disposeMs = 0;
             run.WriteKeys = json => WriteKeys(json, log, disposeMs);
-            Fly(stream, path, frames, options, output == null ? null : picture, output, every, log, run);
+            Fly(stream, path, frames, options, picture, output, every, log, run);
             if (output != null)
                 OutputFile.Write(Path.Combine(output, "frames.csv"), System.Text.Encoding.UTF8.GetBytes(log.ToCsv()));
             long end = Stopwatch.GetTimestamp();
@@ -145,7 +151,7 @@ namespace FastPoints.Cli.Verbs
             Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
         }
 
-        static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options, StreamedPicture? picture, string? output,
+        static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options, FlightPicture picture, string? output,
             int every, FlightLog log, CliRun run)
         {
             run.Progress.Begin("fly");
@@ -153,7 +159,7 @@ namespace FastPoints.Cli.Verbs
             var view = views;
             // The end of each stretch: at its beginning the first has nothing to show yet.
             every = Math.Min(every, frames);
-            using var animation = picture == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
+            using var animation = output == null ? null : new AnimatedPng(Path.Combine(output!, "flight.png"), options.WidthPx,
                 options.HeightPx, frames / every, (int)(every * FrameSeconds * 1000));
             RgbaImage? last = null;
             double begin = run.Seconds;
@@ -167,12 +173,13 @@ namespace FastPoints.Cli.Verbs
                 double mainThreadMs = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
                 garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
                 JobHandle.ScheduleBatchedJobs();
-                if (picture != null && ((frame + 1) % every == 0 || frame == frames - 1))
+                if (output != null && ((frame + 1) % every == 0 || frame == frames - 1))
                 {
                     last = picture.Draw(camera);
                     if ((frame + 1) % every == 0)
                         animation!.Add(last);
                 }
+                picture.EndFrame();
                 // A frame of 60 a second: whoever has nothing to draw waits for the screen.
                 double rest = FrameSeconds - Stopwatch.GetElapsedTime(start).TotalSeconds;
                 if (rest > 0)

@@ -11,7 +11,7 @@ namespace FastPoints.RepoTools.Api
     {
         private static readonly string[] s_assemblies =
         {
-            "FastPoints", "FastPoints.Import", "FastPoints.Benchmarks", "FastPoints.Tests",
+            "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Tests",
         };
 
         private readonly Resolver m_resolver = new Resolver();

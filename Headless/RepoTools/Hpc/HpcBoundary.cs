@@ -35,6 +35,9 @@ namespace FastPoints.RepoTools.Hpc
             "Unity.Mathematics", "Unity.Collections", "Unity.Burst", "Unity.Profiling", "Unity.Jobs.LowLevel.Unsafe",
         };
 
+        // Of Entities' structs those that jobs are made for; EntityManager and queries are the main thread's.
+        private static readonly string[] s_entityTypes = { "Unity.Entities.Entity" };
+
         /// <summary>Whether a literal may be given to that method: Burst makes its bytes a constant.</summary>
         internal static bool TakesLiterals(MethodReference method)
         {
@@ -57,7 +60,7 @@ namespace FastPoints.RepoTools.Hpc
                 outer = outer.DeclaringType;
             bool isOpen = s_unityNamespaces.Any(n => outer.Namespace == n
                 || outer.Namespace.StartsWith(n + ".", StringComparison.Ordinal));
-            bool isValue = type.IsValueType && outer.Namespace == "UnityEngine";
+            bool isValue = type.IsValueType && (outer.Namespace == "UnityEngine" || s_entityTypes.Contains(outer.FullName));
             if (!isOpen && !isValue)
                 return $"calls {name}, which is not for jobs";
             if (TakesLiterals(method))

@@ -18,7 +18,7 @@ namespace FastPoints.RepoTools.Layers
             ["FastPoints.Import"] = s_view,
             ["FastPoints.Rendering"] = s_view,
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Append("Unity.Entities").ToArray(),
-            ["FastPoints.Tests"] = s_shared.Append("FastPoints.Benchmarks").Append("UnityEngine.TestRunner").Append("UnityEditor.TestRunner").ToArray(),
+            ["FastPoints.Tests"] = s_shared.Append("FastPoints.Rendering").Append("FastPoints.Entities").Append("Unity.Entities").Append("FastPoints.Benchmarks").Append("UnityEngine.TestRunner").Append("UnityEditor.TestRunner").ToArray(),
             ["FastPoints.Benchmarks"] = s_shared,
         };
 

@@ -11,8 +11,8 @@ namespace FastPoints.Gpu
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         NativeList<DrawListCloud> m_listed;
-        NativeList<DrawCloud> m_clouds;
-        NativeList<DrawNode> m_nodes;
+        NativeList<GpuCloud> m_clouds;
+        NativeList<GpuNode> m_nodes;
         NativeList<uint> m_nodeOfInstance;
         NativeList<BankDraw> m_draws;
         NativeList<int> m_instanceOfBank;
@@ -22,8 +22,8 @@ namespace FastPoints.Gpu
         public DrawList()
         {
             m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
-            m_clouds = new NativeList<DrawCloud>(Allocator.Persistent);
-            m_nodes = new NativeList<DrawNode>(1024, Allocator.Persistent);
+            m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
+            m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
             m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
             m_draws = new NativeList<BankDraw>(Allocator.Persistent);
             m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
@@ -34,8 +34,8 @@ namespace FastPoints.Gpu
         public bool IsCreated => m_nodes.IsCreated;
 
         /// <summary>By number of the cloud.</summary>
-        public NativeArray<DrawCloud> Clouds => m_clouds.AsArray();
-        public NativeArray<DrawNode> Nodes => m_nodes.AsArray();
+        public NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
+        public NativeArray<GpuNode> Nodes => m_nodes.AsArray();
 
         /// <summary>By block: index in <see cref="Nodes"/>.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();

@@ -20,7 +20,7 @@ namespace FastPoints.Gpu
 
         /// <summary>The node's record, but for its first instance.</summary>
         /// <param name="firstWord">Of the node's planes, in its bank.</param>
-        public readonly DrawNode Place(int cloud, int page, int node, uint firstWord)
+        public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
         {
             var from = Pages + page;
             var place = from->Places[node];
@@ -32,7 +32,7 @@ namespace FastPoints.Gpu
             var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
             var fromEye = Placement.OriginWorld - EyeWorld;
-            return new DrawNode
+            return new GpuNode
             {
                 Anchor = new uint3((uint)anchor.X, (uint)anchor.Y, (uint)anchor.Z),
                 AnchorHigh = new uint3((uint)(anchor.X >> 32), (uint)(anchor.Y >> 32), (uint)(anchor.Z >> 32)),
@@ -48,10 +48,10 @@ namespace FastPoints.Gpu
         /// <summary>The cloud's record.</summary>
         /// <param name="layout">Of the cloud.</param>
         /// <param name="plane">That points are coloured by, in the layout.</param>
-        public readonly DrawCloud Describe(StoreLayout layout, int plane)
+        public readonly GpuCloud Describe(StoreLayout layout, int plane)
         {
             var linear = Placement.Linear;
-            var cloud = new DrawCloud
+            var cloud = new GpuCloud
             {
                 StepX = (float3)(linear.c0 * Step.x),
                 StepY = (float3)(linear.c1 * Step.y),

@@ -16,7 +16,7 @@ namespace FastPoints.Gpu
         /// <summary>By number of the cloud; those without pages are not drawn.</summary>
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
-        public NativeList<DrawNode> Nodes;
+        public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;
         public NativeList<BankDraw> Draws;
 
@@ -82,6 +82,7 @@ namespace FastPoints.Gpu
                 int instance = InstanceOfBank[drawn.Run.Bank];
                 InstanceOfBank[drawn.Run.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;
+                node.Tint = drawn.Tint;
                 var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
                 for (int block = 0; block < blocks; block++)
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;

@@ -25,23 +25,39 @@ namespace FastPoints.Picture
         /// cref="DisplayRanges.Resolve"/>).</summary>
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform)
         {
+            var mapping = Of(mode, ranges, transform);
             var schema = batch.Schema;
-            var mapping = new ColorMapping { Mode = mode };
             switch (mode)
             {
                 case ColorMode.Rgb:
                     mapping.First = batch.Column(schema.IndexOf(AttributeNames.Red));
                     mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
                     mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
+                    break;
+                case ColorMode.Intensity:
+                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Intensity));
+                    break;
+                case ColorMode.Classification:
+                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Classification));
+                    break;
+            }
+            return mapping;
+        }
+
+        /// <summary>The mapping for a mode, without columns.</summary>
+        public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform)
+        {
+            var mapping = new ColorMapping { Mode = mode };
+            switch (mode)
+            {
+                case ColorMode.Rgb:
                     mapping.Scale = ranges.Color == ColorDepth.Unit ? 255 : ranges.Color == ColorDepth.Bits16 ? 1 / 256.0 : 1;
                     mapping.Bias = ranges.Color == ColorDepth.Unit ? 0.5 : 0;
                     break;
                 case ColorMode.Intensity:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Intensity));
                     mapping.SetRange(ranges.IntensityLow, ranges.IntensityHigh);
                     break;
                 case ColorMode.Classification:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Classification));
                     mapping.Scale = 1;
                     break;
                 default:

@@ -46,6 +46,9 @@ namespace FastPoints.Picture
         /// <summary>What was assumed for want of better: a line for people each.</summary>
         public List<string> Assumptions { get; }
 
+        /// <summary>From values to colours, whatever columns these are in.</summary>
+        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform);
+
         /// <summary>The drawing, on a canvas with its sizes set, of points that lie in batches like this one.</summary>
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {

@@ -7,6 +7,12 @@ namespace FastPoints.Streaming
         public int Page;
         public int Node;
 
+        /// <summary>Its place in the <see cref="NodeCache"/>.</summary>
+        public int Slot;
+
+        /// <summary>See <see cref="CacheSlot.Tint"/>.</summary>
+        public uint Tint;
+
         /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
         public PoolRun Run;
     }

@@ -13,34 +13,30 @@ namespace FastPoints.Streaming
         public static FrameStats Run(StreamContext stream, NativeArray<StreamView> views)
         {
             var stats = new FrameStats();
+            Receive(stream, ref stats);
+            Select(stream, views, ref stats);
+            Upload(stream, ref stats);
+            Request(stream, ref stats);
+            List(stream, ref stats);
+            return stats;
+        }
+
+        /// <summary>Copies that ended make nodes complete, tables that came make the hierarchy grow.</summary>
+        public static void Receive(StreamContext stream, ref FrameStats stats)
+        {
             long start = Stopwatch.GetTimestamp();
-
             stream.Pool.BeginFrame();
-
-            // Copies that ended make nodes complete, tables that came make the hierarchy grow.
             stream.Uploads.TryEnd(ref stats);
             stream.TidyUp();
             stream.UpdateSources();
             stream.Reads.Receive(ref stats);
-            stats.ReceiveMs = Lap(ref start);
-
-            Select(stream, views, ref stats);
-            stats.SelectMs = Lap(ref start);
-
-            stream.Uploads.Begin(stream.Reads.Fetches);
-            stats.UploadMs = Lap(ref start);
-
-            // Evicts what is less useful than what it asks for.
-            stream.Reads.Request(ref stats);
-            stats.RequestMs = Lap(ref start);
-
-            ListDraws(stream, ref stats);
-            stats.ListMs = Lap(ref start);
-            return stats;
+            stats.ReceiveMs = MsSince(start);
         }
 
-        static void Select(StreamContext stream, NativeArray<StreamView> views, ref FrameStats stats)
+        /// <summary>Chooses what the cameras need, and what they will need soon.</summary>
+        public static void Select(StreamContext stream, NativeArray<StreamView> views, ref FrameStats stats)
         {
+            long start = Stopwatch.GetTimestamp();
             var selector = stream.Selector;
             var settings = stream.Settings;
             selector.Begin();
@@ -58,10 +54,36 @@ namespace FastPoints.Streaming
             // From the least needed to the most: that is the order in which the cache gives up.
             Use(stream, selector.Forecasted, StreamContext.FirstForecastRank);
             Use(stream, selector.Selected, 0);
+            stream.Cache.UsePinned(selector.Frame);
             stats.Frame = selector.Frame;
             stats.SelectedNodes = selector.Selected.Length;
             stats.SelectedPoints = selector.Points;
             stats.MissingPages = selector.Missing.Length;
+            stats.SelectMs = MsSince(start);
+        }
+
+        /// <summary>Begins to copy what has arrived.</summary>
+        public static void Upload(StreamContext stream, ref FrameStats stats)
+        {
+            long start = Stopwatch.GetTimestamp();
+            stream.Uploads.Begin(stream.Reads.Fetches);
+            stats.UploadMs = MsSince(start);
+        }
+
+        /// <summary>Begins reads of what is not there, and evicts what is less useful than that.</summary>
+        public static void Request(StreamContext stream, ref FrameStats stats)
+        {
+            long start = Stopwatch.GetTimestamp();
+            stream.Reads.Request(ref stats);
+            stats.RequestMs = MsSince(start);
+        }
+
+        /// <summary>Lists what to draw.</summary>
+        public static void List(StreamContext stream, ref FrameStats stats)
+        {
+            long start = Stopwatch.GetTimestamp();
+            ListDraws(stream, ref stats);
+            stats.ListMs = MsSince(start);
         }
 
         static void Use(StreamContext stream, NativeArray<SelectedNode> nodes, int firstRank)
@@ -75,7 +97,8 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>What is complete, with all above it. A hole hides nothing but itself.</summary>
+        /// <summary>What is complete, with all above it. A hole, or a hidden node, hides nothing but
+        /// itself.</summary>
         static void ListDraws(StreamContext stream, ref FrameStats stats)
         {
             var selected = stream.Selector.Selected;
@@ -96,12 +119,17 @@ namespace FastPoints.Streaming
                 isAll &= isHole || isComplete;
                 if (!isParentShown || !isComplete)
                     continue;
+                var slot = stream.Cache[state->Slot];
+                if (slot.IsHidden)
+                    continue;
                 drawn.Add(new DrawnNode
                 {
                     Cloud = node.Cloud,
                     Page = node.Page,
                     Node = node.Node,
-                    Run = stream.Cache[state->Slot].Run,
+                    Slot = state->Slot,
+                    Run = slot.Run,
+                    Tint = slot.Tint,
                 });
                 stats.DrawnPoints += page->Nodes[node.Node].PointCount;
             }
@@ -114,13 +142,6 @@ namespace FastPoints.Streaming
                 stream.Selector.Missing.Length == 0;
         }
 
-        /// <summary>Milliseconds since the last lap.</summary>
-        static double Lap(ref long start)
-        {
-            long now = Stopwatch.GetTimestamp();
-            double ms = (now - start) * 1000.0 / Stopwatch.Frequency;
-            start = now;
-            return ms;
-        }
+        static double MsSince(long start) => (Stopwatch.GetTimestamp() - start) * 1000.0 / Stopwatch.Frequency;
     }
 }

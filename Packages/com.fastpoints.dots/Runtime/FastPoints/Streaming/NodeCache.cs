@@ -13,12 +13,14 @@ namespace FastPoints.Streaming
 
         NativeList<CacheSlot> m_slots;
         NativeList<int> m_free;
+        NativeList<int> m_pinned;
         int m_mostUseful = None;
 
         public NodeCache()
         {
             m_slots = new NativeList<CacheSlot>(1024, Allocator.Persistent);
             m_free = new NativeList<int>(1024, Allocator.Persistent);
+            m_pinned = new NativeList<int>(Allocator.Persistent);
         }
 
         public int Count { get; private set; }
@@ -27,6 +29,9 @@ namespace FastPoints.Streaming
         public int LeastUseful { get; private set; } = None;
 
         public CacheSlot this[int slot] => m_slots[slot];
+
+        /// <summary>Free ones among them.</summary>
+        public NativeArray<CacheSlot> Slots => m_slots.AsArray();
 
         /// <summary>Slots that were ever in use: free ones among them.</summary>
         public int SlotCount => m_slots.Length;
@@ -55,6 +60,7 @@ namespace FastPoints.Streaming
                 Run = run,
                 Phase = CachePhase.Requested,
                 Version = m_slots[slot].Version,
+                Tint = CacheSlot.White,
             };
             Append(slot);
             Count++;
@@ -64,10 +70,38 @@ namespace FastPoints.Streaming
         public void Remove(int slot)
         {
             Unlink(slot);
+            SetPinned(slot, false);
             int version = m_slots[slot].Version;
             m_slots[slot] = new CacheSlot { Version = version + 1 };
             m_free.Add(slot);
             Count--;
+        }
+
+        public void SetHidden(int slot, bool value) => m_slots.ElementAt(slot).IsHidden = value;
+
+        public void SetTint(int slot, uint rgba) => m_slots.ElementAt(slot).Tint = rgba;
+
+        public void SetPinned(int slot, bool value)
+        {
+            ref var pinned = ref m_slots.ElementAt(slot);
+            if (pinned.IsPinned == value)
+                return;
+            pinned.IsPinned = value;
+            if (value)
+            {
+                m_pinned.Add(slot);
+                return;
+            }
+            for (int i = m_pinned.Length - 1; i >= 0; i--)
+                if (m_pinned[i] == slot)
+                    m_pinned.RemoveAtSwapBack(i);
+        }
+
+        /// <summary>Makes those that are pinned more useful than all others.</summary>
+        public void UsePinned(uint frame)
+        {
+            for (int i = 0; i < m_pinned.Length; i++)
+                Use(m_pinned[i], frame, -1);
         }
 
         public void SetPhase(int slot, CachePhase phase) => m_slots.ElementAt(slot).Phase = phase;
@@ -92,6 +126,7 @@ namespace FastPoints.Streaming
                 return;
             m_slots.Dispose();
             m_free.Dispose();
+            m_pinned.Dispose();
         }
 
         void Append(int slot)

@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Gpu
             return places;
         }
 
-        static (double3, double3) PlaceOf(StreamContext stream, DrawList list, double3 eyeWorld, DrawNode node, PlaneView plane,
+        static (double3, double3) PlaceOf(StreamContext stream, DrawList list, double3 eyeWorld, GpuNode node, PlaneView plane,
             int block, int point)
         {
             var cloud = stream.Clouds[0];
@@ -94,7 +94,7 @@ namespace FastPoints.Tests.Gpu
             return (drawn, math.mul(cloud.Placement.Linear, local) + (cloud.Placement.OriginWorld - eyeWorld));
         }
 
-        static double3 CornerOf(StreamContext stream, DrawNode node)
+        static double3 CornerOf(StreamContext stream, GpuNode node)
         {
             foreach (var drawn in stream.Drawn)
             {

@@ -1,8 +1,8 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.DrawCloud: 80 bytes.
-#ifndef FASTPOINTS_DRAW_CLOUD_INCLUDED
-#define FASTPOINTS_DRAW_CLOUD_INCLUDED
+// Written by RepoTools hlsl from FastPoints.Gpu.GpuCloud: 80 bytes.
+#ifndef FASTPOINTS_GPU_CLOUD_INCLUDED
+#define FASTPOINTS_GPU_CLOUD_INCLUDED
 
-struct DrawCloud
+struct GpuCloud
 {
     float3 StepX;        // 0, 12
     uint ColorSource;    // 12, 4

@@ -12,7 +12,7 @@ namespace FastPoints.Gpu
     /// </summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
-    public struct DrawNode
+    public struct GpuNode
     {
         /// <summary>Grid steps from the node's corner: the lower 32 bits.</summary>
         public uint3 Anchor;
@@ -38,6 +38,8 @@ namespace FastPoints.Gpu
 
         /// <summary>1: positions are 64-bit columns.</summary>
         public uint IsWide;
-        public uint Reserved;
+
+        /// <summary>Multiplies its points' colours: sRGB, red, green, blue from the lowest byte.</summary>
+        public uint Tint;
     }
 }

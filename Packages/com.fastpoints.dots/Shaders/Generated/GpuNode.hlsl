@@ -1,8 +1,8 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.DrawNode: 64 bytes.
-#ifndef FASTPOINTS_DRAW_NODE_INCLUDED
-#define FASTPOINTS_DRAW_NODE_INCLUDED
+// Written by RepoTools hlsl from FastPoints.Gpu.GpuNode: 64 bytes.
+#ifndef FASTPOINTS_GPU_NODE_INCLUDED
+#define FASTPOINTS_GPU_NODE_INCLUDED
 
-struct DrawNode
+struct GpuNode
 {
     uint3 Anchor;       // 0, 12
     uint PositionWord;  // 12, 4
@@ -13,7 +13,7 @@ struct DrawNode
     uint FirstInstance; // 48, 4
     uint Cloud;         // 52, 4
     uint IsWide;        // 56, 4
-    uint Reserved;      // 60, 4
+    uint Tint;          // 60, 4
 };
 
 #endif

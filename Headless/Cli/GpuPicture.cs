@@ -1,0 +1,101 @@
+using System;
+using FastPoints.Headless.Graphics;
+using FastPoints.Picture;
+using FastPoints.Rendering;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+using Camera = FastPoints.Picture.Camera;
+
+namespace FastPoints.Cli
+{
+    /// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what stands in
+    /// for one. Main thread; waits for the card.</summary>
+    public sealed class GpuPicture : FlightPicture
+    {
+        readonly StreamContext m_stream;
+        readonly PictureOptions m_options;
+        readonly PointMaterials m_materials;
+        readonly PointRenderer m_renderer;
+        readonly RenderTexture m_target;
+        readonly CommandBuffer m_commands = new() { name = "FastPoints" };
+        bool m_hasPalette;
+
+        /// <param name="stream">Its pool is one of the graphics card's.</param>
+        public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options)
+        {
+            m_stream = stream;
+            m_options = options;
+            m_materials = new PointMaterials(shaders.Points);
+            m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool);
+            m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            m_target.Create();
+        }
+
+        public override void Add(int cloud, PicturePlan plan)
+        {
+            m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source));
+            if (m_hasPalette && plan.Mode == ColorMode.Rgb)
+                return;
+            using var palette = Palettes.Create(plan.Mode, Allocator.Temp);
+            m_renderer.SetPalette(palette);
+            m_hasPalette = true;
+        }
+
+        public override RgbaImage Draw(in Camera camera)
+        {
+            int width = m_options.WidthPx, height = m_options.HeightPx;
+            m_renderer.Prepare(m_stream, camera.ToStreamView(width, height));
+            var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
+            view.SizePx = m_options.PointSizePx >= 1 ? m_options.PointSizePx : PointSizing.SizeFor(m_renderer.List.Points / (double)(width * height));
+            view.Shape = view.SizePx <= 1 ? PointShape.Pixel : m_options.RoundPoints ? PointShape.Disc : PointShape.Square;
+            m_commands.Clear();
+            m_commands.SetRenderTarget(m_target);
+            m_commands.ClearRenderTarget(true, true, ColorOf(m_options.Background));
+            m_renderer.Record(m_commands, view);
+            Graphics.ExecuteCommandBuffer(m_commands);
+            var request = AsyncGPUReadback.Request(m_target);
+            request.WaitForCompletion();
+            if (request.hasError)
+                throw new InvalidOperationException("the picture could not be read back from " + SystemInfo.graphicsDeviceName);
+            var image = new RgbaImage(width, height);
+            request.GetData<byte>().CopyTo(image.Rgba);
+            return image;
+        }
+
+        public override void EndFrame() => HeadlessGraphics.EndFrame();
+
+        public override void Dispose()
+        {
+            HeadlessGraphics.WaitForIdle();
+            m_renderer.Dispose();
+            m_materials.Dispose();
+            m_commands.Dispose();
+            m_target.Release();
+        }
+
+        /// <summary>How far before or behind an eye a cloud reaches.</summary>
+        double DepthAround(in Camera camera)
+        {
+            double depth = 0;
+            foreach (var cloud in m_stream.Clouds)
+            {
+                if (cloud == null)
+                    continue;
+                var root = cloud.Source.Root.Side * cloud.Source.Grid.Step;
+                for (int corner = 0; corner < 8; corner++)
+                {
+                    var local = new double3(corner & 1, corner >> 1 & 1, corner >> 2) * root;
+                    var world = math.mul(cloud.Placement.Linear, local) + cloud.Placement.OriginWorld;
+                    depth = Math.Max(depth, Math.Abs(camera.ToView(world).z));
+                }
+            }
+            return depth;
+        }
+
+        static Color ColorOf(uint rgba) => new((rgba & 0xFF) / 255f, (rgba >> 8 & 0xFF) / 255f, (rgba >> 16 & 0xFF) / 255f, (rgba >> 24) / 255f);
+    }
+}

@@ -1,0 +1,148 @@
+using System.IO;
+using FastPoints.Cli;
+using FastPoints.HostTests.Cli;
+using FastPoints.HostTests.StandIns.Graphics;
+using FastPoints.Picture;
+using FastPoints.Streaming;
+using FastPoints.Tests;
+using NUnit.Framework;
+using Unity.Mathematics;
+using Camera = FastPoints.Picture.Camera;
+
+namespace FastPoints.HostTests.Gpu
+{
+    /// <summary>The graphics card's pictures against those of the software rasteriser, of the same nodes.</summary>
+    public sealed class GpuPictureTests : GraphicsFixture
+    {
+        const int Points = 40_000;
+
+        ScratchFolder m_scratch;
+        string m_demo;
+
+        [OneTimeSetUp]
+        public void MakeCloud()
+        {
+            m_scratch = new ScratchFolder();
+            m_demo = Convert(m_scratch.Demo(points: Points), "demo");
+        }
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_scratch?.Dispose();
+
+        string Convert(string file, string name)
+        {
+            string folder = m_scratch[name + ".fastpoints"];
+            if (Directory.Exists(folder))
+                return folder;
+            var call = CliCall.Of("convert", file, "-o", folder, "--quiet");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            return folder;
+        }
+
+        static PictureOptions Options(float sizePx = 1, bool isRound = false, ColorMode color = ColorMode.Rgb) => new()
+        {
+            WidthPx = 320,
+            HeightPx = 180,
+            PointSizePx = sizePx,
+            RoundPoints = isRound,
+            Color = color,
+            EdlStrength = 0,
+        };
+
+        /// <summary>Pictures beside the tests' results, for people.</summary>
+        static void Compare(TwinStreams streams, Camera camera, string name)
+        {
+            var pictures = streams.Draw(camera);
+            double share = streams.ShareThatDiffers(pictures, out int covered);
+            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, "gpu-" + name);
+            File.WriteAllBytes(output + "-cpu.png", Png.Encode(pictures.Cpu));
+            File.WriteAllBytes(output + "-gpu.png", Png.Encode(pictures.Gpu));
+            TestContext.Out.WriteLine(name + ": " + covered + " pixels covered, " + share.ToString("P3") + " differ");
+            Assert.That(covered, Is.GreaterThan(500), output);
+            Assert.That(share, Is.LessThan(streams.MostThatDiffer), output);
+        }
+
+        [TestCase(1, false)]
+        [TestCase(3, false)]
+        [TestCase(5, true)]
+        public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound)
+        {
+            using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points);
+            Compare(streams, streams.Plan.Camera, "shape-" + sizePx);
+        }
+
+        [TestCase(ColorMode.Rgb)]
+        [TestCase(ColorMode.Elevation)]
+        [TestCase(ColorMode.Intensity)]
+        [TestCase(ColorMode.Classification)]
+        public void Draw_ColorModes_AreThoseOfTheSoftwareRasterizer(ColorMode mode)
+        {
+            using var streams = new TwinStreams(m_demo, Options(4, true, mode), Points);
+            Compare(streams, streams.Plan.Camera, "color-" + mode);
+        }
+
+        /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>
+        [Test]
+        public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
+        {
+            using var streams = new TwinStreams(m_demo, Options(3, true), Points);
+            var outline = streams.Ranges.Outline;
+            var point = outline[outline.Length / 2];
+            Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
+            var eye = point + new double3(-0.008, 0.006, 0.002);
+            Compare(streams, Camera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60), "beside");
+        }
+
+        [Test]
+        public void Draw_FarAway_IsThatOfTheSoftwareRasterizer()
+        {
+            using var streams = new TwinStreams(m_demo, Options(1), Points);
+            var camera = streams.Plan.Camera;
+            var center = streams.Ranges.Robust.Center;
+            var far = Camera.Perspective(center + (camera.EyeGeo - center) * 300, center, new double3(0, 0, 1), 0.15);
+            Compare(streams, far, "far");
+        }
+
+        [Test]
+        public void Draw_Orthographic_IsThatOfTheSoftwareRasterizer()
+        {
+            using var streams = new TwinStreams(m_demo, Options(2), Points);
+            var center = streams.Ranges.Robust.Center;
+            var size = streams.Ranges.Robust.Size;
+            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y), "orthographic");
+        }
+
+        /// <summary>A cloud's transform: scaled, not evenly, and turned; the camera goes with it.</summary>
+        [TestCase(1e-3)]
+        [TestCase(1)]
+        [TestCase(1e6)]
+        public void Draw_PlacedInTheWorld_IsThatOfTheSoftwareRasterizer(double scale)
+        {
+            double sin = math.sin(0.7), cos = math.cos(0.7);
+            var linear = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
+                new double3x3(new double3(scale, 0, 0), new double3(0, scale * 1.5, 0), new double3(0, 0, scale * 0.8)));
+            using var streams = new TwinStreams(m_demo, Options(3, true), Points,
+                geo => new CloudPlacement(math.mul(linear, geo.Linear), math.mul(linear, geo.OriginWorld)));
+            var camera = streams.Plan.Camera;
+            var eye = math.mul(linear, camera.EyeGeo);
+            var center = math.mul(linear, streams.Ranges.Robust.Center);
+            Compare(streams, Camera.Perspective(eye, center, new double3(0, 0, 1), 60), "placed-" + scale);
+        }
+
+        [Category("Long")]
+        [TestCase("data/lion.laz", 1)]
+        [TestCase("data/lion.laz", 5)]
+        [TestCase("data/ca13_d.laz", 1)]
+        [TestCase("data/ca13_d.laz", 4)]
+        public void Draw_RealScans_AreThoseOfTheSoftwareRasterizer(string data, float sizePx)
+        {
+            string name = Path.GetFileNameWithoutExtension(data);
+            string cloud = Convert(TestData.PathOrIgnore(data), name);
+            using var streams = new TwinStreams(cloud, Options(sizePx, sizePx > 3, ColorMode.Auto), 60_000);
+            Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
+            var camera = streams.Plan.Camera;
+            var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
+            Compare(streams, Camera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60), name + "-near-" + sizePx);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using FastPoints.Cli;
+using FastPoints.HostTests.Cli;
+using FastPoints.HostTests.StandIns.Graphics;
+using FastPoints.Headless.Graphics;
+using FastPoints.Rendering;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using Camera = FastPoints.Picture.Camera;
+
+namespace FastPoints.HostTests.Gpu
+{
+    /// <summary>Nodes in the memory of the graphics card: what lies there is what lies in the files.</summary>
+    public sealed class GraphicsNodePoolTests : GraphicsFixture
+    {
+        const int MostFrames = 200_000;
+
+        ScratchFolder m_scratch;
+        string m_cloud;
+
+        [OneTimeSetUp]
+        public void MakeCloud()
+        {
+            m_scratch = new ScratchFolder();
+            m_cloud = m_scratch["demo.fastpoints"];
+            var call = CliCall.Of("convert", m_scratch.Demo(points: 250_000), "-o", m_cloud, "--quiet");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        }
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_scratch?.Dispose();
+
+        /// <param name="hasCompute">Otherwise the engine copies nodes.</param>
+        StreamContext Stream(bool hasCompute, long limitBytes, int bankBytes, int bytesPerUpload)
+        {
+            var copyPages = hasCompute ? new GpuShaders().CopyPages : null;
+            var stream = new StreamContext(new GraphicsNodePool(copyPages, limitBytes, bankBytes, bytesPerUpload));
+            stream.Settings.Selection.FinestSpacingPx = 0.1f;
+            stream.Settings.UploadBytesPerFrame = bytesPerUpload;
+            var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+            return stream;
+        }
+
+        /// <summary>All of the cloud.</summary>
+        Camera Above(StreamContext stream)
+        {
+            var source = stream.Clouds[0].Source;
+            using var folder = CloudFolder.Open(m_cloud);
+            var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
+            var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
+            var center = (low + high) / 2;
+            return Camera.Perspective(center + new double3(0, 0, math.cmax(high - low) * 2), center, new double3(0, 1, 0), 60);
+        }
+
+        Camera Near(StreamContext stream, double share, double heading)
+        {
+            var source = stream.Clouds[0].Source;
+            using var folder = CloudFolder.Open(m_cloud);
+            var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
+            var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
+            var eye = low + (high - low) * new double3(share, 1 - share, 0.7);
+            return Camera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5), new double3(0, 0, 1), 60);
+        }
+
+        static FrameStats Frame(StreamContext stream, Camera camera)
+        {
+            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(320, 180) };
+            var stats = FrameStep.Run(stream, views);
+            HeadlessGraphics.EndFrame();
+            return stats;
+        }
+
+        static void Rest(StreamContext stream, Camera camera)
+        {
+            int quiet = 0;
+            for (int frame = 0; frame < MostFrames && quiet < 10; frame++)
+            {
+                var stats = Frame(stream, camera);
+                quiet = stats.ReadsUnderWay == 0 && stats.RequestedNodes == 0 && stats.UploadedNodes == 0 ? quiet + 1 : 0;
+                Thread.Yield();
+            }
+            Assert.That(quiet, Is.EqualTo(10), "streaming did not come to rest");
+        }
+
+        /// <summary>Each drawn node's bytes on the card, against those of its file.</summary>
+        static void CheckBytes(StreamContext stream)
+        {
+            var pool = (GraphicsNodePool)stream.Pool;
+            var source = stream.Clouds[0].Source;
+            foreach (var nodes in stream.Drawn.AsArray().ToArray().GroupBy(d => d.Run.Bank))
+            {
+                var bank = new byte[pool.BankBytes];
+                pool.BufferOf(nodes.Key).GetData(bank);
+                foreach (var drawn in nodes)
+                {
+                    byte[] file = File.ReadAllBytes(source.PathOf(drawn.Page));
+                    int at = drawn.Run.FirstPage * NodePool.PageBytes;
+                    for (int p = 0; p < source.Planes.Length; p++)
+                    {
+                        var range = stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);
+                        Assert.That(bank.AsSpan(at, (int)range.LengthBytes).SequenceEqual(
+                            file.AsSpan((int)range.OffsetBytes, (int)range.LengthBytes)), Is.True, "plane " + p);
+                        at += (int)range.LengthBytes;
+                    }
+                }
+            }
+        }
+
+        /// <summary>In a pool too small for the cloud, nodes come and go over one another.</summary>
+        [TestCase(true, 1 << 18)]
+        [TestCase(true, 1 << 12)]
+        [TestCase(false, 1 << 18)]
+        [TestCase(false, 1 << 12)]
+        public void Stream_WithTeleports_TheCardHasWhatTheFilesHave(bool hasCompute, int bytesPerUpload)
+        {
+            using var stream = Stream(hasCompute, 3 << 19, 1 << 19, bytesPerUpload);
+            int evicted = 0;
+            for (int place = 0; place < 12; place++)
+            {
+                // Not all come to rest: uploads of one place end at the next.
+                var camera = Near(stream, place / 11.0, place);
+                if (place % 3 == 2)
+                    Rest(stream, camera);
+                else
+                    for (int frame = 0; frame < 6; frame++)
+                        evicted += Frame(stream, camera).EvictedNodes;
+                CheckBytes(stream);
+            }
+            Assert.That(evicted, Is.GreaterThan(3));
+            Assert.That(stream.Pool.FindProblem(), Is.Null);
+        }
+
+        [Test]
+        public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
+        {
+            using var stream = Stream(true, 4 << 20, 1 << 19, 1 << 18);
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            Rest(stream, Above(stream));
+            long allocated = stream.Pool.AllocatedBytes, used = HeadlessGraphics.UsedBytes;
+            Assert.That(allocated, Is.GreaterThan(1 << 20));
+            stream.Pool.LimitBytes = 1 << 19;
+            Rest(stream, Above(stream));
+            HeadlessGraphics.WaitForIdle();
+            Assert.That(stream.Pool.AllocatedBytes, Is.EqualTo(1 << 19));
+            Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(used - allocated + (1 << 19)));
+            CheckBytes(stream);
+        }
+
+        /// <summary>Once all has been made. The safety checks of the test build remember each job, so that what schedules jobs is
+        /// not looked at here.</summary>
+        [Test]
+        public void Record_FrameAfterFrame_MakesNoGarbage()
+        {
+            using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
+            using var materials = new PointMaterials(new GpuShaders().Points);
+            using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool);
+            renderer.List.SetLook(0, new FastPoints.Gpu.CloudLook { Plane = 1, Scale = 1 / 256.0 });
+            using var commands = new UnityEngine.Rendering.CommandBuffer();
+            var cameras = Enumerable.Range(0, 6).Select(i => Near(stream, i / 5.0, i)).ToArray();
+            long Garbage(int frames)
+            {
+                long garbage = 0;
+                for (int frame = 0; frame < frames; frame++)
+                {
+                    var camera = cameras[frame / 10 % cameras.Length];
+                    Frame(stream, camera);
+                    renderer.Prepare(stream, camera.ToStreamView(320, 180));
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    commands.Clear();
+                    renderer.Record(commands, RenderViews.Of(camera, 320, 180, 0));
+                    garbage += GC.GetAllocatedBytesForCurrentThread() - before;
+                }
+                return garbage;
+            }
+            Garbage(600);
+            Assert.That(Garbage(600), Is.Zero);
+        }
+    }
+}

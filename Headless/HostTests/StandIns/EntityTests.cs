@@ -1,0 +1,207 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Entities;
+
+namespace FastPoints.HostTests.StandIns
+{
+    /// <summary>Entities, queries, systems and groups: what Unity's do, of what the package uses.</summary>
+    public sealed class EntityTests
+    {
+        struct Health : IComponentData
+        {
+            public int Value;
+        }
+
+        struct Burning : IComponentData, IEnableableComponent
+        {
+        }
+
+        struct Grave : ICleanupComponentData
+        {
+            public int Number;
+        }
+
+        sealed class Owned : IComponentData, IDisposable
+        {
+            public bool IsDisposed;
+
+            public void Dispose() => IsDisposed = true;
+        }
+
+        World m_world;
+
+        EntityManager Entities => m_world.EntityManager;
+
+        [SetUp]
+        public void MakeWorld() => m_world = new World("test");
+
+        [TearDown]
+        public void EndWorld() => m_world.Dispose();
+
+        int Count(EntityQuery query) => query.CalculateEntityCount();
+
+        [Test]
+        public void CreateAndDestroy_ManyInAnyOrder_KeepTheirData()
+        {
+            var random = new Unity.Mathematics.Random(3);
+            var alive = new List<(Entity Entity, int Value)>();
+            for (int i = 0; i < 5000; i++)
+            {
+                if (alive.Count > 0 && random.NextInt(3) == 0)
+                {
+                    int gone = random.NextInt(alive.Count);
+                    Entities.DestroyEntity(alive[gone].Entity);
+                    Assert.That(Entities.Exists(alive[gone].Entity), Is.False);
+                    alive.RemoveAt(gone);
+                    continue;
+                }
+                var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+                Entities.SetComponentData(entity, new Health { Value = i });
+                if (i % 2 == 0)
+                    Entities.AddComponent<Burning>(entity);
+                alive.Add((entity, i));
+            }
+            foreach (var (entity, value) in alive)
+                Assert.That(Entities.GetComponentData<Health>(entity).Value, Is.EqualTo(value));
+            using var query = Entities.CreateEntityQuery(ComponentType.ReadOnly<Health>());
+            using var all = query.ToEntityArray(Allocator.Temp);
+            Assert.That(all.ToArray(), Is.EquivalentTo(alive.Select(a => a.Entity)));
+        }
+
+        [Test]
+        public void Queries_OfEnableableComponents_LookAtTheirBits()
+        {
+            var burns = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
+            var out1 = Entities.CreateEntity(ComponentType.ReadWrite<Health>(), ComponentType.ReadWrite<Burning>());
+            Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+            Entities.SetComponentEnabled<Burning>(out1, false);
+            Assert.That(Entities.IsComponentEnabled<Burning>(burns), Is.True, "enabled when it is added");
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Burning>().Build(Entities)), Is.EqualTo(1));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithNone<Burning>().Build(Entities)), Is.EqualTo(2));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithDisabled<Burning>().Build(Entities)), Is.EqualTo(1));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithPresent<Burning>().Build(Entities)), Is.EqualTo(2));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithAbsent<Burning>().Build(Entities)), Is.EqualTo(1));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAny<Burning>().Build(Entities)), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void DestroyEntity_WithCleanup_KeepsThatUntilItIsRemoved()
+        {
+            var entity = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+            Entities.AddComponentData(entity, new Grave { Number = 7 });
+            Entities.DestroyEntity(entity);
+            Assert.That(Entities.Exists(entity), Is.True);
+            Assert.That(Entities.HasComponent<Health>(entity), Is.False);
+            Assert.That(Entities.GetComponentData<Grave>(entity).Number, Is.EqualTo(7));
+            Entities.RemoveComponent<Grave>(entity);
+            Assert.That(Entities.Exists(entity), Is.False);
+        }
+
+        [Test]
+        public void ManagedComponent_ThatCanBeDisposed_IsWhenItGoes()
+        {
+            Owned Add(out Entity entity)
+            {
+                var owned = new Owned();
+                entity = Entities.CreateEntity();
+                Entities.AddComponentObject(entity, owned);
+                Entities.AddComponent<Burning>(entity);
+                Assert.That(Entities.GetComponentObject<Owned>(entity), Is.SameAs(owned));
+                Assert.That(owned.IsDisposed, Is.False);
+                return owned;
+            }
+            var destroyed = Add(out var first);
+            var removed = Add(out var second);
+            var left = Add(out _);
+            Entities.DestroyEntity(first);
+            Entities.RemoveComponent<Owned>(second);
+            Assert.That((destroyed.IsDisposed, removed.IsDisposed, left.IsDisposed), Is.EqualTo((true, true, false)));
+            m_world.Dispose();
+            Assert.That(left.IsDisposed, Is.True);
+        }
+
+        /// <summary>Planted violations: what Unity refuses.</summary>
+        [Test]
+        public void Misuse_Throws()
+        {
+            var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
+            Entities.DestroyEntity(gone);
+            var bare = Entities.CreateEntity();
+            Assert.That(() => Entities.GetComponentData<Health>(gone), Throws.ArgumentException);
+            Assert.That(() => Entities.GetComponentData<Health>(bare), Throws.ArgumentException.With.Message.Contains("has not been added"));
+            Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
+            Entities.AddComponent<Burning>(bare);
+            Assert.That(() => Entities.GetComponentData<Burning>(bare), Throws.ArgumentException.With.Message.Contains("zero sized"));
+            Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
+            Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
+            var manager = Entities;
+            m_world.Dispose();
+            Assert.That(() => manager.CreateEntity(), Throws.InstanceOf<ObjectDisposedException>());
+            Assert.That(() => Entities.DestroyEntity(gone), Throws.InstanceOf<ObjectDisposedException>());
+        }
+
+        static readonly List<string> s_calls = new List<string>();
+
+        abstract class Noting : SystemBase
+        {
+            protected override void OnCreate() => s_calls.Add("+" + GetType().Name);
+
+            protected override void OnStartRunning() => s_calls.Add(">" + GetType().Name);
+
+            protected override void OnUpdate() => s_calls.Add(GetType().Name);
+
+            protected override void OnStopRunning() => s_calls.Add("<" + GetType().Name);
+
+            protected override void OnDestroy() => s_calls.Add("-" + GetType().Name);
+        }
+
+        [UpdateInGroup(typeof(PresentationSystemGroup))]
+        sealed class Group : ComponentSystemGroup
+        {
+        }
+
+        [UpdateInGroup(typeof(Group), OrderLast = true)]
+        sealed class A : Noting
+        {
+        }
+
+        [UpdateInGroup(typeof(Group))]
+        [UpdateAfter(typeof(C))]
+        sealed class B : Noting
+        {
+        }
+
+        [UpdateInGroup(typeof(Group))]
+        sealed class C : Noting
+        {
+        }
+
+        [UpdateInGroup(typeof(Group))]
+        [UpdateBefore(typeof(C))]
+        sealed class D : Noting
+        {
+        }
+
+        [Test]
+        public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
+        {
+            s_calls.Clear();
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A), typeof(B), typeof(C), typeof(D));
+            Assert.That(m_world.GetExistingSystemManaged<Group>(), Is.Not.Null, "a group comes with its systems");
+            s_calls.Clear();
+            m_world.Update();
+            Assert.That(s_calls, Is.EqualTo(new[] { ">D", "D", ">C", "C", ">B", "B", ">A", "A" }));
+            m_world.GetExistingSystemManaged<C>().Enabled = false;
+            s_calls.Clear();
+            m_world.Update();
+            m_world.Update();
+            Assert.That(s_calls, Is.EqualTo(new[] { "D", "<C", "B", "A", "D", "B", "A" }));
+            s_calls.Clear();
+            m_world.Dispose();
+            Assert.That(s_calls, Is.EqualTo(new[] { "<D", "-D", "-C", "<B", "-B", "<A", "-A" }));
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using System;
+using System.Reflection;
+
+namespace Unity.Entities
+{
+    public static class DefaultWorldInitialization
+    {
+        /// <summary>Makes the systems, and puts each into the group that its attribute names: into Simulation where it names
+        /// none.</summary>
+        public static void AddSystemsToRootLevelSystemGroups(World world, params Type[] systemTypes)
+        {
+            Add(world, typeof(InitializationSystemGroup));
+            Add(world, typeof(SimulationSystemGroup));
+            Add(world, typeof(PresentationSystemGroup));
+            foreach (var type in systemTypes)
+                Add(world, type);
+        }
+
+        static void Add(World world, Type type)
+        {
+            bool isNew = world.GetExistingSystemManaged(type) == null;
+            var system = world.GetOrCreateSystemManaged(type);
+            bool isRoot = type == typeof(InitializationSystemGroup) || type == typeof(SimulationSystemGroup) ||
+                type == typeof(PresentationSystemGroup);
+            if (!isNew || isRoot)
+                return;
+            var group = type.GetCustomAttribute<UpdateInGroupAttribute>()?.GroupType ?? typeof(SimulationSystemGroup);
+            if (world.GetExistingSystemManaged(group) == null)
+                Add(world, group);
+            ((ComponentSystemGroup)world.GetExistingSystemManaged(group)).AddSystemToUpdateList(system);
+        }
+    }
+}

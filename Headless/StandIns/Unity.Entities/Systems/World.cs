@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using StandIns.Entities;
+
+namespace Unity.Entities
+{
+    public sealed class World : IDisposable
+    {
+        readonly List<ComponentSystemBase> m_systems = new List<ComponentSystemBase>();
+        readonly EntityStore m_store = new EntityStore();
+
+        public World(string name, WorldFlags flags = WorldFlags.Simulation)
+        {
+            Name = name;
+            Flags = flags;
+            EntityManager = new EntityManager(this, m_store);
+        }
+
+        /// <summary>Null until a host or a test sets it.</summary>
+        public static World DefaultGameObjectInjectionWorld { get; set; }
+
+        public string Name { get; }
+        public WorldFlags Flags { get; }
+        public EntityManager EntityManager { get; }
+        public bool IsCreated => !m_store.IsDisposed;
+
+        public T GetExistingSystemManaged<T>() where T : ComponentSystemBase => (T)GetExistingSystemManaged(typeof(T));
+
+        public ComponentSystemBase GetExistingSystemManaged(Type type) => m_systems.Find(s => s.GetType() == type);
+
+        public T GetOrCreateSystemManaged<T>() where T : ComponentSystemBase => (T)GetOrCreateSystemManaged(typeof(T));
+
+        public ComponentSystemBase GetOrCreateSystemManaged(Type type) => GetExistingSystemManaged(type) ?? CreateSystemManaged(type);
+
+        public ComponentSystemBase CreateSystemManaged(Type type)
+        {
+            if (!IsCreated)
+                throw new ObjectDisposedException(Name);
+            var system = (ComponentSystemBase)Activator.CreateInstance(type);
+            m_systems.Add(system);
+            system.Create(this);
+            return system;
+        }
+
+        /// <summary>Initialization, Simulation, Presentation, as the player loop would.</summary>
+        public void Update()
+        {
+            GetExistingSystemManaged<InitializationSystemGroup>()?.Update();
+            GetExistingSystemManaged<SimulationSystemGroup>()?.Update();
+            GetExistingSystemManaged<PresentationSystemGroup>()?.Update();
+        }
+
+        public void Dispose()
+        {
+            if (!IsCreated)
+                return;
+            for (int i = m_systems.Count - 1; i >= 0; i--)
+                m_systems[i].Destroy();
+            m_systems.Clear();
+            m_store.Dispose();
+            if (DefaultGameObjectInjectionWorld == this)
+                DefaultGameObjectInjectionWorld = null;
+        }
+    }
+}

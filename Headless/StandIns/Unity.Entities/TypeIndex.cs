@@ -1,0 +1,7 @@
+namespace Unity.Entities
+{
+    public struct TypeIndex
+    {
+        public int Value;
+    }
+}

@@ -1,0 +1,80 @@
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Jobs;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Finds where entities of nodes are not what the cache says.</summary>
+    [BurstCompile]
+    public struct CompareSlotsJob : IJob
+    {
+        [ReadOnly] public NativeArray<CacheSlot> Slots;
+        [ReadOnly] public NativeArray<DrawnNode> Drawn;
+
+        /// <summary>Entities to make or to destroy at most: what is left over waits for the next frame.</summary>
+        public int MostChanges;
+        public NativeList<TrackedSlot> Tracked;
+
+        /// <summary>Scratch: by slot.</summary>
+        public NativeList<bool> IsDrawn;
+
+        /// <summary>Entities of nodes that are gone.</summary>
+        public NativeList<Entity> Gone;
+
+        /// <summary>Slots whose nodes have no entity.</summary>
+        public NativeList<int> Come;
+
+        /// <summary>Slots whose entities are in another state: it is in <see cref="Tracked"/> already.</summary>
+        public NativeList<int> Changed;
+
+        public void Execute()
+        {
+            Gone.Clear();
+            Come.Clear();
+            Changed.Clear();
+            while (Tracked.Length < Slots.Length)
+                Tracked.Add(default);
+            IsDrawn.ResizeUninitialized(Slots.Length);
+            for (int slot = 0; slot < Slots.Length; slot++)
+                IsDrawn[slot] = false;
+            for (int i = 0; i < Drawn.Length; i++)
+                IsDrawn[Drawn[i].Slot] = true;
+            for (int slot = 0; slot < Slots.Length; slot++)
+                Compare(slot);
+        }
+
+        void Compare(int slot)
+        {
+            var cached = Slots[slot];
+            ref var tracked = ref Tracked.ElementAt(slot);
+            bool isThere = cached.Phase != CachePhase.Free;
+            bool isSame = isThere && tracked.Version == cached.Version;
+            if (tracked.Entity != Entity.Null && !isSame)
+            {
+                if (Gone.Length == MostChanges)
+                    return;
+                Gone.Add(tracked.Entity);
+                tracked.Entity = Entity.Null;
+            }
+            if (!isThere)
+                return;
+            byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedSlot.IsResident : 0) |
+                (IsDrawn[slot] ? TrackedSlot.IsDrawn : 0));
+            if (tracked.Entity == Entity.Null)
+            {
+                if (Come.Length == MostChanges)
+                    return;
+                Come.Add(slot);
+                tracked.Version = cached.Version;
+                tracked.State = state;
+            }
+            else if (tracked.State != state)
+            {
+                tracked.State = state;
+                Changed.Add(slot);
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+using System;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>
+    /// All of streaming, once a frame: what the systems below it share, and its life. In the editor's world as in the player's.
+    /// Their order:
+    /// <list type="number">
+    /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>
+    /// <item><see cref="ReceiveNodesSystem"/>: what arrived since the last frame</item>
+    /// <item><see cref="ControlNodesSystem"/>: what users hide, pin and tint</item>
+    /// <item><see cref="SelectNodesSystem"/>: what the cameras need</item>
+    /// <item><see cref="UploadNodesSystem"/>: begins to copy</item>
+    /// <item><see cref="RequestNodesSystem"/>: begins to read, evicts</item>
+    /// <item><see cref="ListNodesSystem"/>: what to draw</item>
+    /// <item><see cref="TrackNodesSystem"/>: entities of nodes follow</item>
+    /// </list>
+    /// </summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PresentationSystemGroup))]
+    public partial class PointCloudSystemGroup : ComponentSystemGroup
+    {
+        NativeList<StreamView> m_views;
+        FrameStats m_stats;
+
+        /// <summary>Null until <see cref="Begin"/>: without a pool nothing is streamed.</summary>
+        public StreamContext Stream { get; private set; }
+
+        /// <summary>What the frame has done up to here; after the update, what it did.</summary>
+        public ref FrameStats Stats => ref m_stats;
+
+        /// <summary>The cameras of the next frame: whoever draws adds his, and the frame takes them all.</summary>
+        public NativeList<StreamView> Views => m_views;
+
+        /// <summary>Begins to stream, with memory that becomes the stream's.</summary>
+        public void Begin(NodePool pool)
+        {
+            if (Stream != null)
+                throw new InvalidOperationException("the world's clouds are streamed already");
+            Stream = new StreamContext(pool);
+        }
+
+        protected override void OnCreate()
+        {
+            base.OnCreate();
+            m_views = new NativeList<StreamView>(Allocator.Persistent);
+        }
+
+        protected override void OnUpdate()
+        {
+            if (Stream == null)
+                return;
+            m_stats = default;
+            base.OnUpdate();
+            m_views.Clear();
+        }
+
+        protected override void OnDestroy()
+        {
+            Stream?.Dispose();
+            Stream = null;
+            if (m_views.IsCreated)
+                m_views.Dispose();
+            base.OnDestroy();
+        }
+    }
+}

@@ -1,0 +1,14 @@
+using FastPoints.Streaming;
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Begins to read nodes, and gives up what is less useful.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateAfter(typeof(UploadNodesSystem))]
+    public partial class RequestNodesSystem : StreamSystem
+    {
+        protected override void OnUpdate() => FrameStep.Request(Group.Stream, ref Group.Stats);
+    }
+}

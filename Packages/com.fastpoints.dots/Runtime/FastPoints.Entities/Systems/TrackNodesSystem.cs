@@ -1,0 +1,130 @@
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Jobs;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Makes and destroys the entities of nodes, some each frame, and tells them how far their nodes are. Nothing happens at
+    /// rest.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
+    public unsafe partial class TrackNodesSystem : StreamSystem
+    {
+        /// <summary>Structural changes of one frame at most, of each kind.</summary>
+        const int MostChanges = 512;
+
+        EntityArchetype m_archetype;
+        EntityQuery m_clouds;
+        NativeList<TrackedSlot> m_tracked;
+        NativeList<bool> m_isDrawn;
+        NativeList<Entity> m_gone;
+        NativeList<int> m_come;
+        NativeList<int> m_changed;
+        NativeList<Entity> m_made;
+        NativeList<Entity> m_entityOfCloud;
+
+        protected override void OnCreate()
+        {
+            base.OnCreate();
+            m_archetype = EntityManager.CreateArchetype(ComponentType.ReadWrite<PointCloudNode>(),
+                ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<Requested>(),
+                ComponentType.ReadWrite<Resident>(), ComponentType.ReadWrite<Drawn>(), ComponentType.ReadWrite<Hidden>(),
+                ComponentType.ReadWrite<Pinned>(), ComponentType.ReadWrite<Tint>());
+            m_clouds = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>());
+            m_tracked = new NativeList<TrackedSlot>(1024, Allocator.Persistent);
+            m_isDrawn = new NativeList<bool>(1024, Allocator.Persistent);
+            m_gone = new NativeList<Entity>(MostChanges, Allocator.Persistent);
+            m_come = new NativeList<int>(MostChanges, Allocator.Persistent);
+            m_changed = new NativeList<int>(1024, Allocator.Persistent);
+            m_made = new NativeList<Entity>(MostChanges, Allocator.Persistent);
+            m_entityOfCloud = new NativeList<Entity>(Allocator.Persistent);
+        }
+
+        protected override void OnUpdate()
+        {
+            new CompareSlotsJob
+            {
+                Slots = Group.Stream.Cache.Slots,
+                Drawn = Group.Stream.Drawn.AsArray(),
+                MostChanges = MostChanges,
+                Tracked = m_tracked,
+                IsDrawn = m_isDrawn,
+                Gone = m_gone,
+                Come = m_come,
+                Changed = m_changed,
+            }.Run();
+            if (m_gone.Length > 0)
+                EntityManager.DestroyEntity(m_gone.AsArray());
+            if (m_come.Length > 0)
+                Make();
+            for (int i = 0; i < m_changed.Length; i++)
+                Tell(m_tracked[m_changed[i]]);
+        }
+
+        protected override void OnDestroy()
+        {
+            m_tracked.Dispose();
+            m_isDrawn.Dispose();
+            m_gone.Dispose();
+            m_come.Dispose();
+            m_changed.Dispose();
+            m_made.Dispose();
+            m_entityOfCloud.Dispose();
+            base.OnDestroy();
+        }
+
+        void Make()
+        {
+            FindClouds();
+            m_made.ResizeUninitialized(m_come.Length);
+            EntityManager.CreateEntity(m_archetype, m_made.AsArray());
+            for (int i = 0; i < m_come.Length; i++)
+            {
+                int slot = m_come[i];
+                var entity = m_made[i];
+                ref var tracked = ref m_tracked.ElementAt(slot);
+                tracked.Entity = entity;
+                Describe(entity, slot, Group.Stream.Cache[slot]);
+                EntityManager.SetComponentEnabled<Hidden>(entity, false);
+                EntityManager.SetComponentEnabled<Pinned>(entity, false);
+                EntityManager.SetComponentEnabled<Tint>(entity, false);
+                Tell(tracked);
+            }
+        }
+
+        void Describe(Entity entity, int slot, CacheSlot cached)
+        {
+            var node = Group.Stream.Clouds[cached.Cloud].Pages[cached.Page].Nodes[cached.Node];
+            EntityManager.SetComponentData(entity, new PointCloudNode
+            {
+                Cloud = m_entityOfCloud[cached.Cloud],
+                Page = cached.Page,
+                Node = cached.Node,
+                PointCount = node.PointCount,
+                Slot = slot,
+                SlotVersion = cached.Version,
+            });
+            EntityManager.SetComponentData(entity, new PointCloudNodeBounds { Center = node.Center, Half = node.Half });
+            EntityManager.SetComponentData(entity, new Tint { Rgba = CacheSlot.White });
+        }
+
+        void Tell(TrackedSlot tracked)
+        {
+            bool isResident = (tracked.State & TrackedSlot.IsResident) != 0;
+            EntityManager.SetComponentEnabled<Requested>(tracked.Entity, !isResident);
+            EntityManager.SetComponentEnabled<Resident>(tracked.Entity, isResident);
+            EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedSlot.IsDrawn) != 0);
+        }
+
+        void FindClouds()
+        {
+            m_entityOfCloud.Clear();
+            for (int c = 0; c < Group.Stream.Clouds.Count; c++)
+                m_entityOfCloud.Add(Entity.Null);
+            using (var entities = m_clouds.ToEntityArray(Allocator.Temp))
+                foreach (var entity in entities)
+                    m_entityOfCloud[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number] = entity;
+        }
+    }
+}

@@ -1,0 +1,121 @@
+using System;
+using FastPoints.Gpu;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>
+    /// Draws what is resident for one camera: <see cref="Prepare"/> after the stream's frame, then <see cref="Record"/> into any
+    /// pipeline's command buffer. One indirect draw for each bank of the pool; an instance is a block. Main thread, no
+    /// garbage.
+    /// </summary>
+    public sealed class PointRenderer : IDisposable
+    {
+        /// <summary>Vertices of a point: two triangles, or the point itself.</summary>
+        const int VerticesOfQuad = 6;
+
+        readonly GraphicsNodePool m_pool;
+        readonly PointMaterials m_materials;
+        readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
+        readonly GrowingBuffer m_nodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuNode>());
+        readonly GrowingBuffer m_clouds = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuCloud>());
+        readonly GrowingBuffer m_nodeOfInstance = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
+        readonly GrowingBuffer m_arguments = new GrowingBuffer(GraphicsBuffer.Target.IndirectArguments,
+            GraphicsBuffer.IndirectDrawArgs.size);
+        readonly GrowingBuffer m_palette = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
+        NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
+        NativeArray<uint> m_colors;
+        bool m_isPaletteWritten;
+
+        /// <param name="materials">As many renderers as there are cameras share them.</param>
+        /// <param name="pool">That the streams' clouds lie in; not this renderer's.</param>
+        public PointRenderer(PointMaterials materials, GraphicsNodePool pool)
+        {
+            m_pool = pool;
+            m_materials = materials;
+            m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawArgs>(Allocator.Persistent);
+            m_colors = new NativeArray<uint>(PaletteLength, Allocator.Persistent);
+        }
+
+        public const int PaletteLength = 256;
+
+        /// <summary>What the last <see cref="Prepare"/> found to draw, and how clouds look.</summary>
+        public DrawList List { get; } = new DrawList();
+
+        /// <summary>Sets the colours that values and places are looked up in.</summary>
+        /// <param name="colors">256 of them, sRGB: red, green, blue, alpha from the lowest byte.</param>
+        public void SetPalette(NativeArray<uint> colors)
+        {
+            m_colors.CopyFrom(colors);
+            m_isPaletteWritten = false;
+        }
+
+        /// <summary>Lists what a camera sees of the stream's last frame.</summary>
+        /// <param name="view">In the world that the stream's placements lead to.</param>
+        public void Prepare(StreamContext stream, in StreamView view) => List.Build(stream, view);
+
+        /// <summary>Records the draws, into the target that is set.</summary>
+        public void Record(CommandBuffer commands, in RenderView view)
+        {
+            if (List.Draws.Length == 0)
+                return;
+            WriteBuffers(commands, view.Shape);
+            m_properties.SetBuffer(ShaderNames.Nodes, m_nodes.Buffer);
+            m_properties.SetBuffer(ShaderNames.Clouds, m_clouds.Buffer);
+            m_properties.SetBuffer(ShaderNames.NodeOfInstance, m_nodeOfInstance.Buffer);
+            m_properties.SetBuffer(ShaderNames.Palette, m_palette.Buffer);
+            m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
+            m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            m_properties.SetFloat(ShaderNames.SizePx, view.SizePx);
+            m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
+            var material = m_materials[view.Shape];
+            var topology = view.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
+            for (int i = 0; i < List.Draws.Length; i++)
+            {
+                var draw = List.Draws[i];
+                m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
+                m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
+                commands.DrawProceduralIndirect(Matrix4x4.identity, material, 0, topology, m_arguments.Buffer,
+                    i * GraphicsBuffer.IndirectDrawArgs.size, m_properties);
+            }
+        }
+
+        public void Dispose()
+        {
+            if (!m_drawArguments.IsCreated)
+                return;
+            List.Dispose();
+            m_nodes.Dispose();
+            m_clouds.Dispose();
+            m_nodeOfInstance.Dispose();
+            m_arguments.Dispose();
+            m_palette.Dispose();
+            m_drawArguments.Dispose();
+            m_colors.Dispose();
+        }
+
+        void WriteBuffers(CommandBuffer commands, PointShape shape)
+        {
+            int vertices = PlaneShape.MaxPointsPerBlock * (shape == PointShape.Pixel ? 1 : VerticesOfQuad);
+            m_drawArguments.Clear();
+            for (int i = 0; i < List.Draws.Length; i++)
+                m_drawArguments.Add(new GraphicsBuffer.IndirectDrawArgs
+                {
+                    vertexCountPerInstance = (uint)vertices,
+                    instanceCount = (uint)List.Draws[i].InstanceCount,
+                });
+            m_arguments.Write(commands, m_drawArguments.AsArray());
+            m_nodes.Write(commands, List.Nodes);
+            m_clouds.Write(commands, List.Clouds);
+            m_nodeOfInstance.Write(commands, List.NodeOfInstance);
+            if (!m_isPaletteWritten)
+                m_palette.Write(commands, m_colors);
+            m_isPaletteWritten = true;
+        }
+    }
+}

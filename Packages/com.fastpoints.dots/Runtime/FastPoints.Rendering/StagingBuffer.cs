@@ -1,0 +1,148 @@
+using System;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>
+    /// One upload on its way: mapped memory that jobs write nodes to, each from a page on, and which page goes where. Mapped memory
+    /// may not be cached: it is written front to back and never read.
+    /// </summary>
+    public sealed unsafe class StagingBuffer : IDisposable
+    {
+        /// <summary>Of one dispatch, on any GPU.</summary>
+        const int MostGroups = 65535;
+        const int PageEntryBytes = 2 * sizeof(uint);
+        const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
+
+        GraphicsBuffer m_bytes;
+        GraphicsBuffer m_pages;
+        NativeArray<uint> m_words;
+
+        /// <summary>Where each node goes, in the order in which they lie here.</summary>
+        NativeList<PoolRun> m_runs;
+        int m_pageCount;
+
+        public StagingBuffer(int pages)
+        {
+            m_runs = new NativeList<PoolRun>(256, Allocator.Persistent);
+            Create(pages);
+        }
+
+        public int Capacity => m_pages.count;
+        public bool IsLocked { get; private set; }
+        public long AllocatedBytes => (long)Capacity * (NodePool.PageBytes + PageEntryBytes);
+
+        public void Lock()
+        {
+            m_words = m_bytes.LockBufferForWrite<uint>(0, m_bytes.count);
+            m_runs.Clear();
+            m_pageCount = 0;
+            IsLocked = true;
+        }
+
+        /// <summary>Room for one more node, or null. The first always has room.</summary>
+        public byte* Take(PoolRun run)
+        {
+            if (m_pageCount + run.PageCount > Capacity)
+            {
+                if (m_pageCount > 0)
+                    return null;
+                Grow(run.PageCount);
+            }
+            m_runs.Add(run);
+            byte* at = (byte*)m_words.GetUnsafePtr() + (long)m_pageCount * NodePool.PageBytes;
+            m_pageCount += run.PageCount;
+            return at;
+        }
+
+        /// <summary>All is written: copies it into the banks, after whatever was drawn before.</summary>
+        /// <param name="endOfBank">Scratch.</param>
+        public void CopyTo(GraphicsNodePool pool, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
+        {
+            Unlock();
+            ListPages(pool.BankCount, endOfBank);
+            copyPages.SetBuffer(kernel, ShaderNames.Staging, m_bytes);
+            copyPages.SetBuffer(kernel, ShaderNames.Pages, m_pages);
+            int first = 0;
+            for (int bank = 0; bank < endOfBank.Length; bank++)
+            {
+                if (endOfBank[bank] == first)
+                    continue;
+                copyPages.SetBuffer(kernel, ShaderNames.BankOut, pool.BufferOf(bank));
+                while (first < endOfBank[bank])
+                {
+                    int groups = math.min(endOfBank[bank] - first, MostGroups);
+                    copyPages.SetInt(ShaderNames.FirstPage, first);
+                    copyPages.Dispatch(kernel, groups, 1, 1);
+                    first += groups;
+                }
+            }
+        }
+
+        public void Dispose()
+        {
+            if (!m_runs.IsCreated)
+                return;
+            if (IsLocked)
+                Unlock();
+            m_bytes.Dispose();
+            m_pages.Dispose();
+            m_runs.Dispose();
+        }
+
+        /// <summary>By page: where it lies here, and where it goes; bank by bank.</summary>
+        void ListPages(int bankCount, NativeList<int> endOfBank)
+        {
+            endOfBank.ResizeUninitialized(bankCount);
+            for (int bank = 0; bank < bankCount; bank++)
+                endOfBank[bank] = 0;
+            for (int i = 0; i < m_runs.Length; i++)
+                endOfBank[m_runs[i].Bank] += m_runs[i].PageCount;
+            int first = 0;
+            for (int bank = 0; bank < bankCount; bank++)
+            {
+                int count = endOfBank[bank];
+                endOfBank[bank] = first;
+                first += count;
+            }
+            var pages = m_pages.LockBufferForWrite<uint2>(0, m_pageCount);
+            var to = (uint2*)pages.GetUnsafePtr();
+            uint from = 0;
+            for (int i = 0; i < m_runs.Length; i++)
+            {
+                var run = m_runs[i];
+                for (int page = 0; page < run.PageCount; page++)
+                    to[endOfBank[run.Bank]++] = new uint2(from++, (uint)(run.FirstPage + page));
+            }
+            m_pages.UnlockBufferAfterWrite<uint2>(m_pageCount);
+        }
+
+        void Unlock()
+        {
+            m_bytes.UnlockBufferAfterWrite<uint>(m_pageCount * WordsPerPage);
+            m_words = default;
+            IsLocked = false;
+        }
+
+        void Grow(int pages)
+        {
+            Unlock();
+            m_bytes.Dispose();
+            m_pages.Dispose();
+            Create(pages);
+            Lock();
+        }
+
+        void Create(int pages)
+        {
+            m_bytes = new GraphicsBuffer(GraphicsBuffer.Target.Raw, GraphicsBuffer.UsageFlags.LockBufferForWrite,
+                pages * WordsPerPage, sizeof(uint));
+            m_pages = new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, pages,
+                PageEntryBytes);
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using FastPoints.Streaming;
+using Unity.Collections;
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>Uploads through mapped buffers, one after the other, that a compute shader copies from: one is written to again
+    /// when the GPU is sure to have read it.</summary>
+    public sealed unsafe class StagingRing : PoolUpload
+    {
+        /// <summary>Frames that the GPU may be behind: an editor or player queues two, three where it is asked to.</summary>
+        public const int FramesInFlight = 3;
+
+        readonly ComputeShader m_copyPages;
+        readonly int m_kernel;
+        readonly StagingBuffer[] m_buffers = new StagingBuffer[FramesInFlight + 1];
+        readonly long[] m_freeAtFrame = new long[FramesInFlight + 1];
+        NativeList<int> m_endOfBank;
+        int m_next;
+
+        /// <param name="copyPages">The package's CopyPages.compute.</param>
+        /// <param name="pages">Of each buffer, until a node is larger.</param>
+        public StagingRing(ComputeShader copyPages, int pages)
+        {
+            m_copyPages = copyPages;
+            m_kernel = copyPages.FindKernel(ShaderNames.CopyPagesKernel);
+            for (int i = 0; i < m_buffers.Length; i++)
+                m_buffers[i] = new StagingBuffer(pages);
+            m_endOfBank = new NativeList<int>(Allocator.Persistent);
+        }
+
+        public override long AllocatedBytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach (var buffer in m_buffers)
+                    bytes += buffer.AllocatedBytes;
+                return bytes;
+            }
+        }
+
+        public override bool TryBegin(long frame)
+        {
+            if (m_freeAtFrame[m_next] > frame)
+                return false;
+            m_buffers[m_next].Lock();
+            return true;
+        }
+
+        public override byte* Take(PoolRun run) => m_buffers[m_next].Take(run);
+
+        public override void End(GraphicsNodePool pool, long frame)
+        {
+            m_buffers[m_next].CopyTo(pool, m_copyPages, m_kernel, m_endOfBank);
+            m_freeAtFrame[m_next] = frame + FramesInFlight;
+            m_next = (m_next + 1) % m_buffers.Length;
+        }
+
+        public override void Dispose()
+        {
+            if (!m_endOfBank.IsCreated)
+                return;
+            foreach (var buffer in m_buffers)
+                buffer.Dispose();
+            m_endOfBank.Dispose();
+        }
+    }
+}

@@ -1,0 +1,119 @@
+// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Gpu.DrawList.
+#ifndef FASTPOINTS_POINT_DRAWING_INCLUDED
+#define FASTPOINTS_POINT_DRAWING_INCLUDED
+
+#include "PointBlocks.hlsl"
+#include "PointValues.hlsl"
+#include "Generated/GpuCloud.hlsl"
+#include "Generated/GpuNode.hlsl"
+
+// FastPoints.Gpu.ColorSource.
+#define FASTPOINTS_COLOR_CHANNELS 0u
+#define FASTPOINTS_COLOR_ATTRIBUTE 1u
+#define FASTPOINTS_COLOR_PLACE 2u
+
+StructuredBuffer<GpuNode> _FastPointsNodes;
+StructuredBuffer<GpuCloud> _FastPointsClouds;
+
+// By block: index of its node.
+ByteAddressBuffer _FastPointsNodeOfInstance;
+
+// The first of the draw's blocks.
+uint _FastPointsFirstInstance;
+
+// From places as seen from the camera, along the world's axes, to the clip space of the API: no translation in it.
+float4x4 _FastPointsViewProjection;
+
+// 1: colours are written as light, not as sRGB.
+uint _FastPointsIsLinear;
+
+struct FastPointsPoint
+{
+    // Whether there is a point of that number.
+    bool IsThere;
+    float4 PositionClip;
+    float3 Color;
+};
+
+float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index)
+{
+    uint packedY = block.Packed + FastPointsWordsOf(block, 0u);
+    uint packedZ = packedY + FastPointsWordsOf(block, 1u);
+    uint widthX = FastPointsWidthOf(block, 0u), widthY = FastPointsWidthOf(block, 1u), widthZ = FastPointsWidthOf(block, 2u);
+    if (node.IsWide != 0u)
+    {
+        uint4 minimaXY = _FastPointsBank.Load4((block.Descriptor + 2u) * 4u);
+        uint2 minimumZ = _FastPointsBank.Load2((block.Descriptor + 6u) * 4u);
+        uint2 x = FastPointsAddWide(minimaXY.xy, FastPointsWideOffset(block.Packed, widthX, index));
+        uint2 y = FastPointsAddWide(minimaXY.zw, FastPointsWideOffset(packedY, widthY, index));
+        uint2 z = FastPointsAddWide(minimumZ, FastPointsWideOffset(packedZ, widthZ, index));
+        return float3(FastPointsWideDifference(x, uint2(node.Anchor.x, node.AnchorHigh.x)),
+            FastPointsWideDifference(y, uint2(node.Anchor.y, node.AnchorHigh.y)),
+            FastPointsWideDifference(z, uint2(node.Anchor.z, node.AnchorHigh.z)));
+    }
+    uint3 minima = _FastPointsBank.Load3((block.Descriptor + 2u) * 4u);
+    return float3(FastPointsDifference(minima.x + FastPointsOffset(block.Packed, widthX, index), node.Anchor.x),
+        FastPointsDifference(minima.y + FastPointsOffset(packedY, widthY, index), node.Anchor.y),
+        FastPointsDifference(minima.z + FastPointsOffset(packedZ, widthZ, index), node.Anchor.z));
+}
+
+// The value of one column of the colour plane, in entries of the palette or 255ths of a channel.
+float FastPointsColumnValue(GpuCloud cloud, FastPointsBlock block, uint column, uint minimumWord, uint packed, uint index)
+{
+    uint type = cloud.ColumnTypes >> (column * 8u) & 0xFFu;
+    uint width = FastPointsWidthOf(block, column);
+    float value;
+    if (cloud.Columns >> (8u + column) & 1u)
+    {
+        uint2 minimum = _FastPointsBank.Load2((block.Descriptor + minimumWord) * 4u);
+        value = FastPointsWideValue(FastPointsAddWide(minimum, FastPointsWideOffset(packed, width, index)), type);
+    }
+    else
+    {
+        uint minimum = _FastPointsBank.Load((block.Descriptor + minimumWord) * 4u);
+        value = FastPointsValue(minimum + FastPointsOffset(packed, width, index), type);
+    }
+    return value * cloud.Scale[column] + cloud.Bias;
+}
+
+float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index, float3 steps)
+{
+    if (cloud.ColorSource == FASTPOINTS_COLOR_PLACE)
+        return FastPointsLookUp(FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
+    uint columns = cloud.Columns & 0xFFu, wide = cloud.Columns >> 8;
+    uint descriptorWords = 2u + columns + countbits(wide);
+    FastPointsBlock block = FastPointsOpenBlock(node.ColorWord, descriptorWords, blockIndex);
+    float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
+    if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
+        return FastPointsLookUp(FastPointsEntry(first));
+    uint packed = block.Packed + FastPointsWordsOf(block, 0u), minimumWord = 3u + (wide & 1u);
+    float second = FastPointsColumnValue(cloud, block, 1u, minimumWord, packed, index);
+    packed += FastPointsWordsOf(block, 1u);
+    minimumWord += 1u + (wide >> 1 & 1u);
+    float third = FastPointsColumnValue(cloud, block, 2u, minimumWord, packed, index);
+    return float3(FastPointsEntry(first), FastPointsEntry(second), FastPointsEntry(third)) / 255.0;
+}
+
+// The point of a number below 128 of the draw's block of a number.
+FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
+{
+    instance += _FastPointsFirstInstance;
+    GpuNode node = _FastPointsNodes[_FastPointsNodeOfInstance.Load(instance * 4u)];
+    GpuCloud cloud = _FastPointsClouds[node.Cloud];
+    uint blockIndex = instance - node.FirstInstance;
+    FastPointsBlock block = FastPointsOpenBlock(node.PositionWord, node.IsWide != 0u ? 8u : 5u, blockIndex);
+    FastPointsPoint loaded;
+    loaded.IsThere = index < FastPointsCountOf(block);
+    loaded.PositionClip = float4(0.0, 0.0, 0.0, -1.0);
+    loaded.Color = float3(0.0, 0.0, 0.0);
+    if (!loaded.IsThere)
+        return loaded;
+    float3 steps = FastPointsStepsFromAnchor(node, block, index);
+    float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
+    loaded.PositionClip = mul(_FastPointsViewProjection, float4(seen, 1.0));
+    float3 color = FastPointsColor(node, cloud, blockIndex, index, steps) * FastPointsUnpackColor(node.Tint);
+    loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
+    return loaded;
+}
+
+#endif

@@ -1,0 +1,72 @@
+// Stored numbers as values: order-preserving bits (OrderedBits.cs) back to floats, and from values to colours.
+#ifndef FASTPOINTS_POINT_VALUES_INCLUDED
+#define FASTPOINTS_POINT_VALUES_INCLUDED
+
+// FastPoints.Points.AttributeType.
+#define FASTPOINTS_UINT8 0u
+#define FASTPOINTS_INT8 1u
+#define FASTPOINTS_UINT16 2u
+#define FASTPOINTS_INT16 3u
+#define FASTPOINTS_UINT32 4u
+#define FASTPOINTS_INT32 5u
+#define FASTPOINTS_UINT64 6u
+#define FASTPOINTS_INT64 7u
+#define FASTPOINTS_FLOAT32 8u
+#define FASTPOINTS_FLOAT64 9u
+
+// 256 sRGB colours: red, green, blue, alpha from the lowest byte.
+ByteAddressBuffer _FastPointsPalette;
+
+// A value of up to 32 bits.
+float FastPointsValue(uint bits, uint type)
+{
+    if (type == FASTPOINTS_INT8)
+        return float(int(bits) - 0x80);
+    if (type == FASTPOINTS_INT16)
+        return float(int(bits) - 0x8000);
+    if (type == FASTPOINTS_INT32)
+        return float(asint(bits ^ 0x80000000u));
+    if (type == FASTPOINTS_FLOAT32)
+        return asfloat(bits & 0x80000000u ? bits ^ 0x80000000u : ~bits);
+    return float(bits);
+}
+
+// A value of 64 bits: doubles beyond the range of floats become infinities, those too small for it 0.
+float FastPointsWideValue(uint2 bits, uint type)
+{
+    if (type == FASTPOINTS_UINT64)
+        return float(bits.y) * 4294967296.0 + float(bits.x);
+    if (type == FASTPOINTS_INT64)
+        return float(asint(bits.y ^ 0x80000000u)) * 4294967296.0 + float(bits.x);
+    uint2 word = bits.y & 0x80000000u ? uint2(bits.x, bits.y ^ 0x80000000u) : ~bits;
+    int exponent = int(word.y >> 20 & 0x7FFu) - 1023 + 127;
+    uint fraction = (word.y & 0xFFFFFu) << 3 | word.x >> 29;
+    uint magnitude = exponent <= 0 ? 0u : exponent >= 255 ? 0x7F800000u : uint(exponent) << 23 | fraction;
+    return asfloat(magnitude | (word.y & 0x80000000u));
+}
+
+// Entry of a palette, or byte of a channel; what is no number is 0.
+uint FastPointsEntry(float value)
+{
+    return value > 0.0 ? uint(min(value, 255.0)) : 0u;
+}
+
+float3 FastPointsUnpackColor(uint color)
+{
+    return float3(color & 0xFFu, color >> 8 & 0xFFu, color >> 16 & 0xFFu) / 255.0;
+}
+
+float3 FastPointsLookUp(uint entry)
+{
+    return FastPointsUnpackColor(_FastPointsPalette.Load(entry * 4u));
+}
+
+// IEC 61966-2-1.
+float3 FastPointsLinearFromSrgb(float3 color)
+{
+    float3 low = color / 12.92;
+    float3 high = pow((color + 0.055) / 1.055, 2.4);
+    return float3(color.x <= 0.04045 ? low.x : high.x, color.y <= 0.04045 ? low.y : high.y, color.z <= 0.04045 ? low.z : high.z);
+}
+
+#endif

@@ -1,0 +1,21 @@
+Shader "Hidden/FastPoints/Points"
+{
+    SubShader
+    {
+        Pass
+        {
+            Name "Points"
+            ZWrite On
+            ZTest LEqual
+            Cull Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex FastPointsVertex
+            #pragma fragment FastPointsFragment
+            #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS
+            #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,246 @@
+using System.Linq;
+using System.Threading;
+using FastPoints.Entities;
+using FastPoints.Streaming;
+using FastPoints.Tests.Streaming;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Entities;
+using Camera = FastPoints.Picture.Camera;
+
+namespace FastPoints.Tests.Entities
+{
+    /// <summary>Clouds and nodes as entities, in a world of the test's own.</summary>
+    public sealed class PointCloudSystemsTests
+    {
+        const int MostFrames = 1_000_000;
+
+        StreamedTestCloud m_cloud;
+        World m_world;
+        PointCloudSystemGroup m_group;
+
+        EntityManager Entities => m_world.EntityManager;
+
+        [OneTimeSetUp]
+        public void MakeCloud() => m_cloud = new StreamedTestCloud(60_000, 4000);
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_cloud.Dispose();
+
+        [SetUp]
+        public void MakeWorld()
+        {
+            m_world = new World("clouds");
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+                typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
+                typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem), typeof(TrackNodesSystem));
+            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        }
+
+        [TearDown]
+        public void EndWorld()
+        {
+            if (m_world.IsCreated)
+                m_world.Dispose();
+        }
+
+        void Begin(long limitBytes = 64 << 20)
+        {
+            m_group.Begin(new MemoryNodePool(limitBytes, 1 << 17));
+            m_group.Stream.Settings.Selection = StreamedTestCloud.Selection;
+        }
+
+        Entity Add()
+        {
+            var source = m_cloud.Open();
+            var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloud>());
+            Entities.SetComponentData(entity, new PointCloud { Placement = StreamedTestCloud.Geo(source) });
+            Entities.AddComponentObject(entity, new PointCloudSource { Source = source });
+            return entity;
+        }
+
+        FrameStats Frame(Camera camera)
+        {
+            m_group.Views.Add(camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
+            m_world.Update();
+            return m_group.Stats;
+        }
+
+        /// <summary>Frames until all that is selected is drawn and entities have followed.</summary>
+        FrameStats Settle(Camera camera)
+        {
+            for (int frame = 0; frame < MostFrames; frame++)
+            {
+                var stats = Frame(camera);
+                if (stats.IsSettled && Count<PointCloudNode>() == stats.CachedNodes)
+                    return stats;
+                Thread.Yield();
+            }
+            Assert.Fail("streaming did not come to rest");
+            return default;
+        }
+
+        int Count<T>() where T : unmanaged, IComponentData
+        {
+            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities))
+                return query.CalculateEntityCount();
+        }
+
+        NativeArray<Entity> All<T>() where T : unmanaged, IComponentData
+        {
+            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities))
+                return query.ToEntityArray(Allocator.Temp);
+        }
+
+        [Test]
+        public void Update_CloudEntityMade_IsDrawnAndEachNodeInMemoryIsAnEntity()
+        {
+            Begin();
+            var cloud = Add();
+            var stats = Settle(StreamedTestCloud.Overview());
+            Assert.That(stats.DrawnPoints, Is.EqualTo(stats.SelectedPoints).And.GreaterThan(20_000));
+            Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
+            Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
+            Assert.That(Count<Requested>(), Is.Zero);
+            Assert.That(Entities.GetComponentObject<PointCloudSource>(cloud).Source, Is.Null);
+            long points = 0;
+            foreach (var entity in All<Drawn>())
+            {
+                var node = Entities.GetComponentData<PointCloudNode>(entity);
+                Assert.That(node.Cloud, Is.EqualTo(cloud));
+                points += node.PointCount;
+            }
+            Assert.That(points, Is.EqualTo(stats.DrawnPoints));
+        }
+
+        [Test]
+        public void Update_AtRest_ChangesNoEntity()
+        {
+            Begin();
+            Add();
+            Settle(StreamedTestCloud.Overview());
+            var before = All<PointCloudNode>().ToArray();
+            for (int frame = 0; frame < 20; frame++)
+                Frame(StreamedTestCloud.Overview());
+            Assert.That(All<PointCloudNode>().ToArray(), Is.EqualTo(before));
+        }
+
+        [Test]
+        public void Update_CameraElsewhere_EntitiesFollow()
+        {
+            // Room for a part of the cloud, so that nodes are given up.
+            Begin(1 << 18);
+            Add();
+            m_group.Stream.Settings.Selection.PointBudget = 8000;
+            for (int place = 0; place < 6; place++)
+            {
+                var stats = Settle(StreamedTestCloud.Near(30 * place, 190 - 30 * place, place));
+                Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
+                Assert.That(All<PointCloudNode>().ToArray().Select(e => Entities.GetComponentData<PointCloudNode>(e))
+                    .Select(n => (n.Page, n.Node)), Is.Unique);
+            }
+        }
+
+        [Test]
+        public void Hidden_NodeOfUsers_IsNotDrawnUntilItIsShownAgain()
+        {
+            Begin();
+            Add();
+            var all = Settle(StreamedTestCloud.Overview());
+            var node = All<Drawn>()[0];
+            Entities.SetComponentEnabled<Hidden>(node, true);
+            var without = Frame(StreamedTestCloud.Overview());
+            Assert.That(without.DrawnNodes, Is.EqualTo(all.DrawnNodes - 1));
+            Assert.That(without.IsSettled, Is.True);
+            Assert.That(Entities.IsComponentEnabled<Drawn>(node), Is.False);
+            Entities.SetComponentEnabled<Hidden>(node, false);
+            Assert.That(Frame(StreamedTestCloud.Overview()).DrawnNodes, Is.EqualTo(all.DrawnNodes));
+        }
+
+        [Test]
+        public void Tint_NodeOfUsers_IsInTheListOfDraws()
+        {
+            Begin();
+            Add();
+            Settle(StreamedTestCloud.Overview());
+            var entity = All<Drawn>()[3];
+            Entities.SetComponentData(entity, new Tint { Rgba = 0xFF0000FF });
+            Entities.SetComponentEnabled<Tint>(entity, true);
+            Frame(StreamedTestCloud.Overview());
+            var node = Entities.GetComponentData<PointCloudNode>(entity);
+            foreach (var drawn in m_group.Stream.Drawn)
+                Assert.That(drawn.Tint, Is.EqualTo(drawn.Page == node.Page && drawn.Node == node.Node ? 0xFF0000FF : CacheSlot.White));
+        }
+
+        [Test]
+        public void Pinned_NodeOfUsers_StaysWhenOthersAreGivenUp()
+        {
+            Begin(1 << 18);
+            Add();
+            m_group.Stream.Settings.Selection.PointBudget = 8000;
+            Settle(StreamedTestCloud.Near(10, 10, 3));
+            // The last that were selected are the first to go.
+            var pinned = All<Drawn>().ToArray().OrderByDescending(e => Entities.GetComponentData<PointCloudNode>(e).Page).First();
+            Entities.SetComponentEnabled<Pinned>(pinned, true);
+            int evicted = 0;
+            for (int place = 0; place < 8; place++)
+                for (int frame = 0; frame < 200; frame++)
+                    evicted += Frame(StreamedTestCloud.Near(25 * place, 200 - 25 * place, place)).EvictedNodes;
+            Assert.That(evicted, Is.GreaterThan(50));
+            Assert.That(Entities.Exists(pinned), Is.True);
+        }
+
+        [Test]
+        public void DestroyEntity_OfACloud_TakesItOutOfTheStreamAndItsNodesWithIt()
+        {
+            Begin();
+            var cloud = Add();
+            Settle(StreamedTestCloud.Overview());
+            Entities.DestroyEntity(cloud);
+            Assert.That(Entities.Exists(cloud), Is.True, "its cleanup component keeps it");
+            Settle(StreamedTestCloud.Overview());
+            Assert.That(Entities.Exists(cloud), Is.False);
+            Assert.That(Count<PointCloudNode>(), Is.Zero);
+            Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
+        }
+
+        [Test]
+        public void Placement_OfTheComponent_MovesTheCloud()
+        {
+            Begin();
+            var cloud = Add();
+            Settle(StreamedTestCloud.Overview());
+            var away = Entities.GetComponentData<PointCloud>(cloud);
+            away.Placement.OriginWorld += new Unity.Mathematics.double3(0, -1e6, 0);
+            Entities.SetComponentData(cloud, away);
+            Assert.That(Frame(StreamedTestCloud.Overview()).SelectedNodes, Is.LessThanOrEqualTo(1), "the root always is");
+        }
+
+        /// <summary>At any moment of a load.</summary>
+        [Test]
+        public void Dispose_OfTheWorldWhileItStreams_FreesAll()
+        {
+            EndWorld();
+            UnsafeUtility.ForgiveLeaks();
+            for (int frames = 0; frames < 20; frames++)
+            {
+                MakeWorld();
+                Begin();
+                Add();
+                for (int i = 0; i < frames; i++)
+                    Frame(StreamedTestCloud.Overview());
+                m_world.Dispose();
+            }
+            Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        }
+
+        [Test]
+        public void Update_WithoutAPool_DoesNothing()
+        {
+            Add();
+            m_world.Update();
+            Assert.That(m_group.Stream, Is.Null);
+        }
+    }
+}
