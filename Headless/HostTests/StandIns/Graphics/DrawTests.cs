@@ -266,10 +266,35 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Draw_Points_AreOnePixelEach()
+        {
+            SetSquares((new Vector3(0.55f, 0.55f, -2), 0, Color.red), (new Vector3(-0.55f, -0.55f, -2), 0, Color.green));
+            m_material.SetBuffer(Id("_Squares"), m_squares);
+            Begin();
+            m_commands.DrawProcedural(Matrix4x4.identity, m_material, 0, MeshTopology.Points, 1, 2);
+            Execute(m_commands);
+            uint[] texels = Read<uint>(m_target);
+            Assert.That((At(texels, 20, 20), At(texels, 11, 11)), Is.EqualTo((Red, Green)));
+            Assert.That(System.Array.FindAll(texels, t => t != Black).Length, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Draw_PointsWithPsize_AreSoLarge()
+        {
+            SetSquares((new Vector3(0.1f, 0.1f, 0.5f), 3, Color.red));
+            m_material.SetBuffer(Id("_Squares"), m_squares);
+            Begin();
+            m_commands.DrawProcedural(Matrix4x4.identity, m_material, m_material.FindPass("Points"), MeshTopology.Points, 1);
+            Execute(m_commands);
+            uint[] texels = Read<uint>(m_target);
+            Assert.That(System.Array.FindAll(texels, t => t == Red).Length, Is.EqualTo(9));
+        }
+
+        [Test]
         public void FindPass_KnowsNames()
         {
             Assert.That((m_material.passCount, m_material.FindPass("blended"), m_material.FindPass("none")),
-                Is.EqualTo((3, 1, -1)));
+                Is.EqualTo((4, 1, -1)));
             Assert.That(m_material.GetFloat(Id("_ZTest")), Is.EqualTo(4));
         }
     }

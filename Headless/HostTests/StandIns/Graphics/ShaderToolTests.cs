@@ -99,7 +99,8 @@ namespace FastPoints.HostTests.StandIns.Graphics
         {
             RequireCompiler();
             ShaderLabSource shader = Read("SubShader { Pass {\n" + Pass.Replace("return 1;", "return nothing;") + "\n} }");
-            Assert.That(() => shader.Passes[0].FragmentCode(0), Throws.InvalidOperationException.With.Message.Contains(":7: 'nothing'"));
+            Assert.That(() =>
+                shader.Passes[0].FragmentCode(0), Throws.InvalidOperationException.With.Message.Contains(":7: 'nothing'"));
         }
 
         [Test]

@@ -11,7 +11,9 @@ using StandIns.Graphics;
 
 namespace FastPoints.HostTests.StandIns.Graphics
 {
-    /// <summary>Every shader of the package and of these tests, in every variant, through the compiler and SPIR-V's own checker.</summary>
+    /// <summary>
+    /// Every shader of the package and of these tests, in every variant, through the compiler and SPIR-V's own checker.
+    /// </summary>
     public sealed class ShaderVariantTests
     {
         // More would take minutes: then keywords want to become uniforms.

@@ -134,6 +134,37 @@ Shader "Tests/Quads"
             }
             ENDHLSL
         }
+
+        Pass
+        {
+            Name "Points"
+
+            HLSLPROGRAM
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+
+            struct Varyings
+            {
+                float4 Position : SV_Position;
+                float Size : PSIZE;
+                float4 Color : COLOR0;
+            };
+
+            Varyings Vertex(uint instance : SV_InstanceID)
+            {
+                Varyings result;
+                result.Position = float4(_Squares[instance].CentreAndSize.xyz, 1);
+                result.Size = _Squares[instance].CentreAndSize.w;
+                result.Color = _Squares[instance].Color;
+                return result;
+            }
+
+            float4 Fragment(Varyings varyings) : SV_Target
+            {
+                return varyings.Color;
+            }
+            ENDHLSL
+        }
     }
     Fallback Off
 }

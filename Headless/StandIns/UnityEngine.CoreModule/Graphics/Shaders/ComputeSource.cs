@@ -23,7 +23,8 @@ namespace StandIns.Graphics
             foreach (string[] words in ShaderPragmas.Of(Text))
             {
                 if (words[0] == "kernel" && words.Length > 2)
-                    throw new InvalidDataException($"{path}: kernel {words[1]} has definitions of its own, which is not supported");
+                    throw new InvalidDataException($"{path}: kernel {words[1]} has definitions of its own, which is not "
+                        + $"supported");
                 if (words[0] == "kernel")
                     Kernels.Add(words[1]);
                 else if (KeywordGroup.TryRead(words) is { } group)

@@ -41,12 +41,16 @@ namespace StandIns.Graphics
             foreach (string keyword in keywords)
                 text.Append("#define ").Append(keyword).Append(" 1\n");
             text.Append("#line 1\n").Append(source);
-            string key = Hash(files, text.ToString(), stage + " " + entry);
+            string key = Hash(files, text.ToString(), Flags(stage) + stage + " " + entry);
             string output = Path.Combine(CacheFolder(files), key + ".spv");
             if (!File.Exists(output))
                 Run(files, name, text.ToString(), stage, entry, output);
             return File.ReadAllBytes(output);
         }
+
+        // With the names of semantics in vertex shaders: SpirvPointSize looks for one.
+        static string Flags(string stage) => $"-D -V --target-env {Target} --auto-map-bindings --hlsl-offsets"
+            + (stage == "vert" ? " -fhlsl_functionality1" : "");
 
         static string StageName(string stage) => stage == "vert" ? "VERTEX" : stage == "frag" ? "FRAGMENT" : "COMPUTE";
 
@@ -60,8 +64,7 @@ namespace StandIns.Graphics
             // Files of its own, then one rename: others may compile the same at the same time.
             string own = output + "." + Process.GetCurrentProcess().Id + "." + Environment.CurrentManagedThreadId;
             File.WriteAllText(own + ".hlsl", text);
-            var arguments =
-                new StringBuilder($"-D -V --target-env {Target} --auto-map-bindings --hlsl-offsets -S {stage} -e {entry}");
+            var arguments = new StringBuilder($"{Flags(stage)} -S {stage} -e {entry}");
             foreach (string folder in files.Folders)
                 arguments.Append(" \"-I").Append(folder).Append('"');
             arguments.Append($" -o \"{own}.spv\" \"{own}.hlsl\"");
@@ -101,7 +104,7 @@ namespace StandIns.Graphics
 
         static string Hash(ShaderFiles files, string text, string target)
         {
-            var all = new StringBuilder(Target).Append(target).Append('\n').Append(text);
+            var all = new StringBuilder(target).Append('\n').Append(text);
             foreach (string file in files.Includes(text).OrderBy(f => f, StringComparer.Ordinal))
                 all.Append('\n').Append(file).Append('\n').Append(File.ReadAllText(file));
             using SHA256 sha = SHA256.Create();

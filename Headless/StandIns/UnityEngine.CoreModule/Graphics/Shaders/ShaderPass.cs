@@ -71,7 +71,8 @@ namespace StandIns.Graphics
         GraphicsProgram Compile(long variant)
         {
             GpuDevice device = GpuDevice.Current;
-            return new GraphicsProgram(device, Label, SpirvModule.For(device, VertexCode(variant)), m_vertex,
+            return new GraphicsProgram(device, Label, SpirvModule.For(device, SpirvPointSize.Given(VertexCode(variant))),
+                m_vertex,
                 SpirvModule.For(device, FragmentCode(variant)), m_fragment);
         }
     }
