@@ -1,9 +1,14 @@
+using System;
 using System.Collections.Generic;
 using System.Text.Json;
+using System.Threading;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Cli
 {
@@ -18,6 +23,9 @@ namespace FastPoints.Cli
         public required RgbaImage Image { get; init; }
         public required byte[] Png { get; init; }
         public required IReadOnlyList<string> Assumptions { get; init; }
+
+        /// <summary>What drew it.</summary>
+        public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
 
         /// <summary>Against another picture, where one was given.</summary>
         public ImageError? Error { get; set; }
@@ -58,6 +66,64 @@ namespace FastPoints.Cli
             };
         }
 
+        /// <summary>Streamed to a graphics card as a game would, and drawn there when all has come.</summary>
+        /// <param name="paths">Clouds that can be streamed; the first decides on the camera, unless one is given.</param>
+        /// <param name="budget">Points to draw at most; 0 for the default.</param>
+        public static DrawStep RunOnGpu(string[] paths, PictureOptions options, long budget, CliRun run)
+        {
+            const int Bank = 16 << 20, Upload = 4 << 20;
+            double begin = run.Seconds;
+            run.Progress.Begin("stream");
+            var shaders = new GpuShaders();
+            using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank, Upload));
+            stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
+            using var picture = new GpuPicture(shaders, stream, options);
+            var assumptions = new List<string>();
+            Camera? camera = options.Camera;
+            foreach (string path in paths)
+            {
+                var plan = FlightCloud.Add(path, stream, options, run.Cancellation, out _, out int number);
+                picture.Add(number, plan);
+                assumptions.AddRange(plan.Assumptions);
+                camera ??= plan.Camera;
+            }
+            var stats = Settle(stream, picture, camera!.Value, options, run);
+            run.Progress.Begin("draw");
+            var image = picture.Draw(camera.Value);
+            run.Progress.End();
+            while (stream.TryTakeFailure(out var failure))
+                run.Warnings.Add(failure.ToString());
+            return new DrawStep
+            {
+                Points = stats.DrawnPoints,
+                Nodes = stats.DrawnNodes,
+                Seconds = run.Seconds - begin,
+                Image = image,
+                Png = FastPoints.Picture.Png.Encode(image),
+                Assumptions = assumptions,
+                Device = "gpu, " + UnityEngine.SystemInfo.graphicsDeviceName,
+            };
+        }
+
+        /// <summary>Frames until all that is selected is there.</summary>
+        static FrameStats Settle(StreamContext stream, GpuPicture picture, Camera camera, PictureOptions options, CliRun run)
+        {
+            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+            var view = views;
+            view[0] = camera.ToStreamView(options.WidthPx, options.HeightPx);
+            while (true)
+            {
+                run.Cancellation.ThrowIfCancellationRequested();
+                var stats = FrameStep.Run(stream, views);
+                JobHandle.ScheduleBatchedJobs();
+                picture.EndFrame();
+                run.Progress.Report(stats.DrawnPoints / (double)Math.Max(1, stats.SelectedPoints), stats.DrawnPoints, 0);
+                if (stats.IsSettled)
+                    return stats;
+                Thread.Yield();
+            }
+        }
+
         public string Describe() => Human.Count(Points) + " points" + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "")
             + " in " + Human.Seconds(Seconds);
 
@@ -69,7 +135,7 @@ namespace FastPoints.Cli
                 json.WriteInteger("nodes", nodes);
             else
                 json.WriteNull("nodes");
-            json.WriteString("device", "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads"));
+            json.WriteString("device", Device);
             if (Error is not { } error)
                 return;
             json.WriteReal("psnr", error.Psnr);

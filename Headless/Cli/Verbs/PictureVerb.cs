@@ -26,8 +26,11 @@ namespace FastPoints.Cli.Verbs
             HelpName = "Q.png",
             Description = "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, uncovered pixels).",
         };
+        readonly Option<bool> m_gpu = new("--gpu")
+        {
+            Description = "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.",
+        };
         readonly PictureSettings m_picture;
-
         readonly SourceSettings m_source;
 
         public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
@@ -37,6 +40,7 @@ namespace FastPoints.Cli.Verbs
             m_picture = new PictureSettings(Command);
             Command.Add(m_budget);
             Command.Add(m_against);
+            Command.Add(m_gpu);
             m_source = new SourceSettings(Command);
             AddCommonOptions();
         }
@@ -45,6 +49,7 @@ namespace FastPoints.Cli.Verbs
         [
             ("./fastpoints picture scan.las -o top.png --view top", "a map"),
             ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
+            ("./fastpoints picture scan.fastpoints -o p.png --gpu", "by the renderer that a game would use"),
             ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
             ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
         ];
@@ -66,7 +71,8 @@ namespace FastPoints.Cli.Verbs
                 throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size", options.WidthPx + "x" + options.HeightPx,
                     reference.Width + "x" + reference.Height);
 
-            var result = clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
+            var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
+                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
                 ? DrawStep.RunStored(clouds[0], options, budget, run)
                 : Draw(clouds, m_source.Read(parsed), options, budget, run);
             if (reference != null)
