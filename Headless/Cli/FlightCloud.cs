@@ -1,5 +1,9 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
@@ -9,22 +13,57 @@ using Unity.Collections;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A converted cloud before it is flown over: what colours it has, and what is streamed for them.</summary>
+    /// <summary>A cloud before it is streamed, converted or with an octree of its own (COPC, Potree, EPT): what colours it has, and
+    /// what is streamed for them.</summary>
     public static class FlightCloud
     {
         /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
         const int PointsToPlanWith = 100_000;
 
+        static readonly string[] s_attributes =
+        [
+            AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Intensity, AttributeNames.Classification,
+        ];
+
         /// <summary>Adds a cloud to a stream.</summary>
         /// <returns>What it looks like.</returns>
         public static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+            out DisplayRanges ranges, out int number) => CloudFolder.IsCloud(path) || !Path.Exists(path)
+                ? AddFolder(path, stream, options, cancellation, out ranges, out number)
+                : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
+
+        /// <param name="reader">Becomes the stream's.</param>
+        public static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+            out DisplayRanges ranges, out int number)
+        {
+            try
+            {
+                if (reader.Tree == null)
+                    throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
+                        "is not converted and brings no octree along (COPC, Potree and EPT do): convert it first");
+                WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
+                ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
+                using (var batch = ReadTop(reader))
+                    WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
+                var source = new TreeSource(reader, PlanesFor(ranges.Resolve(options.Color)));
+                var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+                number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+                return plan;
+            }
+            catch
+            {
+                reader.Dispose();
+                throw;
+            }
+        }
+
+        static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
             out DisplayRanges ranges, out int number)
         {
             var folder = CloudFolder.Open(path);
             try
             {
-                var schema = LoadNodes.SchemaFor(folder, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
-                    AttributeNames.Intensity, AttributeNames.Classification);
+                var schema = LoadNodes.SchemaFor(folder, s_attributes);
                 var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
                 ranges = new DisplayRanges();
                 using (var selection = new NodeSelection(folder))
@@ -44,6 +83,37 @@ namespace FastPoints.Cli
                 folder.Dispose();
                 throw;
             }
+        }
+
+        /// <summary>The points of the upper levels, as far as they are needed; nodes that are damaged give what they have.</summary>
+        static PointBatch ReadTop(PointReader reader)
+        {
+            var blocks = new List<int>();
+            int points = 0, most = 1;
+            for (int node = 0; node < reader.Tree.NodeCount && points < PointsToPlanWith; node++)
+            {
+                if (reader.Tree[node].Block < 0)
+                    continue;
+                blocks.Add(reader.Tree[node].Block);
+                points += reader.Tree[node].PointCount;
+                most = Math.Max(most, reader.Tree[node].PointCount);
+            }
+            var schema = reader.Info.Schema.Select([AttributeNames.X, AttributeNames.Y, AttributeNames.Z, .. s_attributes]);
+            var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
+            using var read = reader.CreateRead(schema, most, Allocator.Persistent);
+            foreach (int block in blocks)
+            {
+                read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                read.Complete();
+                for (int c = 0; c < schema.Count; c++)
+                {
+                    int size = schema[c].Type.SizeOf();
+                    NativeArray<byte>.Copy(read.Points.Bytes, read.Points.Column(c).OffsetBytes, top.Bytes,
+                        top.Column(c).OffsetBytes + top.Count * size, read.Points.Count * size);
+                }
+                top.Count += read.Points.Count;
+            }
+            return top;
         }
 
         static string[] PlanesFor(ColorMode mode) => mode switch

@@ -28,7 +28,8 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Converted clouds; all are flown over at once, where their coordinates put them.",
+            Description = "Converted clouds, or COPC, Potree or EPT as they are; all are flown over at once, where their coordinates put "
+                + "them.",
         };
         readonly Option<string?> m_path = new("--path")
         {
@@ -74,7 +75,7 @@ namespace FastPoints.Cli.Verbs
         };
         readonly PictureSettings m_picture;
 
-        public FlyVerb() : base(new Command("fly", "Stream converted clouds along a camera path, 60 frames a second: what each frame "
+        public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
             + "selected, read, copied and drew, and how long it took."))
         {
             Command.Add(m_clouds);
@@ -94,7 +95,7 @@ namespace FastPoints.Cli.Verbs
         public override IReadOnlyList<(string, string)> Examples =>
         [
             ("./fastpoints fly scan.fastpoints -o flight", "look at it"),
-            ("./fastpoints fly a.fastpoints b.fastpoints --frames 1200", "figures only"),
+            ("./fastpoints fly a.fastpoints b.copc.laz --frames 1200", "figures only"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
@@ -13,7 +14,8 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one.",
+            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With --budget, COPC, Potree and "
+                + "EPT are drawn from their own octrees; so are converted clouds and these together.",
         };
         readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<long> m_budget = new("--budget")
@@ -74,6 +76,8 @@ namespace FastPoints.Cli.Verbs
             var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
                 : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
                 ? DrawStep.RunStored(clouds[0], options, budget, run)
+                : clouds.Any(CloudFolder.IsCloud) || budget > 0 && clouds.All(BringsOctree)
+                ? StreamedPictureStep.Run(clouds, options, budget, run)
                 : Draw(clouds, m_source.Read(parsed), options, budget, run);
             if (reference != null)
                 result.Error = ImageError.Compare(result.Image, reference, options.Background);
@@ -87,6 +91,12 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
                     + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
             StageTable.Of(run.Progress).Write(run.Out, "  ");
+        }
+
+        static bool BringsOctree(string path)
+        {
+            using var reader = PointReaders.Open(path);
+            return reader.Tree != null;
         }
 
         static DrawStep Draw(string[] files, ReadOptions source, PictureOptions options, long budget, CliRun run)

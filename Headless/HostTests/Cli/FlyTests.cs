@@ -3,6 +3,7 @@ using System.Linq;
 using System.Text.Json;
 using FastPoints.Cli;
 using FastPoints.Picture;
+using FastPoints.Tests;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
@@ -99,6 +100,65 @@ namespace FastPoints.HostTests.Cli
             var call = CliCall.Of("fly", m_cloud, option, value);
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage));
             Assert.That(call.Error, Does.Contain(option));
+        }
+
+        /// <summary>Clouds as they are, of several formats, beside a converted one.</summary>
+        [Test]
+        public void Fly_FormatsWithOctreesOfTheirOwn_StreamsThemAsTheyAre()
+        {
+            string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz");
+            string potree = Path.GetDirectoryName(TestData.SampleOrIgnore("potree/v2-mixedconifer-default/metadata.json"));
+            string ept = Path.GetDirectoryName(TestData.SampleOrIgnore("ept/bcbf/ept.json"));
+            var call = CliCall.Of("fly", copc, potree, ept, m_cloud, "--frames", "60", "--size", "32x18", "--json", "-");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.GreaterThan(0));
+            Assert.That(call.Json.GetProperty("warnings").GetArrayLength(), Is.Zero);
+        }
+
+        [Test]
+        public void Fly_FileWithoutAnOctree_SaysWhatToDo()
+        {
+            var call = CliCall.Of("fly", m_scratch.Demo(points: 1000));
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
+            Assert.That(call.Error, Does.Contain("brings no octree along").And.Contain("convert"));
+        }
+
+        /// <summary>The same points in the same places and colours, through packed blocks and without.</summary>
+        [TestCase("copc/lone-star.copc.laz", "classification")]
+        [TestCase("potree/v2-autzen-brotli", "rgb")]
+        [TestCase("ept/lone-star-laszip", "classification")]
+        public void Picture_BudgetForAllPoints_IsThePictureOfTheFile(string sample, string color)
+        {
+            string cloud = sample.EndsWith(".laz") ? TestData.SampleOrIgnore(sample)
+                : Path.GetDirectoryName(TestData.SampleOrIgnore(sample + (sample.StartsWith("ept") ? "/ept.json" : "/metadata.json")));
+            var info = CliCall.Of("info", cloud, "--json", "-").Json.GetProperty("boundsClaimed");
+            double[] Corner(string name) => info.GetProperty(name).EnumerateArray().Select(v => v.GetDouble()).ToArray();
+            double[] min = Corner("min"), max = Corner("max"), size = min.Zip(max, (a, b) => b - a).ToArray();
+            string Place(double x, double y, double z) => System.FormattableString.Invariant(
+                $"{min[0] + x * size[0]:R},{min[1] + y * size[1]:R},{min[2] + z * size[2]:R}");
+            string[] camera =
+            [
+                "--eye", Place(-0.2, -0.5, 3), "--target", Place(0.5, 0.5, 0.5), "--size", "320x180",
+                "--style", "color=" + color + ",size=2,edl=0",
+            ];
+            string whole = m_scratch["whole.png"], streamed = m_scratch["streamed.png"];
+            Assert.That(CliCall.Of(["picture", cloud, "-o", whole, .. camera]).Status, Is.EqualTo(ExitStatus.Done));
+            var call = CliCall.Of(["picture", cloud, "-o", streamed, "--budget", "1000000", "--against", whole, "--json", "-", .. camera]);
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            Assert.That(call.Json.GetProperty("nodes").GetInt32(), Is.GreaterThan(0));
+            // Nodes smaller than a pixel are left out, and which of two points at one depth is seen is chance.
+            Assert.That(call.Json.GetProperty("uncovered").GetDouble(), Is.LessThan(0.002));
+            Assert.That(call.Json.GetProperty("ssim").GetDouble(), Is.GreaterThan(0.99));
+        }
+
+        [Test]
+        public void Picture_KindsTogether_AreOnePicture()
+        {
+            string copc = TestData.SampleOrIgnore("copc/simple_with_page.copc.laz"), converted = m_scratch["page.fastpoints"];
+            Assert.That(CliCall.Of("convert", copc, "-o", converted, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+            var call = CliCall.Of("picture", converted, copc, "-o", m_scratch["both.png"], "--size", "320x180", "--json", "-");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            Assert.That(call.Json.GetProperty("points").GetInt64(), Is.InRange(1066, 2 * 1065));
         }
     }
 }

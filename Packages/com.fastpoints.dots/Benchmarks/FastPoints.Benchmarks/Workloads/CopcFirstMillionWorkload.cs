@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using Unity.Collections;
@@ -15,9 +14,6 @@ namespace FastPoints.Benchmarks
     {
         const int WantedPoints = 1_000_000;
 
-        /// <summary>Five million points, where it was made (Documentation~/benchmarks.md); else half a million.</summary>
-        static readonly string[] s_files = { "ca13_d.copc.laz", Path.Combine("samples", "copc", "lone-star.copc.laz") };
-
         string m_path;
 
         public string Name => "copc first million";
@@ -25,8 +21,7 @@ namespace FastPoints.Benchmarks
 
         public void Prepare(WorkloadContext context)
         {
-            foreach (string file in s_files)
-                m_path ??= LazBenchmarkFile.Find(context, file);
+            m_path = CopcBenchmarkFile.Find(context);
             Run();
         }
 
