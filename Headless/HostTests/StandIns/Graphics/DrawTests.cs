@@ -100,6 +100,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
             var depth = new RenderTexture(Side, Side, GraphicsFormat.R32_SFloat, GraphicsFormat.None);
             m_commands.SetGlobalTexture(Id("_MainTex"), m_target, RenderTextureSubElement.Depth);
             m_commands.SetRenderTarget(depth);
+            m_commands.ClearRenderTarget(false, true, Color.clear);
             m_commands.DrawProcedural(Matrix4x4.identity, m_material, 1, MeshTopology.Triangles, 3);
             Execute(m_commands);
             float[] texels = Read<float>(depth);

@@ -41,11 +41,13 @@ namespace StandIns.Graphics
             return bytes;
         }
 
-        // The output with the semantic; 0 where there is none.
+        // The output with the semantic, or that is the size already; 0 where there is none.
         static uint Named(uint[] words)
         {
             for (int at = HeaderWords; at < words.Length; at += Length(words, at))
-                if (Op(words, at) == OpDecorateString && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
+                if (Op(words, at) == OpDecorate && words[at + 2] == BuiltIn && words[at + 3] == PointSize)
+                    return words[at + 1];
+                else if (Op(words, at) == OpDecorateString && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
                     return words[at + 1];
             return 0;
         }
