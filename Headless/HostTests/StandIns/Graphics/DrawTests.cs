@@ -219,6 +219,23 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Draw_WithATextureOfNobodys_SeesMagenta()
+        {
+            SetSquares((new Vector3(0, 0, -2), 1, Color.green));
+            m_material.SetBuffer(Id("_Squares"), m_squares);
+            var fresh = new RenderTexture(4, 4, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
+            m_material.SetTexture(Id("_MainTex"), fresh);
+            Begin();
+            m_commands.DrawProcedural(Matrix4x4.identity, m_material, 0, MeshTopology.Triangles, 6);
+            m_commands.SetViewport(new Rect(0, 0, 4, 4));
+            m_commands.DrawProcedural(Matrix4x4.identity, m_material, 1, MeshTopology.Triangles, 3);
+            Execute(m_commands);
+            uint[] texels = Read<uint>(m_target);
+            Assert.That((At(texels, 1, 1), At(texels, 16, 16)), Is.EqualTo((0xffff00ffu, Green)));
+            Object.DestroyImmediate(fresh);
+        }
+
+        [Test]
         public void Draw_SrgbTarget_StoresLinearLightAsSrgb()
         {
             var target = new RenderTexture(4, 4, GraphicsFormat.R8G8B8A8_SRGB, GraphicsFormat.None);

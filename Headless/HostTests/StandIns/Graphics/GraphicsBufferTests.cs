@@ -63,6 +63,14 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Constructor_WhatIsInIt_IsUndefined()
+        {
+            using GraphicsBuffer plain = Structured(8);
+            using GraphicsBuffer lockable = Lockable(8);
+            Assert.That(Read(plain).Concat(Read(lockable)), Is.All.EqualTo(0xCDCDCDCD));
+        }
+
+        [Test]
         public void Constructor_OutOfMemory_LogsAndIsNotValid()
         {
             string logged = null;

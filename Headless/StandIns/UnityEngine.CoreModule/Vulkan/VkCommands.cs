@@ -16,12 +16,6 @@ namespace StandIns.Vulkan
         DontCare = 2,
     }
 
-    enum VkIndexType : int
-    {
-        Uint16 = 0,
-        Uint32 = 1,
-    }
-
     unsafe struct VkMemoryBarrier2
     {
         public VkStructureType sType;
@@ -208,14 +202,6 @@ namespace StandIns.Vulkan
             uint firstInstance);
 
         [DllImport(Library)]
-        internal static extern void vkCmdDrawIndexed(IntPtr commandBuffer, uint indexCount, uint instanceCount,
-            uint firstIndex, int vertexOffset, uint firstInstance);
-
-        [DllImport(Library)]
-        internal static extern void vkCmdBindIndexBuffer(IntPtr commandBuffer, ulong buffer, ulong offset,
-            VkIndexType indexType);
-
-        [DllImport(Library)]
         internal static extern void vkCmdDrawIndirect(IntPtr commandBuffer, ulong buffer, ulong offset, uint drawCount,
             uint stride);
 
@@ -231,8 +217,16 @@ namespace StandIns.Vulkan
             uint regionCount, VkBufferCopy* pRegions);
 
         [DllImport(Library)]
-        internal static extern void vkCmdCopyBufferToImage(IntPtr commandBuffer, ulong srcBuffer, ulong dstImage,
-            VkImageLayout dstImageLayout, uint regionCount, VkBufferImageCopy* pRegions);
+        internal static extern void vkCmdFillBuffer(IntPtr commandBuffer, ulong dstBuffer, ulong dstOffset, ulong size,
+            uint data);
+
+        [DllImport(Library)]
+        internal static extern void vkCmdClearColorImage(IntPtr commandBuffer, ulong image, VkImageLayout imageLayout,
+            VkClearColorValue* pColor, uint rangeCount, VkImageSubresourceRange* pRanges);
+
+        [DllImport(Library)]
+        internal static extern void vkCmdClearDepthStencilImage(IntPtr commandBuffer, ulong image, VkImageLayout imageLayout,
+            VkClearDepthStencilValue* pDepthStencil, uint rangeCount, VkImageSubresourceRange* pRanges);
 
         [DllImport(Library)]
         internal static extern void vkCmdCopyImageToBuffer(IntPtr commandBuffer, ulong srcImage,

@@ -92,13 +92,7 @@ namespace StandIns.Vulkan
             VkDescriptorSetLayoutCreateInfo* pCreateInfo, void* pAllocator, ulong* pSetLayout);
 
         [DllImport(Library)]
-        internal static extern void vkDestroyDescriptorSetLayout(IntPtr device, ulong descriptorSetLayout, void* pAllocator);
-
-        [DllImport(Library)]
         internal static extern VkResult vkCreatePipelineLayout(IntPtr device, VkPipelineLayoutCreateInfo* pCreateInfo,
             void* pAllocator, ulong* pPipelineLayout);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroyPipelineLayout(IntPtr device, ulong pipelineLayout, void* pAllocator);
     }
 }

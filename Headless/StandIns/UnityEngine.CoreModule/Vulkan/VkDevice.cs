@@ -189,11 +189,5 @@ namespace StandIns.Vulkan
 
         [DllImport(Library)]
         internal static extern VkResult vkDeviceWaitIdle(IntPtr device);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroyDevice(IntPtr device, void* pAllocator);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroyInstance(IntPtr instance, void* pAllocator);
     }
 }

@@ -176,8 +176,5 @@ namespace StandIns.Vulkan
         [DllImport(Library)]
         internal static extern VkResult vkCreateSampler(IntPtr device, VkSamplerCreateInfo* pCreateInfo, void* pAllocator,
             ulong* pSampler);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroySampler(IntPtr device, ulong sampler, void* pAllocator);
     }
 }

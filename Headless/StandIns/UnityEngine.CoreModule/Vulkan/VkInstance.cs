@@ -226,15 +226,8 @@ namespace StandIns.Vulkan
             IntPtr* pInstance);
 
         [DllImport(Library)]
-        internal static extern VkResult vkEnumerateInstanceVersion(uint* pApiVersion);
-
-        [DllImport(Library)]
         internal static extern VkResult vkEnumerateInstanceLayerProperties(uint* pPropertyCount,
             VkLayerProperties* pProperties);
-
-        [DllImport(Library)]
-        internal static extern VkResult vkEnumerateInstanceExtensionProperties(byte* pLayerName, uint* pPropertyCount,
-            VkExtensionProperties* pProperties);
 
         [DllImport(Library)]
         internal static extern VkResult vkEnumeratePhysicalDevices(IntPtr instance, uint* pPhysicalDeviceCount,

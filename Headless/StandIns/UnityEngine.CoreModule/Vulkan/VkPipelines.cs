@@ -284,8 +284,5 @@ namespace StandIns.Vulkan
         [DllImport(Library)]
         internal static extern VkResult vkCreateGraphicsPipelines(IntPtr device, ulong pipelineCache, uint createInfoCount,
             VkGraphicsPipelineCreateInfo* pCreateInfos, void* pAllocator, ulong* pPipelines);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroyPipeline(IntPtr device, ulong pipeline, void* pAllocator);
     }
 }

@@ -112,9 +112,6 @@ namespace StandIns.Vulkan
             void* pAllocator, ulong* pCommandPool);
 
         [DllImport(Library)]
-        internal static extern void vkDestroyCommandPool(IntPtr device, ulong commandPool, void* pAllocator);
-
-        [DllImport(Library)]
         internal static extern VkResult vkResetCommandPool(IntPtr device, ulong commandPool, uint flags);
 
         [DllImport(Library)]
@@ -133,9 +130,6 @@ namespace StandIns.Vulkan
         [DllImport(Library)]
         internal static extern VkResult vkCreateSemaphore(IntPtr device, VkSemaphoreCreateInfo* pCreateInfo,
             void* pAllocator, ulong* pSemaphore);
-
-        [DllImport(Library)]
-        internal static extern void vkDestroySemaphore(IntPtr device, ulong semaphore, void* pAllocator);
 
         [DllImport(Library)]
         internal static extern VkResult vkWaitSemaphores(IntPtr device, VkSemaphoreWaitInfo* pWaitInfo, ulong timeout);

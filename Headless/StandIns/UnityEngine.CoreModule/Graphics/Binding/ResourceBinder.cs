@@ -17,13 +17,20 @@ namespace StandIns.Graphics
             m_samplers = new SamplerTable(device);
         }
 
-        /// <summary>Makes the textures of a scope that are not there yet: that cannot be done within a pass.</summary>
-        internal static void MakeTextures(ShaderLayout layout, in PropertyScope scope)
+        /// <summary>
+        /// Makes the textures of a scope that are not there yet; within a pass that cannot be done, so it ends.
+        /// </summary>
+        internal static void MakeTextures(GpuRecording recording, RenderTargets targets, ShaderLayout layout,
+            in PropertyScope scope)
         {
             foreach (ShaderResource resource in layout.Resources)
                 if ((resource.Kind == VkDescriptorType.SampledImage || resource.Kind == VkDescriptorType.StorageImage)
-                    && scope.TryGet(resource.NameId, out PropertyValue value) && value.Reference is Texture texture)
+                    && scope.TryGet(resource.NameId, out PropertyValue value) && value.Reference is RenderTexture texture
+                    && !texture.IsCreated())
+                {
+                    targets.Close(recording);
                     texture.ImageFor(value.IsDepth);
+                }
         }
 
         /// <param name="shader">Named in messages.</param>

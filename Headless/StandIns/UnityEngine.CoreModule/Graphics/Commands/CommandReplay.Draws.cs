@@ -37,7 +37,7 @@ namespace StandIns.Graphics
                 program.Pipeline(new PipelineKey(m_targets, pass.State.Evaluate(scope), TopologyOf((MeshTopology)command.B)));
             GpuBuffer arguments = command.Kind == CommandKind.DrawIndirect
                 ? Arguments((GraphicsBuffer)command.Z, command.C, GraphicsBuffer.IndirectDrawArgs.size) : null;
-            ResourceBinder.MakeTextures(program.Layout, scope);
+            ResourceBinder.MakeTextures(m_recording, m_targets, program.Layout, scope);
             m_targets.Open(m_recording);
             m_targets.SetViewport(m_recording, m_viewport);
             Vk.vkCmdBindPipeline(m_recording.Commands, VkPipelineBindPoint.Graphics, pipeline);

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using StandIns.Vulkan;
 
 namespace StandIns.Graphics
@@ -69,6 +70,7 @@ namespace StandIns.Graphics
                 "vkBindImageMemory");
             var image = new GpuImage(device, handle, allocation, format, width, height, slices, isArray);
             image.MakeGeneral(device.Queue.Open());
+            image.FillUndefined(device.Queue.Open());
             return image;
         }
 
@@ -115,6 +117,22 @@ namespace StandIns.Graphics
             baseArrayLayer = (uint)slice,
             layerCount = (uint)slices,
         };
+
+        // What a fresh image holds is nobody's to count on: a colour that is seen, a depth that hides all.
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        void FillUndefined(GpuRecording recording)
+        {
+            VkImageSubresourceRange range = Range(0, Slices);
+            if (IsDepth)
+            {
+                var near = new VkClearDepthStencilValue { depth = 1 };
+                Vk.vkCmdClearDepthStencilImage(recording.Commands, Handle, VkImageLayout.General, &near, 1, &range);
+                return;
+            }
+            VkClearColorValue magenta = default;
+            magenta.float32[0] = magenta.float32[2] = magenta.float32[3] = 1;
+            Vk.vkCmdClearColorImage(recording.Commands, Handle, VkImageLayout.General, &magenta, 1, &range);
+        }
 
         void MakeGeneral(GpuRecording recording)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using StandIns.Graphics;
 using StandIns.Vulkan;
 
@@ -42,6 +43,8 @@ namespace UnityEngine
             m_buffer = GpuBuffer.TryCreate(GpuDevice.Current, (ulong)bytes, UsageOf(target), isLockable);
             if (m_buffer == null)
                 Debug.LogError($"Out of graphics memory: a buffer of {bytes} bytes could not be made");
+            else
+                FillUndefined();
         }
 
         public int count { get; }
@@ -86,6 +89,17 @@ namespace UnityEngine
         {
             if (m_buffer == null)
                 throw new InvalidOperationException($"{Label} is used after it was disposed, or could not be made");
+        }
+
+        // What a fresh buffer holds is nobody's to count on.
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        unsafe void FillUndefined()
+        {
+            const uint words = Undefined * 0x01010101u;
+            if ((usageFlags & UsageFlags.LockBufferForWrite) != 0)
+                new Span<byte>(m_buffer.Mapped, (int)Bytes).Fill(Undefined);
+            else
+                Vk.vkCmdFillBuffer(GpuDevice.Current.Queue.Open().Commands, m_buffer.Handle, 0, Vk.WholeSize, words);
         }
 
         static VkBufferUsageFlags UsageOf(Target target)

@@ -47,7 +47,8 @@ namespace StandIns.Graphics
             for (int at = HeaderWords; at < words.Length; at += Length(words, at))
                 if (Op(words, at) == OpDecorate && words[at + 2] == BuiltIn && words[at + 3] == PointSize)
                     return words[at + 1];
-                else if (Op(words, at) == OpDecorateString && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
+                else if (Op(words, at) == OpDecorateString
+                    && Text(words, at, 3).Equals("PSIZE", StringComparison.OrdinalIgnoreCase))
                     return words[at + 1];
             return 0;
         }
