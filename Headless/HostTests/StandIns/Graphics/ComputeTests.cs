@@ -105,6 +105,35 @@ namespace FastPoints.HostTests.StandIns.Graphics
             Assert.That(((int)data[3], data[4]), Is.EqualTo((-4, 3u)));
         }
 
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Dispatch_Arrays_ArriveAsTheyWereSet(bool isByCommand)
+        {
+            ComputeShader shader = HeadlessShaders.LoadCompute(PathOf("Numbers.compute"));
+            using GraphicsBuffer numbers = Structured(4);
+            int kernel = shader.FindKernel("Arrays");
+            var vectors = new[] { new Vector4(1, 2, 3, 9), new Vector4(4, 5, 6, 9), new Vector4(7, 8, 9, 9) };
+            var matrices = new[] { Matrix4x4.identity, Matrix4x4.Translate(new Vector3(10, 20, 30)) };
+            using var commands = new CommandBuffer();
+            shader.SetVector(Id("_Vector"), new Vector4(1, 2, 3, 1));
+            shader.SetFloat("_Last", 0.5f);
+            shader.SetBuffer(kernel, Id("_Numbers"), numbers);
+            if (isByCommand)
+            {
+                commands.SetComputeVectorArrayParam(shader, Id("_Vectors"), vectors);
+                commands.SetGlobalMatrixArray(Id("_Matrices"), matrices);
+                vectors[2] = default;
+            }
+            else
+            {
+                shader.SetVectorArray(Id("_Vectors"), vectors);
+                shader.SetMatrixArray(Id("_Matrices"), matrices);
+            }
+            commands.DispatchCompute(shader, kernel, 1, 1, 1);
+            Execute(commands);
+            Assert.That(Read(numbers).Select(BitConverter.UInt32BitsToSingle), Is.EqualTo(new[] { 33f, 8f, 4f, 0.5f }));
+        }
+
         [TestCase(GraphicsFormat.R32G32B32A32_SFloat)]
         [TestCase(GraphicsFormat.R8G8B8A8_UNorm)]
         public void Dispatch_RandomWrite_FillsTheTexture(GraphicsFormat format)

@@ -66,7 +66,8 @@ namespace StandIns.Graphics
             int count = Math.Min(member.Count, values.Length / width);
             fixed (float* first = values)
                 for (int i = 0; i < count; i++)
-                    UnsafeUtility.MemCpy(target + i * member.Stride, first + i * width, width * 4);
+                    UnsafeUtility.MemCpy(target + i * member.Stride, first + i * width,
+                        Math.Min(width, member.Columns > 1 ? 16 : member.Rows) * 4);
         }
     }
 }

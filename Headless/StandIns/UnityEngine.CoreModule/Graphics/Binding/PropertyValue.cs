@@ -47,19 +47,6 @@ namespace StandIns.Graphics
 
         internal static PropertyValue Of(Vector4 value) => new PropertyValue { Kind = PropertyKind.Vector, Vector = value };
 
-        /// <summary>Copies them.</summary>
-        internal static PropertyValue Of(float[] values) =>
-            new PropertyValue { Kind = PropertyKind.Floats, Reference = (float[])values.Clone() };
-
-        /// <summary>Copies them.</summary>
-        internal static PropertyValue Of(Vector4[] values)
-        {
-            var floats = new float[values.Length * 4];
-            for (int i = 0; i < floats.Length; i++)
-                floats[i] = values[i / 4][i % 4];
-            return new PropertyValue { Kind = PropertyKind.Floats, Reference = floats };
-        }
-
         internal static PropertyValue Of(in Matrix4x4 value) => new PropertyValue { Kind = PropertyKind.Matrix, Matrix = value };
 
         internal static PropertyValue Of(GraphicsBuffer value) =>

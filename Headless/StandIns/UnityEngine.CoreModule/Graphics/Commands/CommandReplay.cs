@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 using StandIns.Vulkan;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -73,6 +74,10 @@ namespace StandIns.Graphics
                     break;
                 case CommandKind.SetGlobalTexture:
                     PropertySheet.Global.Set(command.A, m_temporaries.Resolve(m_buffer.Targets[command.Data]), command.B != 0);
+                    break;
+                case CommandKind.SetArray:
+                    PropertySheet sheet = command.X is ComputeShader shader ? shader.Constants : PropertySheet.Global;
+                    sheet.Set(command.A, MemoryMarshal.Cast<byte, float>(m_buffer.Bytes.AsSpan(command.Data, command.B)));
                     break;
                 case CommandKind.SetKeyword:
                     KeywordSet.Global.Set((string)command.X, command.A != 0);

@@ -8,6 +8,7 @@ namespace StandIns.Graphics
         SetViewProjection,
         SetGlobal,
         SetGlobalTexture,
+        SetArray,
         SetKeyword,
         SetConstant,
         SetKernelBuffer,

@@ -66,6 +66,10 @@ namespace UnityEngine
 
         public void SetMatrix(int nameID, Matrix4x4 val) => Constants.Set(nameID, PropertyValue.Of(val));
 
+        public void SetVectorArray(int nameID, Vector4[] values) => Constants.Set(nameID, values);
+
+        public void SetMatrixArray(int nameID, Matrix4x4[] values) => Constants.Set(nameID, values);
+
         public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) =>
             Kernel(kernelIndex).Sheet.Set(nameID, buffer);
 

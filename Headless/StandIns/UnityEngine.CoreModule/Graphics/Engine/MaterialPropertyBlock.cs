@@ -25,9 +25,11 @@ namespace UnityEngine
 
         public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
-        public void SetFloatArray(int nameID, float[] values) => Sheet.Set(nameID, PropertyValue.Of(values));
+        public void SetFloatArray(int nameID, float[] values) => Sheet.Set(nameID, values);
 
-        public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, PropertyValue.Of(values));
+        public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
+
+        public void SetMatrixArray(int nameID, Matrix4x4[] values) => Sheet.Set(nameID, values);
 
         public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 

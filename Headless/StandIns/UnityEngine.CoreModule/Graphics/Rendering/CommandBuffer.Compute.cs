@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using StandIns.Graphics;
 
 namespace UnityEngine.Rendering
@@ -20,6 +21,12 @@ namespace UnityEngine.Rendering
 
         public void SetComputeMatrixParam(ComputeShader computeShader, int nameID, Matrix4x4 val) =>
             SetConstant(computeShader, nameID, PropertyValue.Of(val));
+
+        public void SetComputeVectorArrayParam(ComputeShader computeShader, int nameID, Vector4[] values) =>
+            AddArray(computeShader, nameID, MemoryMarshal.Cast<Vector4, float>(values));
+
+        public void SetComputeMatrixArrayParam(ComputeShader computeShader, int nameID, Matrix4x4[] values) =>
+            AddArray(computeShader, nameID, MemoryMarshal.Cast<Matrix4x4, float>(values));
 
         public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer) =>
             Add(new RecordedCommand
