@@ -8,13 +8,6 @@
 #define FASTPOINTS_IS_QUAD
 #endif
 
-// What some APIs ask for where the topology is points, and others ignore; the headless compiler does not know the name.
-#if defined(FASTPOINTS_GLSLANG)
-#define FASTPOINTS_POINT_SIZE [[vk::builtin("PointSize")]] float PointSize : PSIZE;
-#else
-#define FASTPOINTS_POINT_SIZE float PointSize : PSIZE;
-#endif
-
 // Width and height of the picture in pixels.
 float2 _FastPointsScreenPx;
 
@@ -30,7 +23,8 @@ struct FastPointsVaryings
     float2 Corner : TEXCOORD1;
 #endif
 #if !defined(FASTPOINTS_IS_QUAD)
-    FASTPOINTS_POINT_SIZE
+    // Some APIs want it where the topology is points; others have no such thing.
+    float PointSize : PSIZE;
 #endif
 };
 

@@ -5,6 +5,11 @@ namespace Unity.Entities
 {
     public static class DefaultWorldInitialization
     {
+        /// <summary>The host has no world but the one that it makes itself.</summary>
+        public static void DefaultLazyEditModeInitialize()
+        {
+        }
+
         /// <summary>Makes the systems, and puts each into the group that its attribute names: into Simulation where it names
         /// none.</summary>
         public static void AddSystemsToRootLevelSystemGroups(World world, params Type[] systemTypes)

@@ -16,10 +16,10 @@ namespace FastPoints.Entities
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_coming = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloud>().WithAll<PointCloudSource>()
+            m_coming = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<PointCloudSource>()
                 .WithNone<StreamedPointCloud>().Build(this);
-            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloud>().WithAll<StreamedPointCloud>().Build(this);
-            m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloud>().Build(this);
+            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<StreamedPointCloud>().Build(this);
+            m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloudPlacement>().Build(this);
         }
 
         protected override void OnUpdate()
@@ -31,7 +31,7 @@ namespace FastPoints.Entities
             using (var entities = m_streamed.ToEntityArray(Allocator.Temp))
                 foreach (var entity in entities)
                     Group.Stream.Clouds[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Placement =
-                        EntityManager.GetComponentData<PointCloud>(entity).Placement;
+                        EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
         }
 
         void Add()
@@ -42,7 +42,7 @@ namespace FastPoints.Entities
                     var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
                     if (source.Source == null)
                         continue;
-                    var placement = EntityManager.GetComponentData<PointCloud>(entity).Placement;
+                    var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
                     int number = Group.Stream.Add(source.Source, placement);
                     source.Source = null;
                     EntityManager.AddComponentData(entity, new StreamedPointCloud { Number = number });

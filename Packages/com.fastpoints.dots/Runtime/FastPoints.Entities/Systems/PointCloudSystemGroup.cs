@@ -9,6 +9,8 @@ namespace FastPoints.Entities
     /// All of streaming, once a frame: what the systems below it share, and its life. In the editor's world as in the player's.
     /// Their order:
     /// <list type="number">
+    /// <item><see cref="ApplyBudgetSystem"/>: limits that were set</item>
+    /// <item><see cref="OpenCloudsSystem"/>, <see cref="PlaceCloudsSystem"/>: files become sources, transforms placements</item>
     /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>
     /// <item><see cref="ReceiveNodesSystem"/>: what arrived since the last frame</item>
     /// <item><see cref="ControlNodesSystem"/>: what users hide, pin and tint</item>
@@ -17,6 +19,7 @@ namespace FastPoints.Entities
     /// <item><see cref="RequestNodesSystem"/>: begins to read, evicts</item>
     /// <item><see cref="ListNodesSystem"/>: what to draw</item>
     /// <item><see cref="TrackNodesSystem"/>: entities of nodes follow</item>
+    /// <item><see cref="ReportFailuresSystem"/>: what could not be read is told</item>
     /// </list>
     /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]

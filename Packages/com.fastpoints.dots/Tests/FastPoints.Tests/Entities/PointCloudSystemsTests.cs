@@ -7,6 +7,8 @@ using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
 using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
@@ -33,8 +35,9 @@ namespace FastPoints.Tests.Entities
         {
             m_world = new World("clouds");
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
-                typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem), typeof(TrackNodesSystem));
+                typeof(ApplyBudgetSystem), typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
+                typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem), typeof(TrackNodesSystem),
+                typeof(ReportFailuresSystem));
             m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
         }
 
@@ -54,8 +57,8 @@ namespace FastPoints.Tests.Entities
         Entity Add()
         {
             var source = m_cloud.Open();
-            var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloud>());
-            Entities.SetComponentData(entity, new PointCloud { Placement = StreamedTestCloud.Geo(source) });
+            var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
+            Entities.SetComponentData(entity, new PointCloudPlacement { Value = StreamedTestCloud.Geo(source) });
             Entities.AddComponentObject(entity, new PointCloudSource { Source = source });
             return entity;
         }
@@ -211,10 +214,83 @@ namespace FastPoints.Tests.Entities
             Begin();
             var cloud = Add();
             Settle(StreamedTestCloud.Overview());
-            var away = Entities.GetComponentData<PointCloud>(cloud);
-            away.Placement.OriginWorld += new Unity.Mathematics.double3(0, -1e6, 0);
+            var away = Entities.GetComponentData<PointCloudPlacement>(cloud);
+            away.Value.OriginWorld += new double3(0, -1e6, 0);
             Entities.SetComponentData(cloud, away);
             Assert.That(Frame(StreamedTestCloud.Overview()).SelectedNodes, Is.LessThanOrEqualTo(1), "the root always is");
+        }
+
+        Entity AddFile(string path, float4x4 localToWorld)
+        {
+            var entity = Entities.CreateEntity();
+            Entities.AddComponentObject(entity, new PointCloudFile { Path = path });
+            Entities.AddComponentData(entity, new LocalToWorld { Value = localToWorld });
+            return entity;
+        }
+
+        /// <summary>Frames until the file is open, or could not be.</summary>
+        void AwaitOpen(Entity entity)
+        {
+            for (int frame = 0; frame < MostFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
+                Entities.GetComponentObject<PointCloudFile>(entity).Error == null; frame++)
+            {
+                m_world.Update();
+                Thread.Yield();
+            }
+        }
+
+        [Test]
+        public void File_WithATransform_IsOpenedAndStandsWhereThatIs()
+        {
+            Begin();
+            var entity = AddFile(m_cloud.Path, float4x4.Translate(new float3(1000, 20, -300)));
+            AwaitOpen(entity);
+            var space = Entities.GetComponentData<PointCloudSpace>(entity).Value;
+            Assert.That(math.length(space.OriginGeo - StreamedTestCloud.OriginGeo), Is.LessThan(200));
+            // The same camera as over the cloud's own coordinates, in Unity's axes.
+            double3 At(double3 geo) => space.FromGeo(geo) + new double3(1000, 20, -300);
+            var over = StreamedTestCloud.Overview();
+            var camera = Camera.Perspective(At(over.EyeGeo), At(StreamedTestCloud.OriginGeo + new double3(100, 100, 0)),
+                new double3(0, 1, 0), 60);
+            var stats = Settle(camera);
+            Assert.That(stats.DrawnPoints, Is.GreaterThan(20_000));
+            EndWorld();
+            MakeWorld();
+            Begin();
+            Add();
+            Assert.That(Settle(over).DrawnPoints, Is.EqualTo(stats.DrawnPoints));
+        }
+
+        [Test]
+        public void File_ThatIsNotThere_SaysSoOnceAndTheOthersStream()
+        {
+            Begin();
+            var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);
+            AwaitOpen(broken);
+            Assert.That(Entities.GetComponentObject<PointCloudFile>(broken).Error, Does.Contain("-gone"));
+            Add();
+            Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
+        }
+
+        [Test]
+        public void Budget_OfTheWorld_HoldsFromTheNextFrameOn()
+        {
+            Begin();
+            Add();
+            Settle(StreamedTestCloud.Overview());
+            var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudBudget>());
+            Entities.SetComponentData(entity, new PointCloudBudget
+            {
+                Points = 5000,
+                PoolBytes = 1 << 17,
+                UploadBytesPerFrame = 1 << 14,
+                SmallestNodePx = 2,
+            });
+            var stats = Frame(StreamedTestCloud.Overview());
+            Assert.That(stats.SelectedPoints, Is.LessThanOrEqualTo(5000));
+            for (int frame = 0; frame < 100; frame++)
+                stats = Frame(StreamedTestCloud.Overview());
+            Assert.That(stats.PoolBytes, Is.LessThanOrEqualTo(1 << 17));
         }
 
         /// <summary>At any moment of a load.</summary>

@@ -1,0 +1,108 @@
+using System;
+using System.Threading;
+using FastPoints.Cli;
+using FastPoints.Entities;
+using FastPoints.HostTests.Cli;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using StandIns.Entities;
+using StandIns.Scene;
+using Unity.Entities;
+using Unity.Transforms;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Entities
+{
+    /// <summary>GameObjects and subscenes: what they make of a cloud.</summary>
+    public sealed class AuthoringTests
+    {
+        ScratchFolder m_scratch;
+        World m_world;
+        PointCloudSystemGroup m_group;
+        string m_cloud;
+
+        [OneTimeSetUp]
+        public void MakeCloud()
+        {
+            m_scratch = new ScratchFolder();
+            m_cloud = m_scratch["scan.fastpoints"];
+            var call = CliCall.Of("convert", m_scratch.Demo(points: 5000), "-o", m_cloud, "--quiet");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+        }
+
+        [OneTimeTearDown]
+        public void DeleteCloud() => m_scratch.Dispose();
+
+        [SetUp]
+        public void MakeWorld()
+        {
+            m_world = new World("default");
+            World.DefaultGameObjectInjectionWorld = m_world;
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem));
+            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            m_group.Begin(new MemoryNodePool(1 << 24, 1 << 20));
+        }
+
+        [TearDown]
+        public void EndWorld() => m_world.Dispose();
+
+        void Frames(Func<bool> isDone)
+        {
+            for (int frame = 0; frame < 100_000 && !isDone(); frame++)
+            {
+                SceneLoop.Update();
+                m_world.Update();
+                Thread.Yield();
+            }
+            Assert.That(isDone(), Is.True);
+        }
+
+        bool IsStreamed(Entity entity) => m_world.EntityManager.HasComponent<StreamedPointCloud>(entity);
+
+        [Test]
+        public void PointCloud_OnAGameObject_IsAnEntityThatFollowsItAndGoesWithIt()
+        {
+            var scene = new GameObject("scan");
+            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+            Assert.That(cloud.Entity, Is.EqualTo(Entity.Null), "there is no path yet");
+            cloud.Path = m_cloud;
+            var entity = cloud.Entity;
+            Frames(() => IsStreamed(entity));
+            var before = m_group.Stream.Clouds[0].Placement.OriginWorld;
+            var moved = Matrix4x4.identity;
+            moved.m03 = 50;
+            SceneLoop.Place(scene.transform, moved);
+            Frames(() => m_group.Stream.Clouds[0].Placement.OriginWorld.x == before.x + 50);
+
+            cloud.Path = m_cloud + "-other";
+            Assert.That(cloud.Entity, Is.Not.EqualTo(entity));
+            Frames(() => !m_world.EntityManager.Exists(entity));
+            UnityEngine.Object.DestroyImmediate(scene);
+            Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
+        }
+
+        [Test]
+        public void PointCloud_WorldDisposedFirst_GoesWithoutAnError()
+        {
+            var scene = new GameObject("scan");
+            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+            cloud.Path = m_cloud;
+            m_world.Dispose();
+            SceneLoop.Update();
+            Assert.That(() => UnityEngine.Object.DestroyImmediate(scene), Throws.Nothing);
+        }
+
+        [Test]
+        public void Baker_OfAnAuthoringComponent_MakesWhatStreams()
+        {
+            var scene = new GameObject("scan");
+            var authoring = scene.AddComponent<PointCloudAuthoring>();
+            authoring.Path = m_cloud;
+            var entity = Baking.Bake(new PointCloudBaker(), authoring, m_world);
+            // What the transform system adds for TransformUsageFlags.Dynamic.
+            m_world.EntityManager.AddComponentData(entity, new LocalToWorld { Value = Unity.Mathematics.float4x4.identity });
+            Frames(() => IsStreamed(entity));
+        }
+    }
+}

@@ -1,0 +1,16 @@
+namespace Unity.Entities
+{
+    public abstract class IBaker
+    {
+        internal EntityManager Entities;
+        internal Entity Primary;
+
+        public Entity GetEntity(TransformUsageFlags flags) => Primary;
+
+        public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData =>
+            Entities.AddComponentData(entity, component);
+
+        public void AddComponentObject<T>(Entity entity, T component) where T : class =>
+            Entities.AddComponentObject(entity, component);
+    }
+}

@@ -1,0 +1,12 @@
+using Unity.Entities;
+using Unity.Mathematics;
+
+namespace Unity.Transforms
+{
+    public struct LocalToWorld : IComponentData
+    {
+        public float4x4 Value;
+
+        public float3 Position => Value.c3.xyz;
+    }
+}

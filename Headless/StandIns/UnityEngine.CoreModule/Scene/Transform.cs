@@ -1,0 +1,8 @@
+namespace UnityEngine
+{
+    /// <summary>A place without parents: the matrix is set by whoever tests.</summary>
+    public class Transform : Component
+    {
+        public Matrix4x4 localToWorldMatrix { get; internal set; } = Matrix4x4.identity;
+    }
+}

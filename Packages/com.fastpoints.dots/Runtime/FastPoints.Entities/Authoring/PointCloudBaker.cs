@@ -1,0 +1,14 @@
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Bakers run in a process without a screen: the folder is not opened here.</summary>
+    public sealed class PointCloudBaker : Baker<PointCloudAuthoring>
+    {
+        public override void Bake(PointCloudAuthoring authoring)
+        {
+            var entity = GetEntity(TransformUsageFlags.Dynamic);
+            AddComponentObject(entity, new PointCloudFile { Path = authoring.Path });
+        }
+    }
+}

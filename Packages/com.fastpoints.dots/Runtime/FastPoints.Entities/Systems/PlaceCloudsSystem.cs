@@ -1,0 +1,49 @@
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Clouds stand where their entities' transforms are.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
+    [UpdateAfter(typeof(OpenCloudsSystem))]
+    [UpdateBefore(typeof(AddCloudsSystem))]
+    public partial class PlaceCloudsSystem : StreamSystem
+    {
+        EntityQuery m_placed;
+
+        protected override void OnCreate()
+        {
+            base.OnCreate();
+            m_placed = new EntityQueryBuilder(Allocator.Temp).WithAll<LocalToWorld>().WithAll<PointCloudSpace>()
+                .WithAll<PointCloudSource>().WithAll<PointCloudPlacement>().Build(this);
+        }
+
+        protected override void OnUpdate()
+        {
+            using (var entities = m_placed.ToEntityArray(Allocator.Temp))
+                foreach (var entity in entities)
+                {
+                    var source = SourceOf(entity);
+                    if (source == null)
+                        continue;
+                    var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
+                    var space = EntityManager.GetComponentData<PointCloudSpace>(entity).Value;
+                    EntityManager.SetComponentData(entity, new PointCloudPlacement
+                    {
+                        Value = space.Place(source.Grid, source.Root, localToWorld),
+                    });
+                }
+        }
+
+        NodeSource SourceOf(Entity entity)
+        {
+            if (!EntityManager.HasComponent<StreamedPointCloud>(entity))
+                return EntityManager.GetComponentObject<PointCloudSource>(entity).Source;
+            return Group.Stream.Clouds[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number]?.Source;
+        }
+    }
+}

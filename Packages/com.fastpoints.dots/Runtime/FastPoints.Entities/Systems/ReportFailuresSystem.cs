@@ -1,0 +1,19 @@
+using Unity.Entities;
+using UnityEngine;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Tells of files and nodes that could not be read: each once, since what failed for good is not asked for
+    /// again.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
+    [UpdateAfter(typeof(TrackNodesSystem))]
+    public partial class ReportFailuresSystem : StreamSystem
+    {
+        protected override void OnUpdate()
+        {
+            while (Group.Stream.TryTakeFailure(out var failure))
+                Debug.LogWarning("Point cloud: " + failure);
+        }
+    }
+}
