@@ -297,9 +297,10 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
-        public void Draw_PointsWithPsize_AreSoLarge()
+        public void Draw_PointsWithPsize_AreSoLargeAndBothStagesSeeTheBuffer()
         {
-            SetSquares((new Vector3(0.1f, 0.1f, 0.5f), 3, Color.red));
+            SetSquares((new Vector3(0.1f, 0.1f, 0.5f), 3, Color.white));
+            m_material.SetColor(Id("_Tint"), Color.red);
             m_material.SetBuffer(Id("_Squares"), m_squares);
             Begin();
             m_commands.DrawProcedural(Matrix4x4.identity, m_material, m_material.FindPass("Points"), MeshTopology.Points, 1);

@@ -126,6 +126,8 @@ namespace FastPoints.HostTests.StandIns.Graphics
         {
             using GraphicsBuffer buffer = Lockable();
             Assert.That(() => buffer.UnlockBufferAfterWrite<uint>(0), Throws.InvalidOperationException);
+            buffer.LockBufferForWrite<uint>(0, 0);
+            buffer.UnlockBufferAfterWrite<uint>(0);
             Assert.That(() => buffer.LockBufferForWrite<uint>(10, 7), Throws.InstanceOf<ArgumentOutOfRangeException>());
             NativeArray<uint> locked = buffer.LockBufferForWrite<uint>(4, 8);
             Assert.That(() =>
@@ -172,6 +174,9 @@ namespace FastPoints.HostTests.StandIns.Graphics
             GraphicsFence fence =
                 commands.CreateGraphicsFence(GraphicsFenceType.CPUSynchronisation, SynchronisationStageFlags.AllGPUOperations);
             Assert.That(fence.passed, Is.False);
+            GraphicsFence other = UnityEngine.Graphics.CreateGraphicsFence(GraphicsFenceType.AsyncQueueSynchronisation,
+                SynchronisationStageFlags.AllGPUOperations);
+            Assert.That(() => other.passed, Throws.InvalidOperationException);
             Execute(commands);
             Assert.That(() => ring.LockBufferForWrite<uint>(0, 4), Throws.InvalidOperationException.With.Message.Contains("GPU"));
             HeadlessGraphics.WaitForIdle();

@@ -161,7 +161,8 @@ Shader "Tests/Quads"
 
             float4 Fragment(Varyings varyings) : SV_Target
             {
-                return varyings.Color;
+                // The same buffer as in the vertex shader, and constants of its own.
+                return varyings.Color * _Squares[0].Color * _Tint;
             }
             ENDHLSL
         }

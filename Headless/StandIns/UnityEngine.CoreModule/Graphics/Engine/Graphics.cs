@@ -22,7 +22,7 @@ namespace UnityEngine
         /// <summary>Has passed when the device has done all that was asked of it until now.</summary>
         public static GraphicsFence CreateGraphicsFence(GraphicsFenceType fenceType, SynchronisationStageFlags stage)
         {
-            GraphicsFence fence = GraphicsFence.Create();
+            GraphicsFence fence = GraphicsFence.Create(fenceType);
             GraphicsFence.Execute(fence.Id, Math.Max(1, GpuDevice.Current.Queue.Flush()));
             return fence;
         }

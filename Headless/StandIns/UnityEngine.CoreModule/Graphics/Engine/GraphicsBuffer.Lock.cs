@@ -11,12 +11,13 @@ namespace UnityEngine
         const byte Undefined = 0xCD;
 
         int m_lockedBytes;
+        bool m_isLocked;
         int m_lockedElement;
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         AtomicSafetyHandle m_lockSafety;
 #endif
 
-        internal bool IsLocked => m_lockedBytes > 0;
+        internal bool IsLocked => m_isLocked;
 
         /// <summary>
         /// The memory of a range, to be written in order and not read. Indices and counts are of <typeparamref name="T"/>.
@@ -39,6 +40,7 @@ namespace UnityEngine
                 throw new InvalidOperationException($"{Label} is locked while the GPU may still use it: wait for a fence, or for "
                     + $"as many "
                     + "frames as are in flight");
+            m_isLocked = true;
             m_lockedBytes = count * size;
             m_lockedElement = size;
             byte* first = m_buffer.Mapped + (long)bufferStartIndex * size;
@@ -77,7 +79,7 @@ namespace UnityEngine
             AtomicSafetyHandle.CheckDeallocateAndThrow(m_lockSafety);
             AtomicSafetyHandle.Release(m_lockSafety);
 #endif
-            m_lockedBytes = 0;
+            m_isLocked = false;
         }
 
         void CheckRange(int start, int count, int size)

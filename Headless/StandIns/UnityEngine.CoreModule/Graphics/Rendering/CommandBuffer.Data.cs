@@ -51,7 +51,7 @@ namespace UnityEngine.Rendering
         /// <summary>Has passed when the device has done all commands before it.</summary>
         public GraphicsFence CreateGraphicsFence(GraphicsFenceType fenceType, SynchronisationStageFlags stage)
         {
-            GraphicsFence fence = GraphicsFence.Create();
+            GraphicsFence fence = GraphicsFence.Create(fenceType);
             Add(new RecordedCommand { Kind = CommandKind.Fence, A = fence.Id });
             return fence;
         }

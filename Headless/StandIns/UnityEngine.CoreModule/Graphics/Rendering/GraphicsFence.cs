@@ -1,3 +1,4 @@
+using System;
 using StandIns.Graphics;
 
 namespace UnityEngine.Rendering
@@ -11,18 +12,29 @@ namespace UnityEngine.Rendering
         static int s_last;
 
         int m_id;
+        GraphicsFenceType m_type;
 
         /// <summary>Also true for a fence so old that a thousand came after it.</summary>
-        public bool passed => m_id <= s_last - Kept || (s_submissionOf[m_id % Kept] is var number && number > 0
-            && GpuDevice.Current.Queue.HasPassed(number));
+        /// <exception cref="InvalidOperationException">Not made for CPUSynchronisation.</exception>
+        public bool passed
+        {
+            get
+            {
+                if (m_type != GraphicsFenceType.CPUSynchronisation)
+                    throw new InvalidOperationException("Only a fence made with GraphicsFenceType.CPUSynchronisation can be "
+                        + "asked");
+                ulong number = s_submissionOf[m_id % Kept];
+                return m_id <= s_last - Kept || (number > 0 && GpuDevice.Current.Queue.HasPassed(number));
+            }
+        }
 
         internal readonly int Id => m_id;
 
-        internal static GraphicsFence Create()
+        internal static GraphicsFence Create(GraphicsFenceType type)
         {
             s_last++;
             s_submissionOf[s_last % Kept] = 0;
-            return new GraphicsFence { m_id = s_last };
+            return new GraphicsFence { m_id = s_last, m_type = type };
         }
 
         internal static void Execute(int id, ulong submission) => s_submissionOf[id % Kept] = submission;
