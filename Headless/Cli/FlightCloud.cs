@@ -13,8 +13,8 @@ using Unity.Collections;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A cloud before it is streamed, converted or with an octree of its own (COPC, Potree, EPT): what colours it has, and
-    /// what is streamed for them.</summary>
+    /// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its preview.
+    /// What colours it has, and what is streamed for them.</summary>
     public static class FlightCloud
     {
         /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
@@ -39,8 +39,7 @@ namespace FastPoints.Cli
             try
             {
                 if (reader.Tree == null)
-                    throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
-                        "is not converted and brings no octree along (COPC, Potree and EPT do): convert it first");
+                    return AddSample(reader, stream, options, cancellation, out ranges, out number);
                 WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
                 ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
                 using (var batch = ReadTop(reader))
@@ -55,6 +54,24 @@ namespace FastPoints.Cli
                 reader.Dispose();
                 throw;
             }
+        }
+
+        /// <summary>What a source without an octree can show: its preview.</summary>
+        static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+            out DisplayRanges ranges, out int number)
+        {
+            var settings = new PreviewOptions { Picture = options, Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue) };
+            SampleReader sample;
+            using (reader)
+            using (var preview = new PreviewCloud(reader, settings))
+            {
+                WorkPump.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
+                ranges = preview.Ranges;
+                sample = new SampleReader(preview.Sample, reader.Info.Path);
+            }
+            var source = new TreeSource(sample, PlanesFor(ranges.Resolve(options.Color)));
+            number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+            return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
         }
 
         static PicturePlan AddFolder(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,

@@ -28,8 +28,8 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Converted clouds, or COPC, Potree or EPT as they are; all are flown over at once, where their coordinates put "
-                + "them.",
+            Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are flown over at once, where "
+                + "their coordinates put them.",
         };
         readonly Option<string?> m_path = new("--path")
         {

@@ -116,11 +116,11 @@ namespace FastPoints.HostTests.Cli
         }
 
         [Test]
-        public void Fly_FileWithoutAnOctree_SaysWhatToDo()
+        public void Fly_FileWithoutAnOctree_FliesOverItsPreview()
         {
-            var call = CliCall.Of("fly", m_scratch.Demo(points: 1000));
-            Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
-            Assert.That(call.Error, Does.Contain("brings no octree along").And.Contain("convert"));
+            var call = CliCall.Of("fly", m_scratch.Demo(points: 20_000), "--budget", "5000", "--frames", "60", "--json", "-");
+            Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
+            Assert.That(call.Json.GetProperty("pointsDrawn").GetInt64(), Is.InRange(1, 5000));
         }
 
         /// <summary>The same points in the same places and colours, through packed blocks and without.</summary>

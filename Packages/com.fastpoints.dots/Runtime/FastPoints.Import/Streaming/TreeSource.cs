@@ -12,7 +12,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// A file or folder that brings its octree along (COPC, Potree, EPT), streamed as it is: nothing is converted. Its
-    /// hierarchy is read as deep as it is looked at, its nodes are decoded and packed as they are wanted.
+    /// hierarchy is read as deep as it is looked at, its nodes are decoded and packed as they are wanted. Or a preview's sample
+    /// (<see cref="SampleReader"/>).
     /// </summary>
     public sealed class TreeSource : NodeSource
     {

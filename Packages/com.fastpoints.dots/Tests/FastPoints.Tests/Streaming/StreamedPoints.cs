@@ -65,28 +65,40 @@ namespace FastPoints.Tests.Streaming
             using (var reader = PointReaders.Open(path))
             {
                 WorkPump.RunToEnd(reader.FindBlocks());
-                ReadPoints.EachBlock(reader, reader.Info.Schema, read =>
-                {
-                    byte* bytes = (byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr();
-                    var positions = PositionColumns.Of(read.Points);
-                    for (int i = 0; i < read.Points.Count; i++)
-                    {
-                        double3 geo;
-                        positions.LoadGeo(bytes, reader.Info.Transform, i, 1, &geo.x, &geo.y, &geo.z);
-                        var place = math.round((geo - grid.Origin) / grid.Step);
-                        ulong hash = Hash(Hash(Hash(1, (ulong)(long)place.x), (ulong)(long)place.y), (ulong)(long)place.z);
-                        foreach (string name in names)
-                        {
-                            var column = read.Points.Column(read.Points.Schema.IndexOf(name));
-                            byte* value = bytes + column.OffsetBytes + i * column.Type.SizeOf();
-                            hash = Hash(hash, OrderedBits.Load(value, column.Type));
-                        }
-                        hashes.Add(hash);
-                    }
-                });
+                ReadPoints.EachBlock(reader, reader.Info.Schema,
+                    read => AddAll(hashes, read.Points, reader.Info.Transform, grid, names));
             }
             hashes.Sort();
             return hashes.ToArray();
+        }
+
+        /// <summary>Those of a batch, in the same way.</summary>
+        public static ulong[] Of(PointBatch points, PositionTransform transform, CloudGrid grid, params string[] names)
+        {
+            var hashes = new List<ulong>();
+            AddAll(hashes, points, transform, grid, names);
+            hashes.Sort();
+            return hashes.ToArray();
+        }
+
+        static void AddAll(List<ulong> hashes, PointBatch points, PositionTransform transform, CloudGrid grid, string[] names)
+        {
+            byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
+            var positions = PositionColumns.Of(points);
+            for (int i = 0; i < points.Count; i++)
+            {
+                double3 geo;
+                positions.LoadGeo(bytes, transform, i, 1, &geo.x, &geo.y, &geo.z);
+                var place = math.round((geo - grid.Origin) / grid.Step);
+                ulong hash = Hash(Hash(Hash(1, (ulong)(long)place.x), (ulong)(long)place.y), (ulong)(long)place.z);
+                foreach (string name in names)
+                {
+                    var column = points.Column(points.Schema.IndexOf(name));
+                    byte* value = bytes + column.OffsetBytes + i * column.Type.SizeOf();
+                    hash = Hash(hash, OrderedBits.Load(value, column.Type));
+                }
+                hashes.Add(hash);
+            }
         }
 
         static ulong Hash(ulong hash, ulong value) => (hash ^ value) * 0x9E3779B97F4A7C15UL ^ hash >> 29;

@@ -1,0 +1,92 @@
+using System;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Streaming
+{
+    /// <summary>
+    /// A preview's sample as a source that brings an octree along: one node, in blocks of points that are spread over all of the
+    /// sample each. So <see cref="TreeSource"/> streams it like any other cloud, before there is another.
+    /// </summary>
+    public sealed class SampleReader : PointReader
+    {
+        /// <summary>Points of a block at most.</summary>
+        public const int PointsPerBlock = 1 << 15;
+
+        readonly SourceTree m_tree;
+        readonly int m_blocks;
+
+        /// <summary>Copies a sample, which its sampler goes on with: about a millisecond for ten megabytes.</summary>
+        /// <param name="path">Of the source, for messages.</param>
+        public SampleReader(PreviewSample sample, string path)
+        {
+            Points = Copy(sample);
+            int count = Points.Count;
+            m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
+            var bounds = sample.Bounds.IsEmpty ? new BoundsGeo(0, 0) : sample.Bounds;
+            Info = new SourceInfo
+            {
+                Path = path,
+                Format = "sample",
+                Schema = Points.Schema,
+                Transform = sample.Transform,
+                PointsClaimed = (ulong)count,
+                PointsReadable = count,
+                HasBoundsClaimed = !sample.Bounds.IsEmpty,
+                BoundsClaimed = sample.Bounds,
+            };
+            double edge = math.max(math.cmax(bounds.Size), math.cmax(math.abs(sample.Transform.Scale)));
+            // As if the points of a block lay on a surface.
+            double spacing = edge / math.sqrt(math.max(1.0, math.min(count, PointsPerBlock)));
+            var cube = new BoundsGeo(bounds.Min, bounds.Min + edge);
+            m_tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsWhole = true };
+            if (count == 0)
+                m_tree.Add(new SourceNode { Block = -1 });
+            for (int block = 0; block < m_blocks; block++)
+                m_tree.Add(new SourceNode { Block = block, PointCount = PointsInBlock(block) });
+        }
+
+        internal PointBatch Points { get; }
+
+        /// <summary>From a point of a block to its next.</summary>
+        internal int Step => m_blocks;
+
+        public override SourceTree Tree => m_tree;
+        public override int BlockCount => m_blocks;
+        public override int MaxPointsPerBlock => m_blocks == 0 ? 0 : PointsInBlock(0);
+
+        public override int PointsInBlock(int block) => (Points.Count - block + m_blocks - 1) / m_blocks;
+
+        public override long FirstPointOfBlock(int block)
+        {
+            // The first blocks have one point more than the others.
+            int longer = Points.Count % m_blocks;
+            return (long)block * (Points.Count / m_blocks) + Math.Min(block, longer);
+        }
+
+        /// <summary>Nothing is read any more.</summary>
+        public override long BytesOfRange(BlockRange range) => 0;
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new SampleRead(this, wanted, capacity, allocator);
+
+        public override void Dispose()
+        {
+            m_tree.Dispose();
+            Points.Dispose();
+        }
+
+        static PointBatch Copy(PreviewSample sample)
+        {
+            var copy = new PointBatch(sample.Points.Schema, Math.Max(1, sample.Count), Allocator.Persistent);
+            copy.Count = sample.Count;
+            for (int c = 0; c < copy.Schema.Count; c++)
+                NativeArray<byte>.Copy(sample.Points.Bytes, sample.Points.Column(c).OffsetBytes, copy.Bytes,
+                    copy.Column(c).OffsetBytes, sample.Count * copy.Schema[c].Type.SizeOf());
+            return copy;
+        }
+    }
+}
