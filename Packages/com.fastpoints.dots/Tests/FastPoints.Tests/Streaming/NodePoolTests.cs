@@ -30,6 +30,24 @@ namespace FastPoints.Tests.Streaming
         }
 
         [Test]
+        public void TryShorten_RunThatIsLongerThanNeeded_GivesTheRestBack()
+        {
+            using (var pool = new MemoryNodePool(BankBytes, BankBytes))
+            {
+                pool.TryTake(BankBytes, out var run);
+                Assert.That(pool.TryTake(1, out _), Is.False);
+                Assert.That(pool.TryShorten(ref run, BankBytes + 1), Is.False);
+                Assert.That(pool.TryShorten(ref run, 5000), Is.True);
+                Assert.That((run.PageCount, pool.UsedBytes), Is.EqualTo((5, 5L * NodePool.PageBytes)));
+                Assert.That(pool.TryTake(BankBytes - 5 * NodePool.PageBytes, out var rest), Is.True);
+                Assert.That(pool.FindProblem(), Is.Null);
+                pool.Give(run);
+                pool.Give(rest);
+                Assert.That((pool.UsedBytes, pool.FindProblem()), Is.EqualTo((0L, (string)null)));
+            }
+        }
+
+        [Test]
         public void LimitBytes_Lowered_FreesBanksAsTheyBecomeEmpty()
         {
             using (var pool = new MemoryNodePool(4 * BankBytes, BankBytes))

@@ -45,6 +45,17 @@ namespace FastPoints.Tests.Streaming
                     else
                     {
                         int at = random.NextInt(runs.Count);
+                        if (random.NextInt(3) == 0)
+                        {
+                            var (first, count) = runs[at];
+                            int kept = 1 + random.NextInt(count);
+                            books.Shorten(first, kept);
+                            Array.Clear(owner, first + kept, count - kept);
+                            used -= count - kept;
+                            runs[at] = (first, kept);
+                            Assert.That(books.UsedSlots, Is.EqualTo(used));
+                            continue;
+                        }
                         books.Give(runs[at].First);
                         Array.Clear(owner, runs[at].First, runs[at].Count);
                         used -= runs[at].Count;

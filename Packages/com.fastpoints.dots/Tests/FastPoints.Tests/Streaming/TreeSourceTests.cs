@@ -226,6 +226,64 @@ namespace FastPoints.Tests.Streaming
             }
         }
 
+        /// <summary>The hierarchy stays, most chunks are gone: told of page by page, not node by node.</summary>
+        [Test]
+        public void Run_FileCutWhileItIsStreamed_EndsInHolesThatAreTold()
+        {
+            var writer = new CopcFileWriter { MaxNodePoints = 60 };
+            var bytes = writer.Write(LazRecords.Make(7, 0, 20_000, 7));
+            using (var file = new TemporaryFile(bytes, ".copc.laz"))
+            using (var stream = Stream())
+            {
+                Add(stream, TreeTestCloud.Open(file.Path, StoreLayout.ColorName));
+                stream.Settings.Selection.PointBudget = 2000;
+                long before = Settle(stream).DrawnPoints;
+                using (var cut = new FileStream(file.Path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete))
+                    cut.SetLength(ChunkOf(bytes, writer, 1));
+                stream.Settings.Selection.PointBudget = 20_000;
+                var stats = Settle(stream);
+                Assert.That(stats.DrawnPoints, Is.GreaterThanOrEqualTo(before / 2).And.LessThan(20_000));
+                Assert.That(Failures(stream).Count, Is.InRange(1, stream.Clouds[0].PageCount));
+                for (int i = 0; i < 50; i++)
+                    Assert.That(Frame(stream, 1e12).RequestedNodes, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void Run_NodesLargerThanABank_AreHolesThatAreTold()
+        {
+            var writer = new CopcFileWriter { MaxNodePoints = 4000 };
+            using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 20_000, 7)), ".copc.laz"))
+            using (var stream = StreamedTestCloud.Stream(64 << 20, 16 << 10))
+            {
+                Add(stream, TreeTestCloud.Open(file.Path, StoreLayout.ColorName));
+                var stats = Settle(stream);
+                var failures = Failures(stream);
+                Assert.That(failures, Is.Not.Empty.And.All.Contains("a bank of the pool has"));
+                Assert.That(stats.DrawnNodes, Is.EqualTo(writer.Nodes.Count(n => n.Records.Count > 0) - failures.Count));
+            }
+        }
+
+        /// <summary>A cube that the file's points do not lie in makes bounds of lengths that do not hold: nodes are asked for again
+        /// as what they are.</summary>
+        [Test]
+        public void Run_PointsOutOfTheirCubes_AreAllDrawn()
+        {
+            const int HalfSizeAt = 375 + 54 + 24;
+            var bytes = new CopcFileWriter { MaxNodePoints = 600 }.Write(LazRecords.Make(7, 0, 20_000, 7));
+            BitConverter.GetBytes(BitConverter.ToDouble(bytes, HalfSizeAt) / (1 << 28)).CopyTo(bytes, HalfSizeAt);
+            using (var file = new TemporaryFile(bytes, ".copc.laz"))
+            using (var stream = Stream())
+            {
+                var source = TreeTestCloud.Open(file.Path, StoreLayout.ColorName);
+                int number = Add(stream, source);
+                Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(20_000));
+                Assert.That(StreamedPoints.Drawn(stream, number), Is.EqualTo(StreamedPoints.Of(file.Path, source.Grid, s_color)));
+                Assert.That(Failures(stream), Is.Empty);
+                Assert.That(stream.Pool.FindProblem(), Is.Null);
+            }
+        }
+
         [Test]
         public void Run_CloudsOfDifferentKinds_AreDrawnTogether()
         {
