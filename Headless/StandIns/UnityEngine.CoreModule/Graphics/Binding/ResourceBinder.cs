@@ -97,6 +97,10 @@ namespace StandIns.Graphics
                 throw new InvalidOperationException($"{shader}: {resource.Name} is set to {buffer.Label}, which was made neither "
                     + $"as "
                     + "Target.Structured nor as Target.Raw");
+            if (resource.IsWritten && (buffer.usageFlags & GraphicsBuffer.UsageFlags.LockBufferForWrite) != 0)
+                throw new InvalidOperationException($"{shader}: writes {resource.Name}, and {buffer.Label} is the host's to "
+                    + $"write: "
+                    + "Direct3D 11 has no buffer that both do");
             // Direct3D refuses such a buffer, and glslang puts a float3 of a structure where Unity's compilers do not.
             if ((buffer.target & GraphicsBuffer.Target.Raw) == 0 && buffer.stride != resource.Stride)
                 throw new InvalidOperationException($"{shader}: elements of {resource.Name} have {resource.Stride} bytes, those "
