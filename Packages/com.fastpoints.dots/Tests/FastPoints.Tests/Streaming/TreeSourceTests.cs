@@ -238,7 +238,8 @@ namespace FastPoints.Tests.Streaming
                 Add(stream, TreeTestCloud.Open(file.Path, StoreLayout.ColorName));
                 stream.Settings.Selection.PointBudget = 2000;
                 long before = Settle(stream).DrawnPoints;
-                using (var cut = new FileStream(file.Path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete))
+                var share = FileShare.ReadWrite | FileShare.Delete;
+                using (var cut = new FileStream(file.Path, FileMode.Open, FileAccess.Write, share))
                     cut.SetLength(ChunkOf(bytes, writer, 1));
                 stream.Settings.Selection.PointBudget = 20_000;
                 var stats = Settle(stream);
@@ -264,8 +265,8 @@ namespace FastPoints.Tests.Streaming
             }
         }
 
-        /// <summary>A cube that the file's points do not lie in makes bounds of lengths that do not hold: nodes are asked for again
-        /// as what they are.</summary>
+        /// <summary>A cube that the file's points do not lie in makes bounds of lengths that do not hold: nodes are asked for
+        /// again as what they are.</summary>
         [Test]
         public void Run_PointsOutOfTheirCubes_AreAllDrawn()
         {
