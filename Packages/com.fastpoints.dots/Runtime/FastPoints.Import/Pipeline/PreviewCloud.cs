@@ -9,6 +9,7 @@ using FastPoints.Picture;
 using FastPoints.Preview;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Pipeline
 {
@@ -18,6 +19,10 @@ namespace FastPoints.Pipeline
     /// </summary>
     public sealed class PreviewCloud : IDisposable
     {
+        /// <summary>From this size of points on surfaces are closed by the density: samples whose points are smaller are blurred
+        /// more than they gain.</summary>
+        const float LeastThinPx = 2;
+
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
@@ -42,6 +47,10 @@ namespace FastPoints.Pipeline
 
         public DisplayRanges Ranges { get; private set; }
 
+        /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of sources
+        /// whose sample does not tell. Goes by the sample as it was then.</summary>
+        public DensityEstimate Density { get; private set; }
+
         /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
         public PicturePlan Plan { get; private set; }
 
@@ -63,6 +72,18 @@ namespace FastPoints.Pipeline
                 using (var size = SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count))
                     while (size.MoveNext())
                         yield return size.Current;
+                // Degrees are no lengths of a cube's edge.
+                if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
+                {
+                    using (var estimating = EstimateDensity())
+                        while (estimating.MoveNext())
+                            yield return estimating.Current;
+                    if (Density != null)
+                        using (var closing = SamplePicture.CloseSurfaces(canvas, Density,
+                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan))
+                            while (closing.MoveNext())
+                                yield return closing.Current;
+                }
                 using (var drawing = SamplePicture.Draw(canvas, Sample.Points, Plan, progress))
                     while (drawing.MoveNext())
                         yield return drawing.Current;
@@ -108,6 +129,14 @@ namespace FastPoints.Pipeline
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
             progress?.End();
+        }
+
+        /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>
+        public IEnumerator<JobHandle> EstimateDensity()
+        {
+            Density?.Dispose();
+            Density = null;
+            return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
         }
 
         /// <summary>Of the source's own file; nothing where there is none.</summary>
@@ -250,6 +279,11 @@ namespace FastPoints.Pipeline
             Sample = null;
         }
 
-        public void Dispose() => Drop();
+        public void Dispose()
+        {
+            Drop();
+            Density?.Dispose();
+            Density = null;
+        }
     }
 }

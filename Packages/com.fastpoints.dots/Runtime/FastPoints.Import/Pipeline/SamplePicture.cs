@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Picture;
 using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
 using Unity.Jobs;
 
 namespace FastPoints.Pipeline
@@ -58,6 +60,40 @@ namespace FastPoints.Pipeline
             }
             plan.SizePx = canvas.TypicalSizePx;
             canvas.Clear();
+        }
+
+        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: lets points grow where they leave a surface open.</summary>
+        /// <param name="density">Of the cloud.</param>
+        /// <param name="share">Of the cloud's points that are drawn.</param>
+        public static IEnumerator<JobHandle> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
+            PicturePlan plan)
+        {
+            var cells = new NativeList<ThinCell>(Allocator.Persistent);
+            JobHandle closed = default;
+            try
+            {
+                foreach (var leaf in density.Leaves())
+                    if (leaf.Cell.IsKnown)
+                        cells.Add(new ThinCell
+                        {
+                            Center = leaf.Min + leaf.Edge / 2,
+                            Edge = leaf.Edge,
+                            PointsDrawn = leaf.Cell.Points * share,
+                        });
+                closed = new CloseSurfacesJob
+                {
+                    Cells = cells.AsArray(),
+                    Projection = new PointProjection(plan.Camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
+                    TypicalPx = canvas.TypicalSizePx,
+                    SizeOfTile = canvas.SizeOfTile,
+                }.Schedule();
+                yield return closed;
+            }
+            finally
+            {
+                closed.Complete();
+                cells.Dispose();
+            }
         }
 
         /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>

@@ -21,9 +21,15 @@ namespace FastPoints.Preview
     /// </remarks>
     public sealed class RefiningSampler : IDisposable
     {
-        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding does, for the states
-        /// that are kept and the sample that is put together: one more, at a fifteenth, kept all others waiting.</summary>
-        static readonly double[] s_shares = { 0.2, 0.5, 1 };
+        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding of some million points
+        /// does, for the states that are kept and the sample that is put together: one more, at a fifteenth, kept all others
+        /// waiting.</summary>
+        static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
+
+        /// <summary>From this share on there is a wave whatever it takes; before it where so many points are decoded for it, which
+        /// takes half a second.</summary>
+        const double FirstShareOfAny = 0.2;
+        const long LeastPointsBeforeFifth = 2_000_000;
 
         /// <summary>A first sample of so many points is worth its time anywhere; of one in so many where blocks are too many to
         /// be come to together.</summary>
@@ -118,6 +124,8 @@ namespace FastPoints.Preview
                             yield return beginning.Current;
                 foreach (double share in s_shares)
                 {
+                    if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
+                        continue;
                     m_isLastWave = share == 1;
                     for (var ranges = m_plan.Next(share); ranges.Count > 0; ranges = m_plan.Next(share))
                     {

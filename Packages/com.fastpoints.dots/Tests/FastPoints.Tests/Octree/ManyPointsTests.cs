@@ -7,6 +7,7 @@ using FastPoints.Files;
 using FastPoints.Octree;
 using FastPoints.Pipeline;
 using FastPoints.Points;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -20,94 +21,10 @@ namespace FastPoints.Tests.Octree
     {
         const long Points = 5L << 32;
 
-        /// <summary>A source of twenty thousand million points: a grid of the plane, in blocks that are made when they are
-        /// read.</summary>
-        sealed class VirtualReader : PointReader
-        {
-            const int BlockPoints = 1 << 20;
-
-            readonly long m_points;
-
-            public VirtualReader(long points = ManyPointsTests.Points)
-            {
-                m_points = points;
-                Info = new SourceInfo
-                {
-                    Path = "virtual",
-                    Format = "virtual",
-                    PointsClaimed = (ulong)points,
-                    PointsReadable = points,
-                    RecordBytes = 12,
-                    Transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) },
-                    Schema = new PointSchema(new[]
-                    {
-                        new PointAttribute(AttributeNames.X, AttributeType.Int32),
-                        new PointAttribute(AttributeNames.Y, AttributeType.Int32),
-                        new PointAttribute(AttributeNames.Z, AttributeType.Int32),
-                    }),
-                };
-            }
-
-            public override int BlockCount => (int)(m_points / BlockPoints);
-            public override int MaxPointsPerBlock => BlockPoints;
-            public override bool HasFixedStride => true;
-            public override long FirstPointOfBlock(int block) => (long)block * BlockPoints;
-            public override int PointsInBlock(int block) => BlockPoints;
-            public override long BytesOfRange(BlockRange range) => 12L * range.Count;
-
-            public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
-                new Slot(this, wanted, capacity, allocator);
-
-            public override void Dispose()
-            {
-            }
-        }
-
-        sealed class Slot : BlockRead
-        {
-            readonly PointReader m_reader;
-            NativeReference<DecodeResult> m_result;
-
-            public Slot(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            {
-                m_reader = reader;
-                Points = new PointBatch(wanted, capacity, allocator);
-                Result = m_result = new NativeReference<DecodeResult>(allocator);
-            }
-
-            public override void Begin(BlockRange range)
-            {
-                Range = range;
-                FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-                var bytes = Points.Bytes;
-                for (int axis = 0; axis < 3; axis++)
-                {
-                    var column = bytes.GetSubArray(Points.Column(axis).OffsetBytes, 4 * range.Count).Reinterpret<int>(1);
-                    for (int i = 0; i < range.Count; i++)
-                    {
-                        long point = FirstPoint + i;
-                        column[i] = axis == 0 ? (int)(point % 150000) : axis == 1 ? (int)(point / 150000) : 7;
-                    }
-                }
-                m_result.Value = new DecodeResult { Points = range.Count };
-                Decoded = default;
-            }
-
-            public override void Complete() => Points.Count = m_result.Value.Points;
-
-            public override void Dispose()
-            {
-                if (!m_result.IsCreated)
-                    return;
-                Points.Dispose();
-                m_result.Dispose();
-            }
-        }
-
         [Test]
         public unsafe void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
         {
-            using (var reader = new VirtualReader())
+            using (var reader = new VirtualReader(Points))
             {
                 Assert.That(reader.PointCount, Is.EqualTo(Points));
                 SourceSample sample = null;

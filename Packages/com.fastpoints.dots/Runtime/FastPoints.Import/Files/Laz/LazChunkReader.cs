@@ -30,6 +30,7 @@ namespace FastPoints.Files
 
         readonly LasFile m_las;
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
+        long m_maxInputBytes = -1;
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
         FileHandle m_file;
@@ -114,6 +115,9 @@ namespace FastPoints.Files
         /// <summary>Input of the largest block that is known, for a slot that takes any.</summary>
         internal long MaxInputBytes()
         {
+            // Of millions of blocks it takes longer than reading some of them.
+            if (m_maxInputBytes >= 0)
+                return m_maxInputBytes;
             long most = 0;
             foreach (var block in m_blocks)
             {
@@ -122,7 +126,7 @@ namespace FastPoints.Files
                 long before = block.FirstInChunk - (checkpoint?.Point ?? 0);
                 most = Math.Max(most, Math.Min(block.EndOffset - start, MaxInputBytes(before + block.Points)));
             }
-            return most;
+            return m_maxInputBytes = most;
         }
 
         /// <summary>Bytes that so many points of a chunk take at most: all that is read of one, however long it says it
@@ -182,6 +186,7 @@ namespace FastPoints.Files
         {
             m_blocks.Clear();
             m_maxPointsPerBlock = 0;
+            m_maxInputBytes = -1;
         }
 
         private protected void AddBlock(int chunk, long firstInChunk, long points, long end, bool isToEnd, int checkpoint)
@@ -199,6 +204,7 @@ namespace FastPoints.Files
                 Checkpoint = checkpoint,
             });
             m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, (int)points);
+            m_maxInputBytes = -1;
         }
 
         /// <summary>Holds the claimed bounds against the first points of some chunks, which are stored as they are.</summary>

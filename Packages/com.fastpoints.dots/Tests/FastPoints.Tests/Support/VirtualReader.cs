@@ -1,0 +1,92 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Support
+{
+    /// <summary>A source of any number of points: a grid of the plane, in blocks that are made when they are read.</summary>
+    public sealed class VirtualReader : PointReader
+    {
+        readonly long m_points;
+        readonly int m_blockPoints;
+        readonly bool m_fixedStride;
+
+        public VirtualReader(long points, int blockPoints = 1 << 20, bool fixedStride = true)
+        {
+            m_points = points;
+            m_blockPoints = blockPoints;
+            m_fixedStride = fixedStride;
+            Info = new SourceInfo
+            {
+                Path = "virtual",
+                Format = "virtual",
+                PointsClaimed = (ulong)points,
+                PointsReadable = points,
+                RecordBytes = 12,
+                Transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) },
+                Schema = new PointSchema(new[]
+                {
+                    new PointAttribute(AttributeNames.X, AttributeType.Int32),
+                    new PointAttribute(AttributeNames.Y, AttributeType.Int32),
+                    new PointAttribute(AttributeNames.Z, AttributeType.Int32),
+                }),
+            };
+        }
+
+        public override int BlockCount => (int)(m_points / m_blockPoints);
+        public override int MaxPointsPerBlock => m_blockPoints;
+        public override bool HasFixedStride => m_fixedStride;
+        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
+        public override int PointsInBlock(int block) => m_blockPoints;
+        public override long BytesOfRange(BlockRange range) => 12L * range.Count;
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new VirtualRead(this, wanted, capacity, allocator);
+
+        public override void Dispose()
+        {
+        }
+    }
+
+    sealed class VirtualRead : BlockRead
+    {
+        readonly PointReader m_reader;
+        NativeReference<DecodeResult> m_result;
+
+        public VirtualRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            m_reader = reader;
+            Points = new PointBatch(wanted, capacity, allocator);
+            Result = m_result = new NativeReference<DecodeResult>(allocator);
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            var bytes = Points.Bytes;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var column = bytes.GetSubArray(Points.Column(axis).OffsetBytes, 4 * range.Count).Reinterpret<int>(1);
+                for (int i = 0; i < range.Count; i++)
+                {
+                    long point = FirstPoint + i;
+                    column[i] = axis == 0 ? (int)(point % 150000) : axis == 1 ? (int)(point / 150000) : 7;
+                }
+            }
+            m_result.Value = new DecodeResult { Points = range.Count };
+            Decoded = default;
+        }
+
+        public override void Complete() => Points.Count = m_result.Value.Points;
+
+        public override void Dispose()
+        {
+            if (!m_result.IsCreated)
+                return;
+            Points.Dispose();
+            m_result.Dispose();
+        }
+    }
+}
