@@ -19,6 +19,9 @@ namespace FastPoints.Cli
         static readonly (double Share, string Name)[] s_shares =
             [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
 
+        /// <summary>Points that are decoded for one that is shown, where beginnings are thinned.</summary>
+        const int TimesDecoded = 5;
+
         readonly CliRun m_run;
         readonly CompareSamples m_comparison;
         readonly SampleTakers m_takers;
@@ -103,6 +106,11 @@ namespace FastPoints.Cli
             foreach (int count in counts)
                 Measure(beginnings, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
             Curves.Add(beginnings);
+            var thinned = new ErrorCurve("thinned beginnings", "N points of " + TimesDecoded
+                + " times as many from the beginnings of all blocks: first those that stand where no other does");
+            foreach (int count in counts.Where(c => (long)c * TimesDecoded <= reader.PointCount))
+                Measure(thinned, () => m_takers.ThinnedBeginnings(count, TimesDecoded));
+            Curves.Add(thinned);
             var deeper = new ErrorCurve("deeper beginnings", "as many points as the last wave, evenly from the first "
                 + string.Join(", ", s_shares.Select(s => s.Name)) + " of each block");
             foreach (var (share, _) in s_shares)

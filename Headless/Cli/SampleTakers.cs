@@ -70,6 +70,21 @@ namespace FastPoints.Cli
         public TakenSample Beginnings(double share, int points) =>
             Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
 
+        /// <summary>Points of the beginnings of all blocks, so many times as many decoded: those that stand where no other does
+        /// before all others.</summary>
+        public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
+        {
+            var watch = Stopwatch.StartNew();
+            var ranges = RangeSampler.Beginnings(reader, Math.Min(1, (double)times * points / reader.PointCount));
+            using var sampler = new RangeSampler(reader, ranges, int.MaxValue);
+            run.Pump(sampler.Run(run.Progress));
+            using var decoded = sampler.TakePoints();
+            var display = new DisplayRanges();
+            run.Pump(display.Measure(decoded, reader.Info.Transform, options.Picture.UpAxis));
+            var thinned = ThinnedChoice.Take(decoded, reader.Info.Transform, display, points);
+            return OneWave(thinned, reader, opened + watch.Elapsed.TotalSeconds, sampler.BytesRead);
+        });
+
         TakenSample Ranges(PointReader reader, double opened, List<BlockRange> ranges, int points)
         {
             var watch = Stopwatch.StartNew();
