@@ -17,8 +17,8 @@ namespace FastPoints.Streaming
     /// </summary>
     sealed unsafe class TreeNodeMaker : NodeMaker
     {
-        /// <summary>Nodes up to this share one size of memory.</summary>
-        const int LeastCapacity = 1 << 16;
+        /// <summary>Nodes up to this share one size of memory; it is doubled for larger ones.</summary>
+        const int LeastCapacity = 1 << 12;
 
         readonly TreeSource m_source;
         readonly int[] m_firstColumnOfPlane;
@@ -49,6 +49,12 @@ namespace FastPoints.Streaming
                 columns += source.Layout.Planes[source.Planes[p]].ColumnCount;
             }
         }
+
+        /// <summary>Points that it has memory for.</summary>
+        public int Capacity => m_capacity;
+
+        /// <summary>Points of the node that it was taken for.</summary>
+        public int PointsTaken { get; set; }
 
         public override bool IsDone => m_done.IsCompleted;
 
@@ -183,7 +189,7 @@ namespace FastPoints.Streaming
         void MakeRoom(int points)
         {
             FreeRoom();
-            int capacity = Math.Max(LeastCapacity, Math.Max(points, m_source.Reader.MaxPointsPerBlock));
+            int capacity = Math.Max(LeastCapacity, math.ceilpow2(points));
             int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
             m_read = m_source.Reader.CreateRead(m_source.Wanted, capacity, Allocator.Persistent);
             m_offsets = Room<byte>((m_source.Grids.IsWide ? 24L : 12L) * capacity);

@@ -17,16 +17,24 @@ namespace FastPoints.Streaming
     /// </summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>Nodes that are made at once at most. Each has memory of its own: that of the largest node, decoded and
-        /// packed.</summary>
-        const int MostMakers = 8;
+        /// <summary>Nodes that are made at once at most: small ones take less than a frame each, and a maker is free again in
+        /// the frame after.</summary>
+        const int MostMakers = 16;
+
+        /// <summary>Large ones: one is read while another is decoded.</summary>
+        const int LeastAtWork = 2;
+
+        /// <summary>About a frame's work. Nodes of more points than this for each worker are not made at once, so that other
+        /// jobs' turn comes.</summary>
+        const int PointsPerWorker = 1 << 16;
 
         static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
 
         readonly TreePages m_pages;
-        readonly List<NodeMaker> m_makers = new List<NodeMaker>();
-        readonly Stack<NodeMaker> m_idle = new Stack<NodeMaker>();
-        readonly int m_mostMakers;
+        readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
+        readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
+        readonly long m_mostPoints;
+        long m_pointsAtWork;
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
         NativeArray<int> m_bitsOfPlane;
@@ -44,7 +52,7 @@ namespace FastPoints.Streaming
             Reader = reader;
             Grids = new TreeGrid(reader.Info, reader.Tree);
             m_pages = new TreePages(reader, Grids);
-            m_mostMakers = Math.Max(2, Math.Min(MostMakers, JobsUtility.JobWorkerCount));
+            m_mostPoints = (long)PointsPerWorker * Math.Max(1, JobsUtility.JobWorkerCount);
             var attributes = new List<PointAttribute>();
             foreach (var attribute in reader.Info.Schema)
                 if (Array.IndexOf(s_position, attribute.Name) < 0)
@@ -131,18 +139,31 @@ namespace FastPoints.Streaming
                 stream.Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
         }
 
-        public override NodeMaker TakeMaker()
+        public override NodeMaker TakeMaker(int points)
         {
-            if (m_idle.Count > 0)
-                return m_idle.Pop();
-            if (m_makers.Count == m_mostMakers)
+            int atWork = m_makers.Count - m_idle.Count;
+            if (atWork == MostMakers || atWork >= LeastAtWork && m_pointsAtWork + points > m_mostPoints)
                 return null;
-            var maker = new TreeNodeMaker(this);
-            m_makers.Add(maker);
+            int best = BestIdle(points);
+            if (best < 0)
+            {
+                m_makers.Add(new TreeNodeMaker(this));
+                m_idle.Add(m_makers[m_makers.Count - 1]);
+                best = m_idle.Count - 1;
+            }
+            var maker = m_idle[best];
+            m_idle.RemoveAt(best);
+            maker.PointsTaken = points;
+            m_pointsAtWork += points;
             return maker;
         }
 
-        public override void GiveMaker(NodeMaker maker) => m_idle.Push(maker);
+        public override void GiveMaker(NodeMaker maker)
+        {
+            var given = (TreeNodeMaker)maker;
+            m_pointsAtWork -= given.PointsTaken;
+            m_idle.Add(given);
+        }
 
         public override void Dispose()
         {
@@ -156,6 +177,21 @@ namespace FastPoints.Streaming
             m_bitsOfPlane.Dispose();
             m_shapeOfStreamed.Dispose();
             Reader.Dispose();
+        }
+
+        /// <summary>The smallest with enough memory, otherwise the largest, so that few grow large.</summary>
+        /// <returns>-1 where none is idle.</returns>
+        int BestIdle(int points)
+        {
+            int best = -1;
+            for (int i = 0; i < m_idle.Count; i++)
+            {
+                int capacity = m_idle[i].Capacity, ofBest = best < 0 ? 0 : m_idle[best].Capacity;
+                bool isBetter = ofBest >= points ? capacity >= points && capacity < ofBest : capacity > ofBest;
+                if (best < 0 || isBetter)
+                    best = i;
+            }
+            return best;
         }
 
         BuildTreePageJob JobFor(int page, NativeReference<HierarchyPage> built, NativeReference<TableProblem> problem)

@@ -198,7 +198,7 @@ namespace FastPoints.Streaming
         /// <returns>Whether the pool had room for it.</returns>
         bool TryMake(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
         {
-            var maker = cloud.Source.TakeMaker();
+            var maker = cloud.Source.TakeMaker(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
             if (maker == null)
                 return true;
             // What is known is a bound, until the node was made once: only then it is too large for any bank.

@@ -68,8 +68,9 @@ namespace FastPoints.Streaming
         {
         }
 
-        /// <summary>Where nodes are made: a maker that is idle, until it is given back. Null while all are at work.</summary>
-        public virtual NodeMaker TakeMaker() => null;
+        /// <summary>Where nodes are made: a maker that is idle, until it is given back. Null while enough are at work.</summary>
+        /// <param name="points">Of the node that it is wanted for.</param>
+        public virtual NodeMaker TakeMaker(int points) => null;
 
         public virtual void GiveMaker(NodeMaker maker)
         {
