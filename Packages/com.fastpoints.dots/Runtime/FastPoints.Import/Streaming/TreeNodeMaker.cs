@@ -101,8 +101,9 @@ namespace FastPoints.Streaming
             if (!m_state.Value.IsDamaged)
                 return MakeOutcome.Made;
             var cell = m_node.Cell;
-            failure = new StreamFailure(m_source.Path, -1, "node " + Text(m_node.Level) + "-" + Text(cell.x) + "-" + Text(cell.y) +
-                "-" + Text(cell.z) + " is damaged: wanted " + Text(m_node.PointCount) + " points, got " + Text(m_read.Points.Count));
+            string name = Text(m_node.Level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
+            failure = new StreamFailure(m_source.Path, -1, "node " + name + " is damaged: wanted " + Text(m_node.PointCount) +
+                " points, got " + Text(m_read.Points.Count));
             return MakeOutcome.Damaged;
         }
 
