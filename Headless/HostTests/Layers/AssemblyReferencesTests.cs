@@ -44,11 +44,19 @@ namespace FastPoints.HostTests.Layers
             }));
         }
 
+        /// <summary>An assembly within another's folder adds its folder's name to that assembly's.</summary>
         [Test]
         public void Asmdefs_OfThePackage_AreCalledAsTheirFolders() => Assert.That(
             Table().All.Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name
-                || (Path.GetFileName(Path.GetDirectoryName(a.File)) != a.Name && a.Name != "FastPoints.Editor")).Select(a => a.File),
+                || (!FoldersOf(a.File).Contains(a.Name) && a.Name != "FastPoints.Editor")).Select(a => a.File),
             Is.Empty);
+
+        static string[] FoldersOf(string file)
+        {
+            string folder = Path.GetDirectoryName(file);
+            string name = Path.GetFileName(folder);
+            return new[] { name, Path.GetFileName(Path.GetDirectoryName(folder)) + "." + name };
+        }
 
         private static AssemblyTable Table() => AssemblyTable.Load(Checkout.Repository.PackageRoot);
 

@@ -12,6 +12,8 @@ namespace FastPoints.RepoTools.Api
         string Id, string Assembly, string Kind, string Type, string Flags, string Detail, string Constraints,
         string Obsolete, string In, string Varied)
     {
+        private const string HdrpGeneration = "6000.4";
+
         public const string Header =
             "#id\tassembly\tkind\ttype\tflags\tdetail\tconstraints\tobsolete\tin\tvaried";
 
@@ -32,7 +34,10 @@ namespace FastPoints.RepoTools.Api
         public string Compose() => string.Join('\t', Id, Assembly, Kind, Type, Flags, Detail, Constraints, Obsolete, In, Varied)
             .TrimEnd('\t');
 
-        public bool IsIn(string generation) => In == "*" || In.Split(',').Contains(generation);
+        /// <summary>HDRP's signatures are known of 6000.0 and 6000.4, and of little of 6000.3: its other generations are taken for
+        /// 6000.4's.</summary>
+        public bool IsIn(string generation) => In == "*" || In.Split(',').Contains(generation)
+            || (generation != "6000.0" && In.Split(',').Contains(HdrpGeneration));
 
         /// <summary>A flag as the list names it: static, get, set, protected, ref-return, ...</summary>
         public bool Has(string flag)

@@ -117,7 +117,9 @@ namespace FastPoints.RepoTools.Api
             CheckUsable(row, DocId.DefinitionName(type));
             if (!Origins.AssembliesOf(row).Contains(assembly))
                 Add($"{DocId.DefinitionName(type)} is in {row.Assembly}, the stand-in has it in {assembly}");
-            if (type.IsValueType != (row.Kind == "struct" || row.Kind == "enum"))
+            // A reference says what it is in signatures only, not where a static method of it is called.
+            bool isValue = type.IsValueType || Resolution.Of(type)?.IsValueType == true;
+            if (isValue != (row.Kind == "struct" || row.Kind == "enum"))
                 Add($"{DocId.DefinitionName(type)} is a {row.Kind}");
             if (Origins.ReferenceFor(row) is { } needed && !m_assemblies.References(m_assembly).Contains(needed))
                 Add($"{DocId.DefinitionName(type)} needs a reference to {needed} in {m_assembly}.asmdef");

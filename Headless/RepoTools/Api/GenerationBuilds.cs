@@ -11,7 +11,8 @@ namespace FastPoints.RepoTools.Api
     {
         private static readonly string[] s_assemblies =
         {
-            "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Tests",
+            "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp",
+            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Tests",
         };
 
         private readonly Resolver m_resolver = new Resolver();
@@ -28,6 +29,8 @@ namespace FastPoints.RepoTools.Api
             }
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Tests", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Urp", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Hdrp", generation));
             foreach (string folder in NetStandardFolders())
                 m_resolver.AddSearchDirectory(folder);
             Package = files.Select(Read).ToList();

@@ -12,6 +12,7 @@ namespace FastPoints.RepoTools.Layers
         private static readonly string[] s_view = s_dots.Append("FastPoints").ToArray();
         private static readonly string[] s_shared = s_view.Append("FastPoints.Import").ToArray();
 
+        private static readonly string[] s_drawing = { "FastPoints", "FastPoints.Rendering" };
         private static readonly string[] s_entities = { "Unity.Entities", "Unity.Entities.Hybrid", "Unity.Transforms" };
 
         private static readonly Dictionary<string, string[]> s_mayReference = new Dictionary<string, string[]>
@@ -19,6 +20,9 @@ namespace FastPoints.RepoTools.Layers
             ["FastPoints"] = s_dots,
             ["FastPoints.Import"] = s_view,
             ["FastPoints.Rendering"] = s_view,
+            ["FastPoints.Rendering.BuiltIn"] = s_drawing,
+            ["FastPoints.Rendering.Urp"] = s_drawing.Append("Unity.RenderPipelines.Core.Runtime").Append("Unity.RenderPipelines.Universal.Runtime").ToArray(),
+            ["FastPoints.Rendering.Hdrp"] = s_drawing.Append("Unity.RenderPipelines.Core.Runtime").Append("Unity.RenderPipelines.HighDefinition.Runtime").ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
             ["FastPoints.Tests"] = s_shared.Append("FastPoints.Rendering").Append("FastPoints.Entities").Append("FastPoints.Benchmarks").Concat(s_entities).Append("UnityEngine.TestRunner").Append("UnityEditor.TestRunner").ToArray(),
             ["FastPoints.Benchmarks"] = s_shared,

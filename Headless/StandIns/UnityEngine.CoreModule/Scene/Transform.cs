@@ -4,5 +4,7 @@ namespace UnityEngine
     public class Transform : Component
     {
         public Matrix4x4 localToWorldMatrix { get; internal set; } = Matrix4x4.identity;
+
+        public Vector3 position => new Vector3(localToWorldMatrix.m03, localToWorldMatrix.m13, localToWorldMatrix.m23);
     }
 }

@@ -29,15 +29,16 @@ namespace StandIns.Graphics
             m_targets = new RenderTargets(device);
         }
 
-        internal void Run(CommandBuffer buffer)
+        /// <param name="before">What the engine itself does first, with the target that it leaves set; null for nothing.</param>
+        internal void Run(CommandBuffer buffer, CommandBuffer before = null)
         {
-            m_buffer = buffer;
             m_targets.Reset();
             m_recording = m_device.Queue.Open();
             try
             {
-                for (int i = 0; i < buffer.Commands.Count; i++)
-                    Do(buffer.Commands[i]);
+                if (before != null)
+                    Do(before);
+                Do(buffer);
             }
             finally
             {
@@ -48,6 +49,13 @@ namespace StandIns.Graphics
                     GraphicsFence.Execute(fence, submission);
                 m_fences.Clear();
             }
+        }
+
+        void Do(CommandBuffer buffer)
+        {
+            m_buffer = buffer;
+            for (int i = 0; i < buffer.Commands.Count; i++)
+                Do(buffer.Commands[i]);
         }
 
         void Do(in RecordedCommand command)

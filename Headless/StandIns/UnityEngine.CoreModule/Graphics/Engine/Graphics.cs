@@ -10,13 +10,16 @@ namespace UnityEngine
 
         /// <summary>Sends the commands to the device, and does not wait for them.</summary>
         /// <exception cref="InvalidOperationException">A command names what is not there: the message says which.</exception>
-        public static void ExecuteCommandBuffer(CommandBuffer buffer)
+        public static void ExecuteCommandBuffer(CommandBuffer buffer) => Execute(null, buffer);
+
+        /// <summary>Executes a camera's command buffer where the camera draws.</summary>
+        internal static void Execute(CommandBuffer before, CommandBuffer buffer)
         {
             if (buffer == null)
                 throw new ArgumentNullException(nameof(buffer));
             buffer.CheckReleased();
             s_replay ??= new CommandReplay(GpuDevice.Current);
-            s_replay.Run(buffer);
+            s_replay.Run(buffer, before);
         }
 
         /// <summary>Has passed when the device has done all that was asked of it until now.</summary>

@@ -9,6 +9,7 @@ namespace FastPoints.Entities
     /// All of streaming, once a frame: what the systems below it share, and its life. In the editor's world as in the player's.
     /// Their order:
     /// <list type="number">
+    /// <item><see cref="CollectViewsSystem"/>: cameras that were drawn</item>
     /// <item><see cref="ApplyBudgetSystem"/>: limits that were set</item>
     /// <item><see cref="OpenCloudsSystem"/>, <see cref="PlaceCloudsSystem"/>: files become sources, transforms placements</item>
     /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>

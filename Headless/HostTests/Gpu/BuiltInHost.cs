@@ -1,0 +1,15 @@
+using FastPoints.Rendering.BuiltIn;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Gpu
+{
+    /// <summary>Cameras draw by themselves.</summary>
+    sealed class BuiltInHost : PipelineHost
+    {
+        public BuiltInHost() => BuiltInPass.Begin();
+
+        public override void Render(Camera camera) => camera.Render();
+
+        public override void Dispose() => BuiltInPass.End();
+    }
+}

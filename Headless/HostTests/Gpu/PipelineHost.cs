@@ -1,0 +1,28 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.HostTests.Gpu
+{
+    /// <summary>As much of a render pipeline as it takes to draw one camera in a scene without meshes.</summary>
+    abstract class PipelineHost : IDisposable
+    {
+        public static PipelineHost Make(string name) => name switch
+        {
+            nameof(BuiltInHost) => new BuiltInHost(),
+            nameof(UrpHost) => new UrpHost(),
+            nameof(HdrpHost) => new HdrpHost(),
+            _ => throw new ArgumentException(name),
+        };
+
+        public abstract void Render(Camera camera);
+
+        public abstract void Dispose();
+
+        protected static void Clear(Camera camera, CommandBuffer commands)
+        {
+            commands.SetRenderTarget(camera.targetTexture);
+            commands.ClearRenderTarget(true, true, camera.backgroundColor);
+        }
+    }
+}

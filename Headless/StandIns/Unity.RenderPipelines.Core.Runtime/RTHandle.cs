@@ -1,0 +1,9 @@
+namespace UnityEngine.Rendering
+{
+    public class RTHandle
+    {
+        internal RenderTexture Texture;
+
+        public static implicit operator RenderTargetIdentifier(RTHandle handle) => new RenderTargetIdentifier(handle.Texture);
+    }
+}

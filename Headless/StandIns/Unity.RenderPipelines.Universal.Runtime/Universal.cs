@@ -1,0 +1,65 @@
+using System.Collections.Generic;
+using UnityEngine.Rendering.RenderGraphModule;
+
+namespace UnityEngine.Rendering.Universal
+{
+    public enum RenderPassEvent
+    {
+        AfterRenderingOpaques = 300,
+    }
+
+    public abstract class ScriptableRenderPass : IRenderGraphRecorder
+    {
+        public RenderPassEvent renderPassEvent { get; set; }
+
+        public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
+        {
+        }
+    }
+
+    public abstract class ScriptableRenderer
+    {
+        internal readonly List<ScriptableRenderPass> Passes = new List<ScriptableRenderPass>();
+
+        public void EnqueuePass(ScriptableRenderPass pass) => Passes.Add(pass);
+    }
+
+    public class UniversalAdditionalCameraData : MonoBehaviour
+    {
+        public ScriptableRenderer scriptableRenderer { get; internal set; }
+    }
+
+    public static class CameraExtensions
+    {
+        public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera) =>
+            camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
+    }
+
+    public abstract class UniversalResourceDataBase : ContextItem
+    {
+    }
+
+    public class UniversalResourceData : UniversalResourceDataBase
+    {
+        public TextureHandle activeColorTexture { get; internal set; }
+
+        public TextureHandle activeDepthTexture { get; internal set; }
+
+        public override void Reset()
+        {
+        }
+    }
+
+    public class UniversalCameraData : ContextItem
+    {
+        public Camera camera;
+
+        public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
+
+        public override void Reset() => camera = null;
+    }
+
+    public class UniversalRenderPipelineAsset : RenderPipelineAsset
+    {
+    }
+}

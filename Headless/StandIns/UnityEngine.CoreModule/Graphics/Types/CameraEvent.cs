@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering
+{
+    public enum CameraEvent
+    {
+        AfterForwardOpaque = 11,
+    }
+}

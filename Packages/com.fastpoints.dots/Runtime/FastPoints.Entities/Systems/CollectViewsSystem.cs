@@ -1,0 +1,21 @@
+using FastPoints.Rendering;
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Takes the cameras that were drawn since the last frame: they are selected for.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
+    [UpdateBefore(typeof(ApplyBudgetSystem))]
+    public partial class CollectViewsSystem : StreamSystem
+    {
+        protected override void OnUpdate()
+        {
+            var scene = PointScene.Current;
+            if (scene == null || scene.Stream != Group.Stream)
+                return;
+            Group.Views.AddRange(scene.NextViews);
+            scene.BeginFrame();
+        }
+    }
+}

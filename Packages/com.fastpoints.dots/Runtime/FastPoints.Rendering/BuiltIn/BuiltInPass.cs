@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering.BuiltIn
+{
+    /// <summary>Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded anew
+    /// before each picture. Nothing has to be set up.</summary>
+    public static class BuiltInPass
+    {
+        const CameraEvent Place = CameraEvent.AfterForwardOpaque;
+
+        static readonly List<Camera> s_cameras = new List<Camera>();
+        static readonly List<CommandBuffer> s_commands = new List<CommandBuffer>();
+
+        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        public static void Begin()
+        {
+            Camera.onPreCull -= Draw;
+            Camera.onPreCull += Draw;
+        }
+
+        /// <summary>Takes the command buffers out of all cameras.</summary>
+        public static void End()
+        {
+            Camera.onPreCull -= Draw;
+            for (int i = 0; i < s_cameras.Count; i++)
+            {
+                if (s_cameras[i] != null)
+                    s_cameras[i].RemoveCommandBuffer(Place, s_commands[i]);
+                s_commands[i].Dispose();
+            }
+            s_cameras.Clear();
+            s_commands.Clear();
+        }
+
+        static void Draw(Camera camera)
+        {
+            // Scriptable pipelines have passes of their own.
+            if (GraphicsSettings.currentRenderPipeline != null || !PointScene.IsDrawn(camera))
+                return;
+            var commands = CommandsFor(camera);
+            commands.Clear();
+            var scene = PointScene.Current;
+            if (scene == null)
+                return;
+            scene.Announce(camera);
+            scene.Record(commands, camera, true);
+        }
+
+        static CommandBuffer CommandsFor(Camera camera)
+        {
+            for (int i = s_cameras.Count - 1; i >= 0; i--)
+            {
+                if (ReferenceEquals(s_cameras[i], camera))
+                    return s_commands[i];
+                if (s_cameras[i] != null)
+                    continue;
+                s_commands[i].Dispose();
+                s_commands.RemoveAt(i);
+                s_cameras.RemoveAt(i);
+            }
+            var commands = new CommandBuffer { name = "FastPoints" };
+            camera.AddCommandBuffer(Place, commands);
+            s_cameras.Add(camera);
+            s_commands.Add(commands);
+            return commands;
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.HighDefinition;
+
+namespace FastPoints.Rendering.Hdrp
+{
+    /// <summary>Draws the clouds in HDRP, after opaque meshes and the sky: a custom pass of all cameras, without a
+    /// volume.</summary>
+    public sealed class HdrpPass : CustomPass
+    {
+        const CustomPassInjectionPoint Place = CustomPassInjectionPoint.AfterOpaqueAndSky;
+
+        static HdrpPass s_pass;
+
+        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        public static void Begin()
+        {
+            End();
+            s_pass = new HdrpPass { name = "FastPoints" };
+            CustomPassVolume.RegisterGlobalCustomPass(Place, s_pass);
+        }
+
+        public static void End()
+        {
+            if (s_pass != null)
+                CustomPassVolume.UnregisterGlobalCustomPass(Place, s_pass);
+            s_pass = null;
+        }
+
+        protected override void Execute(CustomPassContext ctx)
+        {
+            var scene = PointScene.Current;
+            var camera = ctx.hdCamera.camera;
+            if (scene == null || !PointScene.IsDrawn(camera))
+                return;
+            scene.Announce(camera);
+            CoreUtils.SetRenderTarget(ctx.cmd, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, ClearFlag.None);
+            scene.Record(ctx.cmd, camera, true);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+using UnityEngine.Rendering.Universal;
+
+namespace FastPoints.Rendering.Urp
+{
+    /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera as it comes, so that no renderer asset has to
+    /// be changed.</summary>
+    public sealed class UrpPass : ScriptableRenderPass
+    {
+        static UrpPass s_pass;
+
+        /// <summary>What the pass's function is given.</summary>
+        sealed class PassData
+        {
+            public PointScene Scene;
+            public UniversalCameraData CameraData;
+            public TextureHandle Color;
+            public TextureHandle Depth;
+        }
+
+        UrpPass() => renderPassEvent = RenderPassEvent.AfterRenderingOpaques;
+
+        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        public static void Begin()
+        {
+            RenderPipelineManager.beginCameraRendering -= Enqueue;
+            RenderPipelineManager.beginCameraRendering += Enqueue;
+        }
+
+        public static void End() => RenderPipelineManager.beginCameraRendering -= Enqueue;
+
+        public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
+        {
+            var resources = frameData.Get<UniversalResourceData>();
+            using (var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data))
+            {
+                data.Scene = PointScene.Current;
+                data.CameraData = frameData.Get<UniversalCameraData>();
+                data.Color = resources.activeColorTexture;
+                data.Depth = resources.activeDepthTexture;
+                builder.UseTexture(data.Color, AccessFlags.ReadWrite);
+                builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
+                builder.AllowPassCulling(false);
+                builder.SetRenderFunc<PassData>(Draw);
+            }
+        }
+
+        static void Draw(PassData data, UnsafeGraphContext context)
+        {
+            var commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
+            commands.SetRenderTarget(data.Color, data.Depth);
+            bool intoTexture = data.CameraData.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
+            data.Scene.Record(commands, data.CameraData.camera, intoTexture);
+        }
+
+        static void Enqueue(ScriptableRenderContext context, Camera camera)
+        {
+            var scene = PointScene.Current;
+            if (scene == null || !PointScene.IsDrawn(camera) ||
+                !(GraphicsSettings.currentRenderPipeline is UniversalRenderPipelineAsset))
+                return;
+            scene.Announce(camera);
+            if (s_pass == null)
+                s_pass = new UrpPass();
+            camera.GetUniversalAdditionalCameraData().scriptableRenderer.EnqueuePass(s_pass);
+        }
+    }
+}
