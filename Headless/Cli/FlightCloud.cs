@@ -18,7 +18,7 @@ namespace FastPoints.Cli
     public static class FlightCloud
     {
         /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
-        const int PointsToPlanWith = 100_000;
+        const int PointsToPlanWith = DrawStored.PointsToPlanWith;
 
         static readonly string[] s_attributes =
         [

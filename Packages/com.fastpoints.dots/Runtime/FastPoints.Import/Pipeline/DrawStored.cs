@@ -16,7 +16,7 @@ namespace FastPoints.Pipeline
         public const long DefaultBudget = 2000000;
 
         /// <summary>Points that the choices are made from.</summary>
-        const int PointsToPlanWith = 200000;
+        public const int PointsToPlanWith = 200000;
 
         readonly CloudFolder m_folder;
         readonly PictureOptions m_options;
