@@ -42,8 +42,9 @@ namespace FastPoints.RepoTools.Meta
                 case ".bytes":
                     return new Importer("TextScriptImporter", false, NoSettings);
                 case ".asset":
+                    return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 11400000\n");
                 case ".mat":
-                    return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 0\n");
+                    return new Importer("NativeFormatImporter", false, "  mainObjectFileID: 2100000\n");
                 case ".prefab":
                     return new Importer("PrefabImporter", false, NoSettings);
                 default:

@@ -23,15 +23,14 @@ namespace Unity.Entities
 
         static void Add(World world, Type type)
         {
-            bool isNew = world.GetExistingSystemManaged(type) == null;
             var system = world.GetOrCreateSystemManaged(type);
             bool isRoot = type == typeof(InitializationSystemGroup) || type == typeof(SimulationSystemGroup) ||
                 type == typeof(PresentationSystemGroup);
-            if (!isNew || isRoot)
+            if (isRoot)
                 return;
             var group = type.GetCustomAttribute<UpdateInGroupAttribute>()?.GroupType ?? typeof(SimulationSystemGroup);
-            if (world.GetExistingSystemManaged(group) == null)
-                Add(world, group);
+            // A group may have been made by a system that asked for it.
+            Add(world, group);
             ((ComponentSystemGroup)world.GetExistingSystemManaged(group)).AddSystemToUpdateList(system);
         }
     }

@@ -10,6 +10,12 @@ namespace FastPoints.Rendering
     /// <summary>From what a picture decides to what shaders are told: both colour a point alike.</summary>
     public static class CloudLooks
     {
+        /// <summary>What a mode streams beside the position.</summary>
+        public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
+            : mode == ColorMode.Intensity ? new[] { AttributeNames.Intensity }
+            : mode == ColorMode.Classification ? new[] { AttributeNames.Classification }
+            : new string[0];
+
         /// <param name="colors">Of places in grid steps from the corner of the source's root cube.</param>
         /// <param name="source">Streams the plane that the mode needs.</param>
         public static CloudLook Of(in ColorMapping colors, NodeSource source)

@@ -8,9 +8,6 @@ namespace FastPoints.Entities
         /// <summary>Of the <c>.fastpoints</c> folder: absolute, or below the application's streaming assets.</summary>
         public string Path;
 
-        /// <summary>Planes that are streamed beside the position; colour where there is none named here.</summary>
-        public string[] Planes;
-
         /// <summary>What went wrong when it was opened; null where nothing did.</summary>
         public string Error;
     }

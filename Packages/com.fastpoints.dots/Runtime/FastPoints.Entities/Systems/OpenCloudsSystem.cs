@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading.Tasks;
+using FastPoints.Picture;
+using FastPoints.Rendering;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -77,13 +79,17 @@ namespace FastPoints.Entities
 
         void Add(Entity entity, CloudFolder folder)
         {
-            var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-            var planes = file.Planes != null && file.Planes.Length > 0 ? file.Planes : new[] { StoreLayout.ColorName };
             var manifest = folder.Manifest;
             var space = UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit);
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
             EntityManager.AddComponentData(entity, new PointCloudPlacement());
-            EntityManager.AddComponentObject(entity, new PointCloudSource { Source = new FolderSource(folder, planes) });
+            var ranges = DisplayRanges.Of(manifest);
+            var mode = ranges.Resolve(ColorMode.Auto);
+            var planes = CloudLooks.PlanesFor(mode);
+            var source = new FolderSource(folder, planes);
+            var colors = ColorMapping.Of(mode, ranges, manifest.Grid.FromCorner(manifest.Root.Corner));
+            EntityManager.AddComponentData(entity, new PointCloudLook { Mode = mode, Value = CloudLooks.Of(colors, source) });
+            EntityManager.AddComponentObject(entity, new PointCloudSource { Source = source });
         }
 
         void Fail(Entity entity, Exception failure)

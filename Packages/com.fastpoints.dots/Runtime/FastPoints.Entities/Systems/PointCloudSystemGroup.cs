@@ -1,7 +1,9 @@
 using System;
+using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
+using UnityEngine;
 
 namespace FastPoints.Entities
 {
@@ -13,6 +15,7 @@ namespace FastPoints.Entities
     /// <item><see cref="ApplyBudgetSystem"/>: limits that were set</item>
     /// <item><see cref="OpenCloudsSystem"/>, <see cref="PlaceCloudsSystem"/>: files become sources, transforms placements</item>
     /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>
+    /// <item><see cref="ShowCloudsSystem"/>: how clouds are coloured</item>
     /// <item><see cref="ReceiveNodesSystem"/>: what arrived since the last frame</item>
     /// <item><see cref="ControlNodesSystem"/>: what users hide, pin and tint</item>
     /// <item><see cref="SelectNodesSystem"/>: what the cameras need</item>
@@ -27,11 +30,20 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PresentationSystemGroup))]
     public partial class PointCloudSystemGroup : ComponentSystemGroup
     {
+        /// <summary>Graphics memory where no <see cref="PointCloudBudget"/> says otherwise.</summary>
+        const long DefaultPoolBytes = 512 << 20;
+
         NativeList<StreamView> m_views;
+        EntityQuery m_files;
+        bool m_isWarned;
         FrameStats m_stats;
 
-        /// <summary>Null until <see cref="Begin"/>: without a pool nothing is streamed.</summary>
+        /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: then clouds are streamed to
+        /// the graphics card, and drawn.</summary>
         public StreamContext Stream { get; private set; }
+
+        /// <summary>What passes draw; null where <see cref="Begin"/> was called by hand.</summary>
+        public PointScene Scene { get; private set; }
 
         /// <summary>What the frame has done up to here; after the update, what it did.</summary>
         public ref FrameStats Stats => ref m_stats;
@@ -51,11 +63,12 @@ namespace FastPoints.Entities
         {
             base.OnCreate();
             m_views = new NativeList<StreamView>(Allocator.Persistent);
+            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>());
         }
 
         protected override void OnUpdate()
         {
-            if (Stream == null)
+            if (Stream == null && !TryBegin())
                 return;
             m_stats = default;
             base.OnUpdate();
@@ -64,11 +77,31 @@ namespace FastPoints.Entities
 
         protected override void OnDestroy()
         {
+            Scene?.Dispose();
+            Scene = null;
             Stream?.Dispose();
             Stream = null;
             if (m_views.IsCreated)
                 m_views.Dispose();
             base.OnDestroy();
+        }
+
+        /// <summary>With the first cloud: a world without clouds takes no memory.</summary>
+        bool TryBegin()
+        {
+            if (m_files.IsEmpty || m_isWarned)
+                return false;
+            var resources = PointCloudResources.Load();
+            if (resources == null)
+            {
+                m_isWarned = true;
+                Debug.LogWarning("Point clouds are not drawn: the package's " + PointCloudResources.Path + " is not there");
+                return false;
+            }
+            Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
+            Scene = new PointScene(resources.Points, Stream);
+            PointScene.Current = Scene;
+            return true;
         }
     }
 }

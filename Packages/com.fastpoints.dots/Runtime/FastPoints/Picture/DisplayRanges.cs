@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
+using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -77,6 +78,40 @@ namespace FastPoints.Picture
 
         /// <summary>What was assumed, and from what: a line for people each.</summary>
         public readonly List<string> Assumptions = new List<string>();
+
+        /// <summary>What a converted cloud says of itself, without a look at its points: bounds, and ranges of its attributes, strays
+        /// included.</summary>
+        public static DisplayRanges Of(CloudManifest manifest)
+        {
+            var bounds = manifest.BoundsGeo;
+            var ranges = new DisplayRanges
+            {
+                Full = bounds,
+                Robust = bounds,
+                ElevationLow = bounds.IsEmpty ? 0 : bounds.Min.z,
+                ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
+                HasClassification = manifest.Attributes.Has(AttributeNames.Classification),
+            };
+            int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
+            if (intensity >= 0)
+            {
+                ranges.HasIntensity = true;
+                ranges.IntensityLow = manifest.Ranges[intensity].Min;
+                ranges.IntensityHigh = manifest.Ranges[intensity].Max;
+                ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+            }
+            if (!manifest.Attributes.HasColor)
+                return ranges;
+            double brightest = 0;
+            foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })
+                brightest = math.max(brightest, manifest.Ranges[manifest.Attributes.IndexOf(name)].Max);
+            var type = manifest.Attributes[manifest.Attributes.IndexOf(AttributeNames.Red)].Type;
+            ranges.Color = !(brightest > 0) ? ColorDepth.None
+                : type.IsFloat() && brightest <= 1 ? ColorDepth.Unit
+                : brightest <= byte.MaxValue ? ColorDepth.Bits8
+                : ColorDepth.Bits16;
+            return ranges;
+        }
 
         /// <summary>Work for a pump: fills this from a batch. The batch must stay until the work is done.</summary>
         public IEnumerator<JobHandle> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)

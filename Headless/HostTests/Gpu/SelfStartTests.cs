@@ -1,0 +1,106 @@
+using System.Linq;
+using System.Threading;
+using FastPoints.Cli;
+using FastPoints.Entities;
+using FastPoints.Headless.Graphics;
+using FastPoints.HostTests.Cli;
+using FastPoints.HostTests.StandIns.Graphics;
+using FastPoints.Rendering;
+using FastPoints.Rendering.BuiltIn;
+using NUnit.Framework;
+using StandIns.Scene;
+using Unity.Collections;
+using Unity.Entities;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace FastPoints.HostTests.Gpu
+{
+    /// <summary>What a user does: a GameObject with a Point Cloud in front of a camera. Nothing else is set up.</summary>
+    public sealed class SelfStartTests : GraphicsFixture
+    {
+        ScratchFolder m_scratch;
+        World m_world;
+
+        [SetUp]
+        public void MakeWorld()
+        {
+            m_scratch = new ScratchFolder();
+            m_world = World.DefaultGameObjectInjectionWorld = new World("default");
+            var systems = typeof(PointCloudSystemGroup).Assembly.GetTypes()
+                .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray();
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, systems);
+            var shaders = new GpuShaders();
+            var resources = ScriptableObject.CreateInstance<PointCloudResources>();
+            resources.Points = shaders.Points;
+            resources.CopyPages = shaders.CopyPages;
+            Resources.Assets[PointCloudResources.Path] = resources;
+            BuiltInPass.Begin();
+        }
+
+        [TearDown]
+        public void EndWorld()
+        {
+            BuiltInPass.End();
+            HeadlessGraphics.WaitForIdle();
+            m_world.Dispose();
+            Resources.Assets.Clear();
+            m_scratch.Dispose();
+        }
+
+        [Test]
+        public void PointCloud_InFrontOfACamera_IsDrawn()
+        {
+            string path = m_scratch["scan.fastpoints"];
+            Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+            var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            target.Create();
+            var camera = new GameObject("camera").AddComponent<Camera>();
+            camera.targetTexture = target;
+            camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
+            // 60 m above the cloud's middle, looking down: Unity's -Z is the camera's forward in a view matrix.
+            var above = Matrix4x4.identity;
+            above.SetColumn(3, new Vector4(0, 60, 0, 1));
+            SceneLoop.Place(camera.transform, above);
+            var view = Matrix4x4.zero;
+            view.SetRow(0, new Vector4(1, 0, 0, 0));
+            view.SetRow(1, new Vector4(0, 0, 1, 0));
+            view.SetRow(2, new Vector4(0, 1, 0, -60));
+            view.SetRow(3, new Vector4(0, 0, 0, 1));
+            camera.worldToCameraMatrix = view;
+
+            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+            cloud.Path = path;
+            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            for (int frame = 0; frame < 200_000 && !(group.Stats.IsSettled && group.Stats.DrawnPoints > 0); frame++)
+            {
+                SceneLoop.Update();
+                camera.Render();
+                m_world.Update();
+                HeadlessGraphics.EndFrame();
+                Thread.Yield();
+            }
+            camera.Render();
+            var request = AsyncGPUReadback.Request(target);
+            request.WaitForCompletion();
+            var pixels = request.GetData<uint>().ToArray();
+            Assert.That(pixels.Count(p => (p & 0xFFFFFF) != 0), Is.GreaterThan(1000));
+            Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
+
+            Object.DestroyImmediate(cloud.gameObject);
+            Object.DestroyImmediate(camera.gameObject);
+            target.Release();
+        }
+
+        [Test]
+        public void World_WithoutClouds_TakesNoGraphicsMemory()
+        {
+            HeadlessGraphics.WaitForIdle();
+            long before = HeadlessGraphics.UsedBytes;
+            m_world.Update();
+            Assert.That(m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream, Is.Null);
+            Assert.That(HeadlessGraphics.UsedBytes, Is.EqualTo(before));
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using FastPoints.Picture;
+using FastPoints.Rendering;
+using Unity.Collections;
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Tells what draws how clouds are coloured.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup))]
+    [UpdateBefore(typeof(ReceiveNodesSystem))]
+    public partial class ShowCloudsSystem : StreamSystem
+    {
+        EntityQuery m_shown;
+
+        /// <summary>Of the palette; RGB needs none.</summary>
+        ColorMode m_mode = ColorMode.Rgb;
+
+        protected override void OnCreate()
+        {
+            base.OnCreate();
+            m_shown = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>(), ComponentType.ReadOnly<PointCloudLook>());
+        }
+
+        protected override void OnUpdate()
+        {
+            var scene = PointScene.Current;
+            if (scene == null || scene.Stream != Group.Stream)
+                return;
+            using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
+            using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
+                for (int i = 0; i < clouds.Length; i++)
+                {
+                    scene.SetLook(clouds[i].Number, looks[i].Value);
+                    UsePalette(scene, looks[i].Mode);
+                }
+        }
+
+        void UsePalette(PointScene scene, ColorMode mode)
+        {
+            if (mode == ColorMode.Rgb || mode == m_mode)
+                return;
+            m_mode = mode;
+            using (var palette = Palettes.Create(mode, Allocator.Temp))
+                scene.SetPalette(palette);
+        }
+    }
+}

@@ -1,0 +1,16 @@
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>Refers to the package's shaders, so that builds keep them.</summary>
+    public sealed class PointCloudResources : ScriptableObject
+    {
+        /// <summary>Below any Resources folder.</summary>
+        public const string Path = "FastPoints/PointCloudResources";
+
+        public Shader Points;
+        public ComputeShader CopyPages;
+
+        public static PointCloudResources Load() => Resources.Load<PointCloudResources>(Path);
+    }
+}
