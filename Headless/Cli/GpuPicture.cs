@@ -12,8 +12,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Cli
 {
-    /// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what stands in
-    /// for one. Main thread; waits for the card.</summary>
+    /// <summary>Pictures of all clouds that are streamed, drawn by the package's own renderer on a graphics card, or on what
+    /// stands in for one. Main thread; waits for the card.</summary>
     public sealed class GpuPicture : FlightPicture
     {
         readonly StreamContext m_stream;
@@ -31,7 +31,8 @@ namespace FastPoints.Cli
             m_options = options;
             m_materials = new PointMaterials(shaders.Points);
             m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool);
-            m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
+                GraphicsFormat.D32_SFloat);
             m_target.Create();
         }
 
@@ -50,7 +51,8 @@ namespace FastPoints.Cli
             int width = m_options.WidthPx, height = m_options.HeightPx;
             m_renderer.Prepare(m_stream, camera.ToStreamView(width, height));
             var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
-            view.SizePx = m_options.PointSizePx >= 1 ? m_options.PointSizePx : PointSizing.SizeFor(m_renderer.List.Points / (double)(width * height));
+            double density = m_renderer.List.Points / (double)(width * height);
+            view.SizePx = m_options.PointSizePx >= 1 ? m_options.PointSizePx : PointSizing.SizeFor(density);
             view.Shape = view.SizePx <= 1 ? PointShape.Pixel : m_options.RoundPoints ? PointShape.Disc : PointShape.Square;
             m_commands.Clear();
             m_commands.SetRenderTarget(m_target);
@@ -96,6 +98,7 @@ namespace FastPoints.Cli
             return depth;
         }
 
-        static Color ColorOf(uint rgba) => new((rgba & 0xFF) / 255f, (rgba >> 8 & 0xFF) / 255f, (rgba >> 16 & 0xFF) / 255f, (rgba >> 24) / 255f);
+        static Color ColorOf(uint rgba) => new((rgba & 0xFF) / 255f, (rgba >> 8 & 0xFF) / 255f, (rgba >> 16 & 0xFF) / 255f,
+            (rgba >> 24) / 255f);
     }
 }

@@ -81,7 +81,8 @@ namespace FastPoints.HostTests.Gpu
             Compare(streams, streams.Plan.Camera, "color-" + mode);
         }
 
-        /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in view.</summary>
+        /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in
+        /// view.</summary>
         [Test]
         public void Draw_CameraBesideAPoint_IsThatOfTheSoftwareRasterizer()
         {

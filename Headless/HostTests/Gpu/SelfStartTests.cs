@@ -70,6 +70,11 @@ namespace FastPoints.HostTests.Gpu
             view.SetRow(3, new Vector4(0, 0, 0, 1));
             camera.worldToCameraMatrix = view;
 
+            var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
+            settings.MillionPoints = 0.005f;
+            settings.MemoryMiB = 64;
+            settings.Shape = PointShape.Disc;
+            settings.SizePx = 5;
             var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
             cloud.Path = path;
             var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
@@ -81,6 +86,9 @@ namespace FastPoints.HostTests.Gpu
                 HeadlessGraphics.EndFrame();
                 Thread.Yield();
             }
+            Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(5000));
+            Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
+            Assert.That((group.Scene.Shape, group.Scene.SizePx), Is.EqualTo((PointShape.Disc, 5f)));
             camera.Render();
             var request = AsyncGPUReadback.Request(target);
             request.WaitForCompletion();
@@ -88,6 +96,7 @@ namespace FastPoints.HostTests.Gpu
             Assert.That(pixels.Count(p => (p & 0xFFFFFF) != 0), Is.GreaterThan(1000));
             Assert.That(pixels.Distinct().Count(), Is.GreaterThan(100), "the scan's own colours");
 
+            Object.DestroyImmediate(settings.gameObject);
             Object.DestroyImmediate(cloud.gameObject);
             Object.DestroyImmediate(camera.gameObject);
             target.Release();

@@ -12,8 +12,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {
-    /// <summary>One cloud twice: in ordinary memory and on the graphics card, the same nodes of it, so that pictures of both can be
-    /// held against one another.</summary>
+    /// <summary>One cloud twice: in ordinary memory and on the graphics card, the same nodes of it, so that pictures of both
+    /// can be held against one another.</summary>
     sealed class TwinStreams : IDisposable
     {
         const int MostFrames = 200_000;
@@ -47,9 +47,9 @@ namespace FastPoints.HostTests.Gpu
             }
         }
 
-        /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to 1/256
-        /// pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two, and
-        /// more where the edges of large squares do. Discs are cut out pixel by pixel, without that.</summary>
+        /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
+        /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
+        /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that.</summary>
         public double MostThatDiffer => m_options.RoundPoints ? 0.001 : 0.015;
 
         public PicturePlan Plan { get; }
@@ -60,7 +60,8 @@ namespace FastPoints.HostTests.Gpu
         {
             Settle(m_cpu, m_cpuPicture, camera);
             Settle(m_gpu, m_gpuPicture, camera);
-            (int, int, int)[] Drawn(StreamContext stream) => stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)).ToArray();
+            (int, int, int)[] Drawn(StreamContext stream) =>
+                stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)).ToArray();
             Assert.That(Drawn(m_gpu), Is.EquivalentTo(Drawn(m_cpu)));
             Assert.That(m_cpu.Drawn.Length, Is.GreaterThan(0));
             return (m_cpuPicture.Draw(camera), m_gpuPicture.Draw(camera));

@@ -21,10 +21,14 @@ namespace FastPoints.RepoTools.Layers
             ["FastPoints.Import"] = s_view,
             ["FastPoints.Rendering"] = s_view,
             ["FastPoints.Rendering.BuiltIn"] = s_drawing,
-            ["FastPoints.Rendering.Urp"] = s_drawing.Append("Unity.RenderPipelines.Core.Runtime").Append("Unity.RenderPipelines.Universal.Runtime").ToArray(),
-            ["FastPoints.Rendering.Hdrp"] = s_drawing.Append("Unity.RenderPipelines.Core.Runtime").Append("Unity.RenderPipelines.HighDefinition.Runtime").ToArray(),
+            ["FastPoints.Rendering.Urp"] = s_drawing
+                .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.Universal.Runtime" }).ToArray(),
+            ["FastPoints.Rendering.Hdrp"] = s_drawing
+                .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
-            ["FastPoints.Tests"] = s_shared.Append("FastPoints.Rendering").Append("FastPoints.Entities").Append("FastPoints.Benchmarks").Concat(s_entities).Append("UnityEngine.TestRunner").Append("UnityEditor.TestRunner").ToArray(),
+            ["FastPoints.Tests"] = s_shared.Concat(s_entities)
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
+                .Concat(new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" }).ToArray(),
             ["FastPoints.Benchmarks"] = s_shared,
         };
 

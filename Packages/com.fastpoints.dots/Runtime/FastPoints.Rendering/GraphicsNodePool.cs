@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A pool in the memory of the graphics card: a buffer for each bank, which shaders draw from as it lies there. Uploads
-    /// go through mapped staging buffers and are copied into their pages by a compute shader.</summary>
+    /// <summary>A pool in the memory of the graphics card: a buffer for each bank, which shaders draw from as it lies there.
+    /// Uploads go through mapped staging buffers and are copied into their pages by a compute shader.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
         /// <summary>Storage buffers are sure up to here.</summary>

@@ -9,8 +9,8 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>
-    /// All clouds of a world, for every camera that draws them: what a pipeline's pass needs to know. A camera that is about to be
-    /// drawn is announced, so that the next frame selects for it, and then recorded. Main thread.
+    /// All clouds of a world, for every camera that draws them: what a pipeline's pass needs to know. A camera that is about to
+    /// be drawn is announced, so that the next frame selects for it, and then recorded. Main thread.
     /// </summary>
     public sealed class PointScene : IDisposable
     {

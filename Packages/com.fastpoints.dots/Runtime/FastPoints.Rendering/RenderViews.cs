@@ -4,7 +4,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Views of a picture's camera, where there is no camera of the engine's. Depth is reversed: 1 near, 0 far.</summary>
+    /// <summary>Views of a picture's camera, where there is no camera of the engine's. Depth is reversed: 1 near, 0
+    /// far.</summary>
     public static class RenderViews
     {
         /// <summary>Of the distance of which a perspective camera sees nothing: as near as floats tell depths apart at any

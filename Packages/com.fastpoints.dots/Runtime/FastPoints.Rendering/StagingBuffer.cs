@@ -8,8 +8,8 @@ using UnityEngine;
 namespace FastPoints.Rendering
 {
     /// <summary>
-    /// One upload on its way: mapped memory that jobs write nodes to, each from a page on, and which page goes where. Mapped memory
-    /// may not be cached: it is written front to back and never read.
+    /// One upload on its way: mapped memory that jobs write nodes to, each from a page on, and which page goes where. Mapped
+    /// memory may not be cached: it is written front to back and never read.
     /// </summary>
     public sealed unsafe class StagingBuffer : IDisposable
     {

@@ -44,7 +44,7 @@ namespace FastPoints.Entities
         void Update()
         {
             if (Entity != Entity.Null && m_world.IsCreated)
-                m_world.EntityManager.SetComponentData(Entity, new LocalToWorld { Value = ToFloat4x4(transform.localToWorldMatrix) });
+                m_world.EntityManager.SetComponentData(Entity, PlaceOf(transform));
         }
 
         void Add()
@@ -56,7 +56,7 @@ namespace FastPoints.Entities
                 return;
             var entities = m_world.EntityManager;
             Entity = entities.CreateEntity();
-            entities.AddComponentData(Entity, new LocalToWorld { Value = ToFloat4x4(transform.localToWorldMatrix) });
+            entities.AddComponentData(Entity, PlaceOf(transform));
             entities.AddComponentObject(Entity, new PointCloudFile { Path = m_path });
         }
 
@@ -67,8 +67,17 @@ namespace FastPoints.Entities
             Entity = Entity.Null;
         }
 
-        static float4x4 ToFloat4x4(Matrix4x4 matrix) => new float4x4(
-            new float4(matrix.m00, matrix.m10, matrix.m20, matrix.m30), new float4(matrix.m01, matrix.m11, matrix.m21, matrix.m31),
-            new float4(matrix.m02, matrix.m12, matrix.m22, matrix.m32), new float4(matrix.m03, matrix.m13, matrix.m23, matrix.m33));
+        static LocalToWorld PlaceOf(Transform transform)
+        {
+            var matrix = transform.localToWorldMatrix;
+            return new LocalToWorld
+            {
+                Value = new float4x4(
+                    new float4(matrix.m00, matrix.m10, matrix.m20, matrix.m30),
+                    new float4(matrix.m01, matrix.m11, matrix.m21, matrix.m31),
+                    new float4(matrix.m02, matrix.m12, matrix.m22, matrix.m32),
+                    new float4(matrix.m03, matrix.m13, matrix.m23, matrix.m33)),
+            };
+        }
     }
 }

@@ -2,8 +2,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>What streaming may take, of all clouds and cameras together: on one entity of the world. Without it the defaults of
-    /// <see cref="Streaming.StreamSettings"/> hold.</summary>
+    /// <summary>What streaming may take, of all clouds and cameras together: on one entity of the world. Without it the
+    /// defaults of <see cref="Streaming.StreamSettings"/> hold.</summary>
     public struct PointCloudBudget : IComponentData
     {
         /// <summary>Points that are drawn at most.</summary>

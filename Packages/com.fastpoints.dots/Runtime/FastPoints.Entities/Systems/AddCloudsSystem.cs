@@ -18,8 +18,10 @@ namespace FastPoints.Entities
             base.OnCreate();
             m_coming = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<PointCloudSource>()
                 .WithNone<StreamedPointCloud>().Build(this);
-            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<StreamedPointCloud>().Build(this);
-            m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloudPlacement>().Build(this);
+            m_streamed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudPlacement>().WithAll<StreamedPointCloud>()
+                .Build(this);
+            m_leaving = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().WithNone<PointCloudPlacement>()
+                .Build(this);
         }
 
         protected override void OnUpdate()

@@ -5,13 +5,14 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Tells what draws how clouds are coloured.</summary>
+    /// <summary>Tells what draws how clouds are coloured, and what points look like.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateBefore(typeof(ReceiveNodesSystem))]
     public partial class ShowCloudsSystem : StreamSystem
     {
         EntityQuery m_shown;
+        EntityQuery m_styles;
 
         /// <summary>Of the palette; RGB needs none.</summary>
         ColorMode m_mode = ColorMode.Rgb;
@@ -20,6 +21,7 @@ namespace FastPoints.Entities
         {
             base.OnCreate();
             m_shown = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>(), ComponentType.ReadOnly<PointCloudLook>());
+            m_styles = GetEntityQuery(ComponentType.ReadOnly<PointCloudStyle>());
         }
 
         protected override void OnUpdate()
@@ -27,6 +29,8 @@ namespace FastPoints.Entities
             var scene = PointScene.Current;
             if (scene == null || scene.Stream != Group.Stream)
                 return;
+            if (!m_styles.IsEmpty)
+                UseStyle(scene);
             using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
             using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
                 for (int i = 0; i < clouds.Length; i++)
@@ -34,6 +38,15 @@ namespace FastPoints.Entities
                     scene.SetLook(clouds[i].Number, looks[i].Value);
                     UsePalette(scene, looks[i].Mode);
                 }
+        }
+
+        void UseStyle(PointScene scene)
+        {
+            using (var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp))
+            {
+                scene.Shape = styles[0].Shape;
+                scene.SizePx = styles[0].SizePx;
+            }
         }
 
         void UsePalette(PointScene scene, ColorMode mode)

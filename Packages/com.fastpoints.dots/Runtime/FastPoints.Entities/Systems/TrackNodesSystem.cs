@@ -5,8 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Makes and destroys the entities of nodes, some each frame, and tells them how far their nodes are. Nothing happens at
-    /// rest.</summary>
+    /// <summary>Makes and destroys the entities of nodes, some each frame, and tells them how far their nodes are. Nothing
+    /// happens at rest.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     public unsafe partial class TrackNodesSystem : StreamSystem

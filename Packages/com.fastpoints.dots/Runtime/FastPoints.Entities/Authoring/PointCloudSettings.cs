@@ -1,0 +1,71 @@
+using FastPoints.Rendering;
+using Unity.Entities;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Entities
+{
+    /// <summary>What all clouds of the world may take and look like: at most one of these at a time.</summary>
+    [ExecuteAlways]
+    [DisallowMultipleComponent]
+    [AddComponentMenu("FastPoints/Point Cloud Settings")]
+    public sealed class PointCloudSettings : MonoBehaviour
+    {
+        [Range(0.1f, 100)]
+        [Tooltip("Points that are drawn at most, in millions: of all clouds and cameras together.")]
+        public float MillionPoints = 2;
+
+        [Range(64, 16384)]
+        [Tooltip("Graphics memory of points at most, in MiB.")]
+        public int MemoryMiB = 512;
+
+        [Range(1, 64)]
+        [Tooltip("Copied into graphics memory in one frame at most, in MiB.")]
+        public int UploadMiBPerFrame = 4;
+
+        [Range(0, 64)]
+        [Tooltip("Nodes smaller than this on the screen, in pixels, are left out.")]
+        public float SmallestNodePx = 1;
+
+        public PointShape Shape = PointShape.Square;
+
+        [Range(1, 32)]
+        [Tooltip("Edge of a point's square, diameter of its disc, in pixels.")]
+        public float SizePx = 2;
+
+        World m_world;
+        Entity m_entity;
+
+        void OnEnable()
+        {
+            DefaultWorldInitialization.DefaultLazyEditModeInitialize();
+            m_world = World.DefaultGameObjectInjectionWorld;
+            if (m_world == null)
+                return;
+            m_entity = m_world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudBudget>(),
+                ComponentType.ReadWrite<PointCloudStyle>());
+            Update();
+        }
+
+        void OnDisable()
+        {
+            if (m_world != null && m_world.IsCreated && m_entity != Entity.Null)
+                m_world.EntityManager.DestroyEntity(m_entity);
+            m_entity = Entity.Null;
+        }
+
+        void Update()
+        {
+            if (m_entity == Entity.Null || !m_world.IsCreated)
+                return;
+            m_world.EntityManager.SetComponentData(m_entity, new PointCloudBudget
+            {
+                Points = (long)math.round(MillionPoints * 1e6),
+                PoolBytes = (long)MemoryMiB << 20,
+                UploadBytesPerFrame = UploadMiBPerFrame << 20,
+                SmallestNodePx = SmallestNodePx,
+            });
+            m_world.EntityManager.SetComponentData(m_entity, new PointCloudStyle { Shape = Shape, SizePx = SizePx });
+        }
+    }
+}
