@@ -353,8 +353,10 @@ namespace FastPoints.Streaming
                 return;
             if (page->Status == PageStatus.Absent)
                 page->Status = PageStatus.Failed;
+            // What was on its way when the file was given up fails after it: that was told.
+            if (!page->IsBroken)
+                m_stream.Report(new StreamFailure(path, offset, what));
             page->IsBroken = true;
-            m_stream.Report(new StreamFailure(path, offset, what));
         }
 
         bool HasWaiting(NodeFetch fetch)
