@@ -7,6 +7,7 @@ using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Points;
+using FastPoints.Rendering;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -44,7 +45,7 @@ namespace FastPoints.Cli
                 ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
                 using (var batch = ReadTop(reader))
                     WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
-                var source = new TreeSource(reader, PlanesFor(ranges.Resolve(options.Color)));
+                var source = new TreeSource(reader, CloudLooks.PlanesFor(ranges.Resolve(options.Color)));
                 var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
                 number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
                 return plan;
@@ -69,7 +70,7 @@ namespace FastPoints.Cli
                 ranges = preview.Ranges;
                 sample = new SampleReader(preview.Sample, reader.Info.Path);
             }
-            var source = new TreeSource(sample, PlanesFor(ranges.Resolve(options.Color)));
+            var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color)));
             number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
         }
@@ -91,7 +92,7 @@ namespace FastPoints.Cli
                     WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
                 }
                 var plan = new PicturePlan(options, ranges, transform);
-                var source = new FolderSource(folder, PlanesFor(plan.Mode));
+                var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode));
                 number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
                 return plan;
             }
@@ -132,13 +133,5 @@ namespace FastPoints.Cli
             }
             return top;
         }
-
-        static string[] PlanesFor(ColorMode mode) => mode switch
-        {
-            ColorMode.Rgb => [StoreLayout.ColorName],
-            ColorMode.Intensity => [AttributeNames.Intensity],
-            ColorMode.Classification => [AttributeNames.Classification],
-            _ => [],
-        };
     }
 }

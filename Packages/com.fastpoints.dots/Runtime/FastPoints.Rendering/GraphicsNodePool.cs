@@ -9,9 +9,6 @@ namespace FastPoints.Rendering
     /// Uploads go through mapped staging buffers and are copied into their pages by a compute shader.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
-        /// <summary>Storage buffers are sure up to here.</summary>
-        public const int LargestBankBytes = 1 << 27;
-
         readonly PoolUpload m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;

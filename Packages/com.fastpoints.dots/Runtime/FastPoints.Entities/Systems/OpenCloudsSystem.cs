@@ -51,7 +51,7 @@ namespace FastPoints.Entities
                 foreach (var entity in entities)
                 {
                     var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-                    if (file.Error != null || m_opening.ContainsKey(entity))
+                    if (file.Error != null || string.IsNullOrEmpty(file.Path) || m_opening.ContainsKey(entity))
                         continue;
                     string path = Path.Combine(Application.streamingAssetsPath, file.Path);
                     m_opening.Add(entity, Task.Run(() => CloudFolder.Open(path)));

@@ -6,7 +6,6 @@ namespace FastPoints.Entities
     /// <summary>Takes what arrived since the last frame.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
-    [UpdateAfter(typeof(AddCloudsSystem))]
     public partial class ReceiveNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.Receive(Group.Stream, ref Group.Stats);

@@ -33,11 +33,16 @@ namespace FastPoints.Entities
                 UseStyle(scene);
             using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
             using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
+            {
+                // There is one palette: the first cloud that is looked up in one has it.
+                var mode = ColorMode.Rgb;
                 for (int i = 0; i < clouds.Length; i++)
                 {
                     scene.SetLook(clouds[i].Number, looks[i].Value);
-                    UsePalette(scene, looks[i].Mode);
+                    mode = mode == ColorMode.Rgb ? looks[i].Mode : mode;
                 }
+                UsePalette(scene, mode);
+            }
         }
 
         void UseStyle(PointScene scene)

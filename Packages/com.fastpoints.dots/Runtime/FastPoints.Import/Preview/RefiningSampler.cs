@@ -35,21 +35,10 @@ namespace FastPoints.Preview
         /// be come to together.</summary>
         const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
 
-        /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there
-        /// are points, or a few more.</summary>
-        const double CellsPerRootOfPoints = 1.05;
-
-        /// <summary>With this share of their places taken, the points that stand in for others are thinned: cells so much
-        /// larger.</summary>
-        const double MostOthers = 0.9, CoarserCells = 1.2;
-
-        /// <summary>Places of one slice of copying: about 2 ms of managed code.</summary>
-        const int PlacesPerSlice = 1 << 17;
-
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
         readonly SampleStrata m_strata;
-        BareCells m_cells;
+        readonly BoundsGeo m_bounds;
         readonly uint m_seed;
         readonly List<SampleWave> m_waves = new List<SampleWave>();
         readonly Stopwatch m_watch = new Stopwatch();
@@ -60,11 +49,7 @@ namespace FastPoints.Preview
         BlockRead[] m_reads;
         NativeArray<PointColumn>[] m_columnsOfSlot;
         JobHandle[] m_done;
-        JobHandle m_lastAppended;
-        NativeArray<ulong> m_table;
-        PointBatch m_others;
-        NativeArray<PointColumn> m_columnsOfOthers;
-        NativeReference<int> m_otherCount;
+        SubstitutePoints m_others;
         readonly PreviewSample m_before;
         PreviewSample m_sample;
         long m_pointsFound;
@@ -85,12 +70,7 @@ namespace FastPoints.Preview
             m_seed = seed;
             m_schema = SampleSchema.Of(reader.Info);
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
-            double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
-            m_cells = new BareCells
-            {
-                Corner = bounds.IsEmpty ? default : bounds.Min,
-                CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(m_strata.Count) / edge : 0,
-            };
+            m_bounds = bounds;
         }
 
         /// <summary>Points of the first sample that comes before: what it decodes is decoded again.</summary>
@@ -119,7 +99,7 @@ namespace FastPoints.Preview
             {
                 Allocate(slots < 1 ? SourceScan.SlotsFor(m_reader, m_schema) : slots);
                 if (!m_plan.IsSliced && m_before != null)
-                    using (var beginning = AppendBefore())
+                    using (var beginning = m_others.Append(m_before))
                         while (beginning.MoveNext())
                             yield return beginning.Current;
                 foreach (double share in s_shares)
@@ -132,13 +112,10 @@ namespace FastPoints.Preview
                         using (var reading = Read(ranges, progress))
                             while (reading.MoveNext())
                                 yield return reading.Current;
-                        while (!m_isLastWave && m_otherCount.Value > MostOthers * m_others.Capacity)
-                        {
-                            m_cells.CellsPerUnit /= CoarserCells;
-                            using (var thinning = Thin())
+                        while (!m_isLastWave && m_others.AreTooMany)
+                            using (var thinning = m_others.Coarsen(m_buffer))
                                 while (thinning.MoveNext())
                                     yield return thinning.Current;
-                        }
                     }
                     using (var ending = share < 1 ? Compose() : Close())
                         while (ending.MoveNext())
@@ -167,11 +144,7 @@ namespace FastPoints.Preview
             }
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
             m_stateOfBlock = new DecoderState[m_reader.BlockCount];
-            m_table = new NativeArray<ulong>(BareCells.Words, Allocator.Persistent);
-            // At a half, half of the sample's places are free.
-            m_others = new PointBatch(m_schema, Math.Max(1, m_strata.Count / 2), Allocator.Persistent);
-            m_columnsOfOthers = SampleBuffer.ColumnsOf(m_others);
-            m_otherCount = new NativeReference<int>(Allocator.Persistent);
+            m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
 
         IEnumerator<JobHandle> Read(List<BlockRange> ranges, StageProgress progress)
@@ -223,102 +196,11 @@ namespace FastPoints.Preview
             // In the end no point stands in for another one.
             if (m_strata.Count > 0 && !m_isLastWave)
             {
-                m_lastAppended = Append(read.Points, m_columnsOfSlot[slot], read.Result, 0, range.Count, read.FirstPoint, m_strata)
-                    .Schedule(JobHandle.CombineDependencies(read.Decoded, m_lastAppended));
-                m_done[slot] = JobHandle.CombineDependencies(m_done[slot], m_lastAppended);
+                var appended = m_others.ScheduleAppend(read.Points, m_columnsOfSlot[slot], read.Result, 0, range.Count,
+                    read.FirstPoint, m_strata, read.Decoded);
+                m_done[slot] = JobHandle.CombineDependencies(m_done[slot], appended);
             }
             JobHandle.ScheduleBatchedJobs();
-        }
-
-        AppendBareCellsJob Append(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result, int first,
-            int end, long firstPoint, SampleStrata strata) => new AppendBareCellsJob
-            {
-                Block = points.Bytes,
-                ColumnsOfBlock = columns,
-                Result = result,
-                First = first,
-                End = end,
-                Positions = PositionColumns.Of(points),
-                Transform = m_reader.Info.Transform,
-                FirstPoint = firstPoint,
-                Strata = strata,
-                Cells = m_cells,
-                Table = m_table,
-                ColumnsOfSample = m_columnsOfOthers,
-                Sample = m_others.Bytes,
-                Capacity = m_others.Capacity,
-                Filled = m_otherCount,
-            };
-
-        /// <summary>The first sample's points stand in for those of blocks that are not come to.</summary>
-        IEnumerator<JobHandle> AppendBefore()
-        {
-            var columns = SampleBuffer.ColumnsOf(m_before.Points);
-            var all = new NativeReference<DecodeResult>(new DecodeResult { Points = m_before.Count }, Allocator.Persistent);
-            try
-            {
-                for (int first = 0; first < m_before.Count; first += PlacesPerSlice)
-                {
-                    m_lastAppended = Append(m_before.Points, columns, all, first, first + PlacesPerSlice, 0, default)
-                        .Schedule(m_lastAppended);
-                    yield return m_lastAppended;
-                    m_lastAppended.Complete();
-                }
-            }
-            finally
-            {
-                m_lastAppended.Complete();
-                columns.Dispose();
-                all.Dispose();
-            }
-        }
-
-        /// <summary>Marks the sample's own points anew, and keeps of the others those that stand where none of these
-        /// does.</summary>
-        IEnumerator<JobHandle> Thin()
-        {
-            int count = m_otherCount.Value;
-            JobHandle thinning = default;
-            try
-            {
-                for (int first = 0; first < m_strata.Count; first += PlacesPerSlice)
-                {
-                    thinning = new MarkCellsJob
-                    {
-                        Sample = m_buffer.Points.Bytes,
-                        Filled = m_buffer.Filled,
-                        Positions = PositionColumns.Of(m_buffer.Points),
-                        Transform = m_reader.Info.Transform,
-                        First = first,
-                        End = Math.Min(m_strata.Count, first + PlacesPerSlice),
-                        Cells = m_cells,
-                        Table = m_table,
-                    }.Schedule();
-                    yield return thinning;
-                    thinning.Complete();
-                }
-                for (int first = 0; first < count; first += PlacesPerSlice)
-                {
-                    thinning = new KeepBareCellsJob
-                    {
-                        Columns = m_columnsOfOthers,
-                        Points = m_others.Bytes,
-                        Positions = PositionColumns.Of(m_others),
-                        Transform = m_reader.Info.Transform,
-                        First = first,
-                        End = Math.Min(count, first + PlacesPerSlice),
-                        Cells = m_cells,
-                        Table = m_table,
-                        Kept = m_otherCount,
-                    }.Schedule();
-                    yield return thinning;
-                    thinning.Complete();
-                }
-            }
-            finally
-            {
-                thinning.Complete();
-            }
         }
 
         void Complete(int slot)
@@ -341,25 +223,25 @@ namespace FastPoints.Preview
         {
             // A point of the first sample may have been come to again.
             if (!m_plan.IsSliced)
-                using (var thinning = Thin())
+                using (var thinning = m_others.Thin(m_buffer))
                     while (thinning.MoveNext())
                         yield return thinning.Current;
             // Of points in a row, no more strata than they are long are chosen from, and one at either end.
             long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
-            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_otherCount.Value));
+            var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
             var gathered = new NativeReference<int>(Allocator.Persistent);
             var others = new NativeReference<DecodeResult>(Allocator.Persistent);
             JobHandle gathering = default;
             try
             {
-                for (int first = 0; first < m_strata.Count; first += PlacesPerSlice)
+                for (int first = 0; first < m_strata.Count; first += SampleBuffer.PlacesPerSlice)
                 {
                     gathering = new GatherPlacesJob
                     {
                         Sample = m_buffer.Points.Bytes,
                         Filled = m_buffer.Filled,
                         First = first,
-                        End = Math.Min(m_strata.Count, first + PlacesPerSlice),
+                        End = Math.Min(m_strata.Count, first + SampleBuffer.PlacesPerSlice),
                         Columns = m_buffer.Columns,
                         ColumnsOfTarget = drawn.Columns,
                         Target = drawn.Points.Bytes,
@@ -369,11 +251,11 @@ namespace FastPoints.Preview
                     yield return gathering;
                     gathering.Complete();
                 }
-                others.Value = new DecodeResult { Points = Math.Min(m_otherCount.Value, drawn.Places - gathered.Value) };
+                others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
                 gathering = new CopyPrefixJob
                 {
-                    Decoded = m_others.Bytes,
-                    ColumnsOfDecoded = m_columnsOfOthers,
+                    Decoded = m_others.Points.Bytes,
+                    ColumnsOfDecoded = m_others.Columns,
                     Result = others,
                     ColumnsOfSample = drawn.Columns,
                     FirstPlace = gathered.Value,
@@ -484,12 +366,6 @@ namespace FastPoints.Preview
             m_buffer = null;
             m_others?.Dispose();
             m_others = null;
-            if (m_table.IsCreated)
-            {
-                m_table.Dispose();
-                m_columnsOfOthers.Dispose();
-                m_otherCount.Dispose();
-            }
         }
 
         public void Dispose()

@@ -10,7 +10,7 @@ namespace FastPoints.Preview
     sealed class SampleBuffer : IDisposable
     {
         /// <summary>Places of one slice of the closing work: about 2 ms of managed code.</summary>
-        const int PlacesPerSlice = 1 << 17;
+        public const int PlacesPerSlice = 1 << 17;
 
         NativeArray<byte> m_filled;
         NativeArray<PointColumn> m_columns;

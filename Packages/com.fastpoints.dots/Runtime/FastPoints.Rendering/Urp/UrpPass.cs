@@ -11,6 +11,9 @@ namespace FastPoints.Rendering.Urp
     {
         static UrpPass s_pass;
 
+        /// <summary>Made once: a delegate a frame would be garbage.</summary>
+        static readonly BaseRenderFunc<PassData, UnsafeGraphContext> s_draw = Draw;
+
         /// <summary>What the pass's function is given.</summary>
         sealed class PassData
         {
@@ -44,7 +47,7 @@ namespace FastPoints.Rendering.Urp
                 builder.UseTexture(data.Color, AccessFlags.ReadWrite);
                 builder.UseTexture(data.Depth, AccessFlags.ReadWrite);
                 builder.AllowPassCulling(false);
-                builder.SetRenderFunc<PassData>(Draw);
+                builder.SetRenderFunc(s_draw);
             }
         }
 

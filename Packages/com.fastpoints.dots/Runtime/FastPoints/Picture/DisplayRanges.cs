@@ -106,10 +106,7 @@ namespace FastPoints.Picture
             foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })
                 brightest = math.max(brightest, manifest.Ranges[manifest.Attributes.IndexOf(name)].Max);
             var type = manifest.Attributes[manifest.Attributes.IndexOf(AttributeNames.Red)].Type;
-            ranges.Color = !(brightest > 0) ? ColorDepth.None
-                : type.IsFloat() && brightest <= 1 ? ColorDepth.Unit
-                : brightest <= byte.MaxValue ? ColorDepth.Bits8
-                : ColorDepth.Bits16;
+            ranges.Color = brightest > 0 ? DepthOf(type, brightest) : ColorDepth.None;
             return ranges;
         }
 
@@ -317,26 +314,13 @@ namespace FastPoints.Picture
                 return;
             }
             string max = range.Max.ToString("R", CultureInfo.InvariantCulture);
-            if (type == AttributeType.UInt8)
-            {
-                Color = ColorDepth.Bits8;
-            }
-            else if (type.IsFloat() && range.Max <= 1)
-            {
-                Color = ColorDepth.Unit;
+            Color = DepthOf(type, range.Max);
+            if (Color == ColorDepth.Unit)
                 Assumptions.Add("colours are floats up to " + max + ": read as 0 to 1");
-            }
-            else if (range.Max <= byte.MaxValue)
-            {
-                Color = ColorDepth.Bits8;
+            else if (Color == ColorDepth.Bits8 && type != AttributeType.UInt8)
                 Assumptions.Add("colours are " + type + " but no more than " + max + " in the sample: read as 8-bit");
-            }
-            else
-            {
-                Color = ColorDepth.Bits16;
-                if (type != AttributeType.UInt16)
-                    Assumptions.Add("colours are " + type + " up to " + max + ": read as 16-bit");
-            }
+            else if (Color == ColorDepth.Bits16 && type != AttributeType.UInt16)
+                Assumptions.Add("colours are " + type + " up to " + max + ": read as 16-bit");
             double full = Color == ColorDepth.Unit ? 1 : Color == ColorDepth.Bits16 ? ushort.MaxValue : byte.MaxValue;
             double brightest = math.max(red.High, math.max(green.High, blue.High));
             if (brightest < full * DarkestColor / byte.MaxValue)
@@ -345,5 +329,11 @@ namespace FastPoints.Picture
                 Assumptions.Add("colour is black or nearly so in 99 of 100 points: taken for none");
             }
         }
+
+        /// <param name="max">Of all channels, more than 0.</param>
+        static ColorDepth DepthOf(AttributeType type, double max) => type == AttributeType.UInt8 ? ColorDepth.Bits8
+            : type.IsFloat() && max <= 1 ? ColorDepth.Unit
+            : max <= byte.MaxValue ? ColorDepth.Bits8
+            : ColorDepth.Bits16;
     }
 }

@@ -13,15 +13,18 @@ namespace FastPoints.Streaming
         /// <summary>Bytes of a page: a node's last one is half empty, which is 1 % of a node of 50 KB.</summary>
         public const int PageBytes = 1024;
 
+        /// <summary>Storage buffers of a graphics card are sure up to here.</summary>
+        public const int LargestBankBytes = 1 << 27;
+
         readonly List<SlotHeap> m_banks = new List<SlotHeap>();
         readonly int m_pagesPerBank;
         long m_limitBytes;
 
-        /// <param name="bankBytes">No node may be larger. Storage buffers of a graphics card are sure up to 128 MiB.</param>
+        /// <param name="bankBytes">No node may be larger.</param>
         protected NodePool(long limitBytes, int bankBytes)
         {
-            if (bankBytes < PageBytes || bankBytes > 1 << 27)
-                throw new ArgumentOutOfRangeException(nameof(bankBytes), bankBytes, "wanted " + PageBytes + " to " + (1 << 27));
+            if (bankBytes < PageBytes || bankBytes > LargestBankBytes)
+                throw new ArgumentOutOfRangeException(nameof(bankBytes), bankBytes, "wanted " + PageBytes + " to " + LargestBankBytes);
             m_pagesPerBank = bankBytes / PageBytes;
             LimitBytes = limitBytes;
         }

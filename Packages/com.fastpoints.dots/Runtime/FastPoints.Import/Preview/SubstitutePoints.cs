@@ -1,0 +1,170 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Preview
+{
+    /// <summary>
+    /// What a sample in the making shows where it has no point yet: the first point that was read of each cell that would be bare
+    /// (spatial thinning). When they become too many, the cells become larger.
+    /// </summary>
+    sealed class SubstitutePoints : IDisposable
+    {
+        /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there
+        /// are points, or a few more.</summary>
+        const double CellsPerRootOfPoints = 1.05;
+
+        /// <summary>With this share of their places taken, they are thinned: cells so much larger.</summary>
+        const double MostTaken = 0.9, CoarserCells = 1.2;
+
+        readonly PositionTransform m_transform;
+        BareCells m_cells;
+        NativeArray<ulong> m_table;
+        NativeArray<PointColumn> m_columns;
+        NativeReference<int> m_count;
+        JobHandle m_lastAppended;
+
+        /// <param name="wanted">Points of the sample.</param>
+        /// <param name="bounds">Where nearly all points are.</param>
+        public SubstitutePoints(PointSchema schema, PositionTransform transform, int wanted, BoundsGeo bounds)
+        {
+            m_transform = transform;
+            double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
+            m_cells = new BareCells
+            {
+                Corner = bounds.IsEmpty ? default : bounds.Min,
+                CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0,
+            };
+            m_table = new NativeArray<ulong>(BareCells.Words, Allocator.Persistent);
+            // At a half, half of the sample's places are free.
+            Points = new PointBatch(schema, Math.Max(1, wanted / 2), Allocator.Persistent);
+            m_columns = SampleBuffer.ColumnsOf(Points);
+            m_count = new NativeReference<int>(Allocator.Persistent);
+        }
+
+        public PointBatch Points { get; }
+        public NativeArray<PointColumn> Columns => m_columns;
+
+        /// <summary>Nothing may be in flight.</summary>
+        public int Count => m_count.Value;
+        public bool AreTooMany => m_count.Value > MostTaken * Points.Capacity;
+
+        /// <summary>Adds those of a block's points that are needed, after all that was scheduled before.</summary>
+        /// <param name="strata">Of the sample, which takes some of the points itself.</param>
+        public JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
+            int first, int end, long firstPoint, SampleStrata strata, JobHandle inputDeps)
+        {
+            m_lastAppended = new AppendBareCellsJob
+            {
+                Block = points.Bytes,
+                ColumnsOfBlock = columns,
+                Result = result,
+                First = first,
+                End = end,
+                Positions = PositionColumns.Of(points),
+                Transform = m_transform,
+                FirstPoint = firstPoint,
+                Strata = strata,
+                Cells = m_cells,
+                Table = m_table,
+                ColumnsOfSample = m_columns,
+                Sample = Points.Bytes,
+                Capacity = Points.Capacity,
+                Filled = m_count,
+            }.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
+            return m_lastAppended;
+        }
+
+        /// <summary>Work for a pump: adds those of a sample's points that are needed.</summary>
+        public IEnumerator<JobHandle> Append(PreviewSample sample)
+        {
+            var columns = SampleBuffer.ColumnsOf(sample.Points);
+            var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
+            try
+            {
+                for (int first = 0; first < sample.Count; first += SampleBuffer.PlacesPerSlice)
+                {
+                    yield return ScheduleAppend(sample.Points, columns, all, first, first + SampleBuffer.PlacesPerSlice, 0,
+                        default, default);
+                    m_lastAppended.Complete();
+                }
+            }
+            finally
+            {
+                m_lastAppended.Complete();
+                columns.Dispose();
+                all.Dispose();
+            }
+        }
+
+        /// <summary>Work for a pump: larger cells, then <see cref="Thin"/>.</summary>
+        public IEnumerator<JobHandle> Coarsen(SampleBuffer own)
+        {
+            m_cells.CellsPerUnit /= CoarserCells;
+            return Thin(own);
+        }
+
+        /// <summary>Work for a pump: marks the sample's own points anew, and keeps of the substitutes those that stand where none
+        /// of these does.</summary>
+        public IEnumerator<JobHandle> Thin(SampleBuffer own)
+        {
+            int count = m_count.Value, places = own.Places;
+            JobHandle thinning = default;
+            try
+            {
+                for (int first = 0; first < places; first += SampleBuffer.PlacesPerSlice)
+                {
+                    thinning = new MarkCellsJob
+                    {
+                        Sample = own.Points.Bytes,
+                        Filled = own.Filled,
+                        Positions = PositionColumns.Of(own.Points),
+                        Transform = m_transform,
+                        First = first,
+                        End = Math.Min(places, first + SampleBuffer.PlacesPerSlice),
+                        Cells = m_cells,
+                        Table = m_table,
+                    }.Schedule();
+                    yield return thinning;
+                    thinning.Complete();
+                }
+                for (int first = 0; first < count; first += SampleBuffer.PlacesPerSlice)
+                {
+                    thinning = new KeepBareCellsJob
+                    {
+                        Columns = m_columns,
+                        Points = Points.Bytes,
+                        Positions = PositionColumns.Of(Points),
+                        Transform = m_transform,
+                        First = first,
+                        End = Math.Min(count, first + SampleBuffer.PlacesPerSlice),
+                        Cells = m_cells,
+                        Table = m_table,
+                        Kept = m_count,
+                    }.Schedule();
+                    yield return thinning;
+                    thinning.Complete();
+                }
+            }
+            finally
+            {
+                thinning.Complete();
+            }
+        }
+
+        public void Dispose()
+        {
+            if (!m_table.IsCreated)
+                return;
+            m_lastAppended.Complete();
+            Points.Dispose();
+            m_table.Dispose();
+            m_columns.Dispose();
+            m_count.Dispose();
+        }
+    }
+}
