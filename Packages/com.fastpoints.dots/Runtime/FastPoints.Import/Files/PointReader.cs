@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// fixed-stride file), any of which can be read in any order, several at once.
     /// </summary>
     /// <remarks>
-    /// All members belong to the main thread. Reading happens through <see cref="BlockRead"/> slots: the reader makes as many
+    /// All members belong to the main thread; any may open a reader (<see cref="PointReaders"/>). Reading happens through <see cref="BlockRead"/> slots: the reader makes as many
     /// as the caller wants in flight, and memory is what these slots hold, whatever the file's size.
     /// Dispose the slots before the reader.
     /// </remarks>

@@ -52,7 +52,6 @@ namespace FastPoints.Files
             foreach (var section in sections)
                 HasVectors |= schema.HasVectorPositions || E57Schema.HasVectorNormals(section.Scan);
             m_areBlocksKnown = info.PointsClaimed == 0;
-            OpenFile();
         }
 
         /// <inheritdoc cref="Open(FileSource)"/>

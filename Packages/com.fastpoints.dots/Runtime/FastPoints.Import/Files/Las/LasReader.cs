@@ -19,7 +19,7 @@ namespace FastPoints.Files
 
         readonly LasFile m_las;
         readonly int m_blockPoints;
-        readonly FileHandle m_file;
+        FileHandle m_file;
         bool m_isOpen;
 
         LasReader(LasFile las)
@@ -32,8 +32,6 @@ namespace FastPoints.Files
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, las.Header.PointsClaimedAt, "points",
                     "at most " + (long)int.MaxValue * m_blockPoints, Info.PointsReadable);
             BlockCount = (int)blocks;
-            m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
-            m_isOpen = true;
         }
 
         /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
@@ -70,7 +68,16 @@ namespace FastPoints.Files
 
         internal LasRecordLayout Layout => m_las.Layout;
 
-        internal ref readonly FileHandle File => ref m_file;
+        internal ref readonly FileHandle File
+        {
+            get
+            {
+                if (!m_isOpen)
+                    m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
+                m_isOpen = true;
+                return ref m_file;
+            }
+        }
 
         public override long FirstPointOfBlock(int block)
         {

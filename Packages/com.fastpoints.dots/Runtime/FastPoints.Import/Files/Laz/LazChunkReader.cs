@@ -45,7 +45,6 @@ namespace FastPoints.Files
             Source = source;
             Format = format;
             Info = las.Info;
-            OpenFile();
         }
 
         public LasHeader Header => m_las.Header;
