@@ -12,7 +12,7 @@ namespace FastPoints.RepoTools.Api
         private static readonly string[] s_assemblies =
         {
             "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp",
-            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Tests",
+            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "FastPoints.Tests",
         };
 
         private readonly Resolver m_resolver = new Resolver();

@@ -26,6 +26,7 @@ namespace FastPoints.RepoTools.Layers
             ["FastPoints.Rendering.Hdrp"] = s_drawing
                 .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
+            ["FastPoints.Editor"] = s_shared,
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
                 .Concat(new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" }).ToArray(),

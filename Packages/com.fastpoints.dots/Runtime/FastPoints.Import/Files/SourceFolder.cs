@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using FastPoints.Store;
 
@@ -8,6 +9,9 @@ namespace FastPoints.Files
     {
         /// <summary>Names under which writers leave an index; what is in it decides.</summary>
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
+
+        /// <summary>Whether a file's name is one of these.</summary>
+        public static bool IsIndex(string fileName) => Array.IndexOf(s_indexNames, fileName) >= 0;
 
         /// <summary>The index of an octree's folder, or null for a folder that has none.</summary>
         public static string FindIndex(string folder)

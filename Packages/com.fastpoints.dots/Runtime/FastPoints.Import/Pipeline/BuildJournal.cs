@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Octree;
 using FastPoints.Points;
@@ -117,7 +116,7 @@ namespace FastPoints.Pipeline
                 return null;
             var journal = new BuildJournal
             {
-                Identity = Hex(json["identity"]),
+                Identity = JsonReader.ToHex(json["identity"]),
                 At = (Stage)Enum.Parse(typeof(Stage), (string)json["stage"]),
                 Source = checked((int)JsonReader.ToLong(json["source"])),
                 Block = checked((int)JsonReader.ToLong(json["block"])),
@@ -133,7 +132,7 @@ namespace FastPoints.Pipeline
                     LeftOut = JsonReader.ToLong(item["leftOut"]),
                     Min = Place(item["min"]),
                     Max = Place(item["max"]),
-                    Checksum = Hex(item["checksum"]),
+                    Checksum = JsonReader.ToHex(item["checksum"]),
                     WorstLossSteps = JsonReader.ToDouble(item["worstLossSteps"]),
                 });
             }
@@ -144,9 +143,9 @@ namespace FastPoints.Pipeline
                 var item = (Dictionary<string, object>)attributes[a];
                 journal.Attributes[a] = new AttributeFindings
                 {
-                    Min = Hex(item["min"]),
-                    Max = Hex(item["max"]),
-                    Or = Hex(item["or"]),
+                    Min = JsonReader.ToHex(item["min"]),
+                    Max = JsonReader.ToHex(item["max"]),
+                    Or = JsonReader.ToHex(item["or"]),
                     NotDoubled = checked((uint)JsonReader.ToLong(item["notDoubled"])),
                 };
             }
@@ -172,9 +171,6 @@ namespace FastPoints.Pipeline
                 journal.BytesOfPlane[p] = JsonReader.ToLong(planes[p]);
             return journal;
         }
-
-        static ulong Hex(object value) => ulong.Parse((string)value, NumberStyles.AllowHexSpecifier,
-            CultureInfo.InvariantCulture);
 
         static Grid3 Place(object value)
         {

@@ -61,7 +61,7 @@ namespace FastPoints.Pipeline
         }
 
         /// <summary>Work for a pump: converts. The target is there, whole, when the work has ended; nothing is there when it was
-        /// cancelled or failed.</summary>
+        /// cancelled or failed, but for what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
         /// <param name="readers">The sources: open, of the same attributes. They make one cloud.</param>
         /// <param name="target">The folder to make.</param>
         /// <param name="done">Gets what was made.</param>
@@ -121,6 +121,8 @@ namespace FastPoints.Pipeline
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();
+            if (m_settings.KeepUnfinished)
+                m_folder.Keep();
             m_folder.Dispose();
         }
 

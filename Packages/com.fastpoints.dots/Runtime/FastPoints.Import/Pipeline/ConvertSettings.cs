@@ -39,5 +39,10 @@ namespace FastPoints.Pipeline
         /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
         /// same.</summary>
         public int ChunksAtOnce;
+
+        /// <summary>Whether what lies on disk stays there when the work is disposed before its end: the next build of the target
+        /// with the same sources and settings continues it, where points were in files. May be set while the work goes
+        /// on.</summary>
+        public bool KeepUnfinished;
     }
 }

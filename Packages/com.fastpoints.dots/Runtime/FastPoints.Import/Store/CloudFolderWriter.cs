@@ -15,7 +15,7 @@ namespace FastPoints.Store
     /// Writes a cloud's folder under a temporary name, and gives it its own when everything is there. Each file is complete or
     /// absent: written under another name, flushed, renamed. One thread writes; callers never wait for a disk.
     /// </summary>
-    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing. A lock file keeps a second build of the same target
+    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing, or what <see cref="Keep"/> keeps. A lock file keeps a second build of the same target
     /// out.</remarks>
     public sealed unsafe class CloudFolderWriter : IDisposable
     {
@@ -56,6 +56,7 @@ namespace FastPoints.Store
         FileStream m_lock;
         bool m_isEnding;
         bool m_isComplete;
+        bool m_isKept;
 
         /// <param name="target">The folder to be: absent, empty, or a cloud that the new one replaces.</param>
         /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being built.</exception>
@@ -281,6 +282,9 @@ namespace FastPoints.Store
             }
         }
 
+        /// <summary>What was written stays when the writer is disposed, as if the process had been killed then.</summary>
+        public void Keep() => m_isKept = true;
+
         public void Dispose()
         {
             EndThread();
@@ -289,9 +293,36 @@ namespace FastPoints.Store
             if (m_isComplete)
                 return;
             m_isComplete = true;
+            if (!m_isKept)
+                Delete(new DirectoryInfo(m_part));
+        }
+
+        /// <summary>Deletes what a build that ended early left of a target; nothing where it is being built now.</summary>
+        public static void DeleteUnfinished(string target)
+        {
+            var part = new DirectoryInfo(target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) +
+                StoreFormat.PartSuffix);
+            if (!part.Exists)
+                return;
             try
             {
-                Directory.Delete(m_part, true);
+                using (new FileStream(Path.Combine(part.FullName, LockName), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None))
+                {
+                    // Nobody has it.
+                }
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return;
+            }
+            Delete(part);
+        }
+
+        static void Delete(DirectoryInfo part)
+        {
+            try
+            {
+                part.Delete(true);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

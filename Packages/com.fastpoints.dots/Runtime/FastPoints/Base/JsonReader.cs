@@ -58,6 +58,13 @@ namespace FastPoints.Base
                 ? result
                 : throw new FormatException("wanted a number, got " + Describe(value));
 
+        /// <summary>A value that must be what <see cref="JsonWriter.AddHex"/> writes.</summary>
+        public static ulong ToHex(object value) =>
+            value is string text && text.Length == 16 &&
+            ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
+                ? result
+                : throw new FormatException("wanted 16 hexadecimal digits in a string, got " + Describe(value));
+
         /// <summary>Whether <see cref="ToDouble"/> gives a finite number.</summary>
         public static bool IsNumber(object value) =>
             value is Number n && double.TryParse(n.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double result)

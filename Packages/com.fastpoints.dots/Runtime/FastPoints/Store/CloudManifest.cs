@@ -175,12 +175,12 @@ namespace FastPoints.Store
 
             var result = new CloudManifest
             {
-                CloudId = Hex(Get(json, "id", ref member)),
+                CloudId = JsonReader.ToHex(Get(json, "id", ref member)),
                 Generation = JsonReader.ToLong(Get(json, "generation", ref member)),
                 IsBuilding = json.TryGetValue("building", out object building) && true.Equals(building),
                 Points = Count(Get(json, "points", ref member)),
                 PointsLeftOut = Count(Get(json, "pointsLeftOut", ref member)),
-                Checksum = Hex(Get(json, "checksum", ref member)),
+                Checksum = JsonReader.ToHex(Get(json, "checksum", ref member)),
                 NodeCount = checked((int)Count(Get(json, "nodes", ref member))),
                 ChunkCount = checked((int)Count(Get(json, "chunks", ref member))),
             };
@@ -243,7 +243,7 @@ namespace FastPoints.Store
             }
             var files = (Dictionary<string, object>)Get(json, "files", ref member);
             result.HierarchyBytes = Count(Get(files, "hierarchyBytes", ref member));
-            result.HierarchyHash = Hex(Get(files, "hierarchyHash", ref member));
+            result.HierarchyHash = JsonReader.ToHex(Get(files, "hierarchyHash", ref member));
             result.UpperBytes = Count(Get(files, "upperBytes", ref member));
             return result;
         }
@@ -253,12 +253,6 @@ namespace FastPoints.Store
             long count = JsonReader.ToLong(value);
             return count >= 0 ? count : throw new FormatException("wanted at least 0, got " + count);
         }
-
-        static ulong Hex(object value) =>
-            value is string text && text.Length == 16 &&
-            ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
-                ? result
-                : throw new FormatException("wanted 16 hexadecimal digits in a string");
 
         static double DoubleOrNaN(object value) => value == null ? double.NaN : JsonReader.ToDouble(value);
 

@@ -1,6 +1,6 @@
 using System.IO;
 
-namespace FastPoints.Cli
+namespace FastPoints.Files
 {
     /// <summary>What a source is called in the names of the files that are made of it.</summary>
     public static class CloudName
@@ -9,10 +9,9 @@ namespace FastPoints.Cli
         /// was named.</summary>
         public static string Of(string path)
         {
-            string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
-            bool isIndex = Path.GetFileName(full) is "metadata.json" or "cloud.js" or "ept.json";
-            if (isIndex && Path.GetDirectoryName(full) is { } folder)
-                full = folder;
+            string full = Path.GetFullPath(path).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
+            if (SourceFolder.IsIndex(Path.GetFileName(full)))
+                full = Path.GetDirectoryName(full) ?? full;
             string name = Directory.Exists(full) ? Path.GetFileName(full) : Path.GetFileNameWithoutExtension(full);
             return name.Length > 0 ? name : "cloud";
         }

@@ -1,0 +1,71 @@
+using System;
+using System.Text;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Names for converted clouds and their handles: allowed on every system and not hidden by Unity; none is given
+    /// twice, whatever the case.</summary>
+    public static class AssetNaming
+    {
+        /// <summary>In UTF-8, without extension: paths in a project stay short.</summary>
+        public const int MostBytes = 100;
+
+        const string Empty = "cloud";
+        const string NotAllowed = "<>:\"/\\|?*";
+
+        static readonly string[] s_devices =
+        {
+            "CON", "PRN", "AUX", "NUL", "CVS", "COM0", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8", "COM9", "LPT0",
+            "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
+        };
+
+        /// <summary>A name as near to this one as may be: composed characters, none that a system forbids, no point, blank or tilde
+        /// at an end, no device's name, at most <see cref="MostBytes"/>.</summary>
+        public static string Safe(string name)
+        {
+            var text = new StringBuilder(name.Length);
+            for (int i = 0; i < name.Length; i++)
+            {
+                bool isPair = char.IsHighSurrogate(name[i]) && i + 1 < name.Length && char.IsLowSurrogate(name[i + 1]);
+                if (isPair)
+                    text.Append(name[i++]).Append(name[i]);
+                else
+                    text.Append(char.IsControl(name[i]) || char.IsSurrogate(name[i]) || NotAllowed.IndexOf(name[i]) >= 0 ? '_' : name[i]);
+            }
+            string safe = Trim(Shorten(text.ToString().Normalize(NormalizationForm.FormC)));
+            if (safe.Length == 0)
+                return Empty;
+            int stem = safe.IndexOf('.');
+            string device = stem < 0 ? safe : safe.Substring(0, stem);
+            return Array.Exists(s_devices, d => d.Equals(device.TrimEnd(), StringComparison.OrdinalIgnoreCase)) ? "_" + safe : safe;
+        }
+
+        /// <summary>The name made safe; with a number behind it where that is taken.</summary>
+        /// <param name="isTaken">Asked for names that differ from others in more than case.</param>
+        public static string Unique(string name, Predicate<string> isTaken)
+        {
+            string safe = Safe(name), unique = safe;
+            for (int number = 2; isTaken(unique); number++)
+                unique = safe + " " + number.ToString(System.Globalization.CultureInfo.InvariantCulture);
+            return unique;
+        }
+
+        /// <summary>Unity does not see files that begin with a point or end with a tilde; Windows drops points and blanks at the
+        /// end.</summary>
+        static string Trim(string name) => name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
+
+        static string Shorten(string name)
+        {
+            int bytes = 0;
+            for (int i = 0; i < name.Length; i++)
+            {
+                int units = char.IsHighSurrogate(name[i]) ? 2 : 1;
+                bytes += units == 2 ? 4 : name[i] < 0x80 ? 1 : name[i] < 0x800 ? 2 : 3;
+                if (bytes > MostBytes)
+                    return name.Substring(0, i);
+                i += units - 1;
+            }
+            return name;
+        }
+    }
+}

@@ -1,0 +1,140 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id that
+    /// their content gives them.</summary>
+    public sealed class CloudCatalog
+    {
+        struct Seen
+        {
+            public long WrittenTicks;
+            public CatalogCloud Cloud;
+        }
+
+        readonly ProjectPaths m_paths;
+        readonly List<CatalogCloud> m_clouds = new List<CatalogCloud>();
+        Dictionary<string, Seen> m_seen = new Dictionary<string, Seen>();
+
+        public CloudCatalog(ProjectPaths paths)
+        {
+            m_paths = paths;
+        }
+
+        /// <summary>As of the last <see cref="Refresh"/>, by name.</summary>
+        public IReadOnlyList<CatalogCloud> Clouds => m_clouds;
+
+        /// <summary>Looks into the folder; a manifest is read again only where it was written since.</summary>
+        public void Refresh()
+        {
+            m_clouds.Clear();
+            var seen = new Dictionary<string, Seen>();
+            foreach (string folder in FolderNames(m_paths.Clouds))
+            {
+                bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+                string path = isPart ? folder.Substring(0, folder.Length - StoreFormat.PartSuffix.Length) : folder;
+                // While a cloud is made anew the old one is there.
+                if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) && !(isPart && Directory.Exists(path)))
+                    m_clouds.Add(Look(path, folder, seen));
+            }
+            m_seen = seen;
+            m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
+        }
+
+        /// <summary>The cloud of a handle: where that says, or else by id, in what <see cref="Refresh"/> found.</summary>
+        public CatalogMatch Find(CloudHandle handle, out CatalogCloud cloud)
+        {
+            string path = m_paths.Absolute(handle.CloudPath);
+            cloud = m_clouds.Find(c => c.Path == path);
+            if (cloud == null && CloudFolder.IsCloud(path))
+                cloud = Look(path, CloudFolder.Find(path), new Dictionary<string, Seen>());
+            if (cloud != null && cloud.IsBuilding)
+                return CatalogMatch.Building;
+            if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))
+                return CatalogMatch.InPlace;
+            var inPlace = cloud;
+            if (handle.CloudId != 0)
+                cloud = m_clouds.Find(c => !c.IsBuilding && c.Manifest != null && c.Manifest.CloudId == handle.CloudId);
+            if (handle.CloudId != 0 && cloud != null)
+                return CatalogMatch.Moved;
+            cloud = inPlace;
+            return inPlace == null ? CatalogMatch.None : CatalogMatch.Another;
+        }
+
+        /// <summary>A folder for the cloud of a source: its name, with a number where a cloud or a build has that
+        /// already.</summary>
+        /// <param name="source">A file or folder.</param>
+        /// <param name="isPromised">Whether a folder that is not there yet belongs to another cloud.</param>
+        public string NewTarget(string source, Predicate<string> isPromised)
+        {
+            var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            foreach (string folder in FolderNames(m_paths.Clouds))
+                taken.Add(folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal)
+                    ? folder.Substring(0, folder.Length - StoreFormat.PartSuffix.Length) : folder);
+            string name = AssetNaming.Unique(CloudName.Of(source), n => taken.Contains(PathOf(n)) || isPromised(PathOf(n)));
+            return PathOf(name);
+        }
+
+        /// <summary>Deletes a converted cloud: first its name, so that a half deleted one is never taken for a whole one.</summary>
+        /// <exception cref="PointCloudException">It cannot be deleted: somebody has its files open, or may not.</exception>
+        public static void Delete(string path)
+        {
+            CloudFolderWriter.DeleteUnfinished(path);
+            if (!Directory.Exists(path))
+                return;
+            string gone = path + ".deleted";
+            try
+            {
+                if (Directory.Exists(gone))
+                    Directory.Delete(gone, true);
+                Directory.Move(path, gone);
+                Directory.Delete(gone, true);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        string PathOf(string name) => Path.Combine(m_paths.Clouds, name + StoreFormat.FolderExtension);
+
+        CatalogCloud Look(string path, string folder, Dictionary<string, Seen> seen)
+        {
+            string manifest = Path.Combine(folder, StoreFormat.ManifestName);
+            long written = File.GetLastWriteTimeUtc(manifest).Ticks;
+            if (m_seen.TryGetValue(folder, out var before) && before.WrittenTicks == written)
+            {
+                seen[folder] = before;
+                return before.Cloud;
+            }
+            var cloud = new CatalogCloud { Path = path, IsBuilding = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal) };
+            try
+            {
+                cloud.Manifest = CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest);
+            }
+            catch (PointCloudException e)
+            {
+                cloud.Problem = e.Message;
+            }
+            seen[folder] = new Seen { WrittenTicks = written, Cloud = cloud };
+            return cloud;
+        }
+
+        static string[] FolderNames(string folder)
+        {
+            try
+            {
+                return Directory.Exists(folder) ? Directory.GetDirectories(folder) : Array.Empty<string>();
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Reading(folder, e);
+            }
+        }
+    }
+}

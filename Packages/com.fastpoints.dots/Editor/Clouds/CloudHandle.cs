@@ -1,0 +1,120 @@
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Editor
+{
+    /// <summary>
+    /// What a <c>.pointcloud</c> file says: a small asset that stands for a cloud of any size. Where the converted cloud and its
+    /// source are, and what is known of them without opening either. Text in, text out, no I/O.
+    /// </summary>
+    public sealed class CloudHandle
+    {
+        public const string Extension = ".pointcloud";
+        const int Version = 1;
+        const string FormatName = "fastpoints-handle";
+
+        /// <summary>The converted cloud's own, which its content decides; 0 until there is one.</summary>
+        public ulong CloudId;
+
+        /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not be there yet.</summary>
+        public string CloudPath;
+
+        /// <summary>Files and folders that the cloud is made of, written alike; none for a cloud that came converted.</summary>
+        public List<string> Sources = new List<string>();
+
+        /// <summary>Of the sources when they were taken; null without any.</summary>
+        public SourceStamp Stamp;
+
+        /// <summary>"LAS", "PLY", ...</summary>
+        public string Format;
+
+        /// <summary>As the header claims until the cloud is converted; -1 where nobody says.</summary>
+        public long Points = -1;
+
+        /// <summary>As with <see cref="Points"/>; may be empty.</summary>
+        public BoundsGeo BoundsGeo = BoundsGeo.Empty;
+
+        /// <summary>One line, or null.</summary>
+        public string Crs;
+
+        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        public double MetresPerUnit;
+
+        /// <summary>Takes over what a source's header claims.</summary>
+        public void Describe(SourceInfo info)
+        {
+            Format = info.Format;
+            Points = info.PointsReadable >= 0 ? info.PointsReadable
+                : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
+            BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite ? info.BoundsClaimed : BoundsGeo.Empty;
+            Crs = info.Crs.Summary;
+            MetresPerUnit = info.Crs.MetresPerUnit;
+        }
+
+        /// <summary>Takes over what was found when the cloud was converted.</summary>
+        public void Describe(CloudManifest manifest)
+        {
+            CloudId = manifest.CloudId;
+            Points = manifest.Points;
+            BoundsGeo = manifest.BoundsGeo;
+            Crs = manifest.CrsName;
+            MetresPerUnit = manifest.MetresPerUnit;
+        }
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("format", FormatName).Add("version", Version).AddHex("cloudId", CloudId)
+                .Add("cloud", CloudPath).BeginArray("sources");
+            foreach (string source in Sources)
+                json.Add(null, source);
+            json.EndArray();
+            Stamp?.Write(json, "stamp");
+            json.Add("sourceFormat", Format).Add("points", Points);
+            if (!BoundsGeo.IsEmpty)
+            {
+                json.BeginObject("bounds").Add("min", BoundsGeo.Min.x, BoundsGeo.Min.y, BoundsGeo.Min.z)
+                    .Add("max", BoundsGeo.Max.x, BoundsGeo.Max.y, BoundsGeo.Max.z).EndObject();
+            }
+            return json.Add("crs", Crs).Add("metresPerUnit", MetresPerUnit).EndObject().ToString();
+        }
+
+        /// <param name="path">For messages.</param>
+        /// <exception cref="PointCloudException">It is no handle, of another version, or a member is missing or senseless.</exception>
+        public static CloudHandle FromJson(string text, string path)
+        {
+            var json = JsonMembers.Parse(text, path);
+            if (json.Text("format") != FormatName)
+                throw json.Wrong("format", "wanted \"" + FormatName + "\", got \"" + json.Text("format") + "\"");
+            json.NeedVersion(Version);
+            var bounds = json.ObjectOrNull("bounds");
+            var stamp = json.ObjectOrNull("stamp");
+            var handle = new CloudHandle
+            {
+                CloudId = json.Hex("cloudId"),
+                CloudPath = json.Text("cloud"),
+                Sources = json.Texts("sources"),
+                Stamp = stamp == null ? null : SourceStamp.Read(stamp),
+                Format = json.TextOrNull("sourceFormat"),
+                Points = json.Long("points"),
+                BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(Place(bounds, "min"), Place(bounds, "max")),
+                Crs = json.TextOrNull("crs"),
+                MetresPerUnit = json.Double("metresPerUnit"),
+            };
+            if (handle.CloudPath.Length == 0)
+                throw json.Wrong("cloud", "wanted a folder, got nothing");
+            return handle;
+        }
+
+        static double3 Place(JsonMembers json, string name)
+        {
+            var three = json.Doubles(name);
+            if (three.Count != 3 || !math.all(math.isfinite(new double3(three[0], three[1], three[2]))))
+                throw json.Wrong(name, "wanted three finite numbers");
+            return new double3(three[0], three[1], three[2]);
+        }
+    }
+}

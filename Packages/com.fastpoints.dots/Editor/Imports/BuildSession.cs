@@ -1,0 +1,169 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>
+    /// One conversion beside an editor that goes on: opens the sources on a thread of the pool, then steps the work a few
+    /// milliseconds an update. It can be paused, ended for good, or suspended for a later session to continue.
+    /// </summary>
+    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what cannot be left alone: a header
+    /// that is being read, slices that are running, the writer.</remarks>
+    public sealed class BuildSession : IDisposable
+    {
+        readonly string m_target;
+        readonly ConvertSettings m_settings;
+        readonly Stopwatch m_watch = new Stopwatch();
+        Task<PointReader> m_opening;
+        PointReader m_reader;
+        WorkPump m_pump;
+
+        /// <param name="sources">Files and folders that make one cloud.</param>
+        /// <param name="target">The folder to make.</param>
+        /// <param name="settings">The session's own from now on.</param>
+        public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
+        {
+            m_target = target;
+            m_settings = settings;
+            m_settings.KeepUnfinished = true;
+            m_opening = Task.Run(() => PointReaders.Open(sources));
+        }
+
+        public BuildState State { get; private set; } = BuildState.Opening;
+
+        public StageProgress Progress { get; } = new StageProgress();
+
+        /// <summary>What the source's header says; null until it is open.</summary>
+        public SourceInfo Source { get; private set; }
+
+        /// <summary>When done.</summary>
+        public ConvertResult Result { get; private set; }
+
+        /// <summary>When failed: a <see cref="PointCloudException"/> of one line, or what should not have happened.</summary>
+        public Exception Failure { get; private set; }
+
+        /// <summary>Of the whole build, 0 to 1.</summary>
+        public double Share => State == BuildState.Done ? 1 : BuildProgress.ShareOf(Progress);
+
+        /// <summary>Seconds of work so far, without pauses.</summary>
+        public double Seconds => m_watch.Elapsed.TotalSeconds;
+
+        /// <summary>At the speed so far; infinity before anything is known.</summary>
+        public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
+
+        /// <summary>Whether nothing more will come.</summary>
+        public bool IsEnded => State >= BuildState.Done;
+
+        /// <summary>Goes on for about so long; call it once an update.</summary>
+        /// <returns>Whether the session has ended.</returns>
+        public bool Tick(double budgetMs)
+        {
+            try
+            {
+                if (State == BuildState.Opening && m_opening.IsCompleted)
+                    Begin();
+                if (State == BuildState.Building && m_pump.Tick(budgetMs))
+                    End(BuildState.Done);
+            }
+            catch (Exception e)
+            {
+                Failure = e;
+                End(BuildState.Failed);
+                // What is on disk helps where the system was at fault, with a full disk for example, and not where the source is.
+                if (!(e is PointCloudException known) || known.IsBadInput)
+                    CloudFolderWriter.DeleteUnfinished(m_target);
+            }
+            return IsEnded;
+        }
+
+        /// <summary>Takes no further steps; slices that were begun end.</summary>
+        public void Pause()
+        {
+            if (State != BuildState.Building)
+                return;
+            State = BuildState.Paused;
+            m_watch.Stop();
+        }
+
+        public void Resume()
+        {
+            if (State != BuildState.Paused)
+                return;
+            State = BuildState.Building;
+            m_watch.Start();
+        }
+
+        /// <summary>Ends it for good and deletes what it has made so far.</summary>
+        public void Cancel()
+        {
+            if (IsEnded)
+                return;
+            m_settings.KeepUnfinished = false;
+            End(BuildState.Cancelled);
+            CloudFolderWriter.DeleteUnfinished(m_target);
+        }
+
+        /// <summary>Ends it for now: before scripts are reloaded, or the editor quits. All that it allocated is free
+        /// afterwards.</summary>
+        public void Suspend()
+        {
+            if (!IsEnded)
+                End(BuildState.Suspended);
+        }
+
+        /// <summary>As <see cref="Suspend"/>.</summary>
+        public void Dispose() => Suspend();
+
+        void Begin()
+        {
+            m_reader = Opened();
+            Source = m_reader.Info;
+            m_pump = new WorkPump(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
+            State = BuildState.Building;
+            m_watch.Start();
+        }
+
+        PointReader Opened()
+        {
+            try
+            {
+                return m_opening.GetAwaiter().GetResult();
+            }
+            finally
+            {
+                m_opening = null;
+            }
+        }
+
+        void End(BuildState state)
+        {
+            State = state;
+            m_watch.Stop();
+            m_pump?.Cancel();
+            if (m_opening != null)
+                m_reader = ReaderThatCameTooLate();
+            m_reader?.Dispose();
+            m_reader = null;
+        }
+
+        /// <summary>Readers are disposed on the main thread.</summary>
+        PointReader ReaderThatCameTooLate()
+        {
+            try
+            {
+                return Opened();
+            }
+            catch (PointCloudException)
+            {
+                // Nobody asks for it any more.
+                return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,298 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>
+    /// Clouds that are to be converted, one after the other, and the one that is. Every change is on disk before the work goes on:
+    /// after a reload of scripts, a crash or a loss of power the same clouds are converted, from where they were.
+    /// </summary>
+    /// <remarks>Main thread. Neither its file nor its lock is there while there is nothing to do.</remarks>
+    public sealed class ImportQueue : IDisposable
+    {
+        public const string FileName = "imports.json";
+        public const string LockName = "imports.lock";
+
+        /// <summary>An import that ends the editor so often is not begun again by itself.</summary>
+        public const int MostAttempts = 3;
+
+        const int Version = 1;
+        static readonly TimeSpan s_lookAgain = TimeSpan.FromSeconds(2);
+
+        readonly ProjectPaths m_paths;
+        readonly Func<ImportRequest, ConvertSettings> m_settings;
+        readonly List<ImportRequest> m_requests = new List<ImportRequest>();
+        ProjectLock m_lock;
+        ImportRequest m_running;
+        DateTime m_nextLook;
+        bool m_isUnsaved;
+
+        /// <param name="paths">The queue is kept beside the converted clouds.</param>
+        /// <param name="settings">How a request is converted; new ones each time.</param>
+        public ImportQueue(ProjectPaths paths, Func<ImportRequest, ConvertSettings> settings)
+        {
+            m_paths = paths;
+            m_settings = settings;
+        }
+
+        /// <summary>In the order that they are taken in.</summary>
+        public IReadOnlyList<ImportRequest> Requests => m_requests;
+
+        /// <summary>The conversion that goes on, or null.</summary>
+        public BuildSession Session { get; private set; }
+
+        /// <summary>What it is of, or null.</summary>
+        public ImportRequest Running => m_running;
+
+        /// <summary>Why nothing is converted or kept, in one line: another editor, a folder that cannot be written. Null where all is
+        /// well.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>A conversion has ended, well or not; the session tells.</summary>
+        public event Action<ImportRequest, BuildSession> Ended;
+
+        string FilePath => Path.Combine(m_paths.Clouds, FileName);
+
+        /// <summary>Puts a request at the end, in place of one of the same folder that does not run.</summary>
+        /// <returns>False where that folder is being made.</returns>
+        public bool Add(ImportRequest request)
+        {
+            if (m_running != null && IsSame(m_running, request))
+                return false;
+            m_requests.RemoveAll(r => IsSame(r, request));
+            m_requests.Add(request);
+            m_nextLook = default;
+            Save();
+            return true;
+        }
+
+        /// <summary>Whether a folder is somebody's already, though it may not be there.</summary>
+        public bool IsPromised(string folder) => m_requests.Exists(r => IsSame(m_paths.Absolute(r.Cloud), folder));
+
+        /// <summary>Once an update: goes on with what runs, or begins the next.</summary>
+        /// <param name="budgetMs">Main-thread time to use; what jobs do beside it is not in it.</param>
+        public void Tick(double budgetMs, DateTime nowUtc)
+        {
+            if (!HasLock(nowUtc))
+                return;
+            if (Session == null)
+                Begin();
+            else if (Session.Tick(budgetMs))
+                End();
+            if (m_requests.Count == 0)
+                GiveBack();
+        }
+
+        public void Pause(ImportRequest request)
+        {
+            if (request.State == ImportState.Running)
+                Session.Pause();
+            else if (request.State == ImportState.Waiting)
+                request.State = ImportState.Paused;
+            Save();
+        }
+
+        /// <summary>Goes on with one that was paused, or tries one again that failed.</summary>
+        public void Resume(ImportRequest request)
+        {
+            if (request.State == ImportState.Running)
+            {
+                Session.Resume();
+                return;
+            }
+            request.State = ImportState.Waiting;
+            request.Attempts = 0;
+            request.Failure = null;
+            Save();
+        }
+
+        /// <summary>Takes a request out; what was made of it so far is deleted.</summary>
+        public void Cancel(ImportRequest request)
+        {
+            if (!m_requests.Remove(request))
+                return;
+            if (request == m_running)
+            {
+                Session.Cancel();
+                End();
+                return;
+            }
+            CloudFolderWriter.DeleteUnfinished(m_paths.Absolute(request.Cloud));
+            Save();
+        }
+
+        /// <summary>Before scripts are reloaded or the editor quits: ends what runs, for the next queue of this folder to
+        /// continue.</summary>
+        public void Suspend()
+        {
+            if (m_running != null)
+            {
+                Session.Suspend();
+                m_running.State = ImportState.Waiting;
+                m_running.Attempts = 0;
+                Session = null;
+                m_running = null;
+                Save();
+            }
+            GiveBack();
+        }
+
+        public void Dispose() => Suspend();
+
+        bool HasLock(DateTime nowUtc)
+        {
+            if (m_lock != null)
+            {
+                if (m_lock.Renew(nowUtc))
+                    return true;
+                m_lock = null;
+                Problem = "another editor has taken over the imports of " + m_paths.Clouds;
+                Session?.Suspend();
+                Session = null;
+                m_running = null;
+                m_requests.Clear();
+            }
+            if (nowUtc < m_nextLook)
+                return false;
+            m_nextLook = nowUtc + s_lookAgain;
+            if (m_requests.Count == 0 && !File.Exists(FilePath))
+            {
+                Problem = null;
+                return false;
+            }
+            try
+            {
+                string owner = ProjectLock.TryTake(Path.Combine(m_paths.Clouds, LockName), out m_lock);
+                Problem = owner == null ? null : owner + " imports into " + m_paths.Clouds;
+                if (m_lock != null)
+                    Load();
+            }
+            catch (PointCloudException e)
+            {
+                GiveBack();
+                Problem = e.Message;
+            }
+            return m_lock != null;
+        }
+
+        void Begin()
+        {
+            m_running = m_requests.Find(r => r.State == ImportState.Waiting);
+            if (m_running == null)
+                return;
+            m_running.State = ImportState.Running;
+            m_running.Attempts++;
+            Save();
+            var sources = m_running.Sources.ConvertAll(m_paths.Absolute);
+            Session = new BuildSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
+        }
+
+        void End()
+        {
+            var request = m_running;
+            var session = Session;
+            m_running = null;
+            Session = null;
+            request.Attempts = 0;
+            if (session.State == BuildState.Failed)
+            {
+                request.State = ImportState.Failed;
+                request.Failure = session.Failure.Message;
+            }
+            else
+            {
+                m_requests.Remove(request);
+            }
+            Save();
+            Ended?.Invoke(request, session);
+        }
+
+        /// <summary>What was there before comes first.</summary>
+        void Load()
+        {
+            var kept = File.Exists(FilePath) ? Read() : new List<ImportRequest>();
+            var added = new List<ImportRequest>(m_requests);
+            m_requests.Clear();
+            m_requests.AddRange(kept);
+            foreach (var request in m_requests)
+            {
+                if (request.State != ImportState.Running)
+                    continue;
+                bool isHopeless = request.Attempts >= MostAttempts;
+                request.State = isHopeless ? ImportState.Failed : ImportState.Waiting;
+                request.Failure = isHopeless ? "the editor ended " + request.Attempts + " times while this was imported" : null;
+            }
+            foreach (var request in added)
+            {
+                m_requests.RemoveAll(r => IsSame(r, request));
+                m_requests.Add(request);
+            }
+            Save();
+        }
+
+        /// <summary>A file that is damaged is put aside: its clouds are imported when somebody asks for them again. One of a later
+        /// version is left to who wrote it.</summary>
+        List<ImportRequest> Read()
+        {
+            try
+            {
+                var json = JsonMembers.Parse(StoreFile.ReadText(FilePath), FilePath);
+                json.NeedVersion(Version);
+                return json.Objects("requests").ConvertAll(ImportRequest.Read);
+            }
+            catch (PointCloudException e) when (e.Code == FailureCode.BadInput)
+            {
+                Problem = e.Message;
+                string aside = FilePath + ".bad";
+                File.Delete(aside);
+                File.Move(FilePath, aside);
+                return new List<ImportRequest>();
+            }
+        }
+
+        /// <summary>Without the lock the requests are kept in memory until it is had.</summary>
+        void Save()
+        {
+            if (m_lock == null)
+                return;
+            try
+            {
+                if (m_requests.Count == 0)
+                    File.Delete(FilePath);
+                else
+                    TextFile.Write(FilePath, ToJson());
+                if (m_isUnsaved)
+                    Problem = null;
+                m_isUnsaved = false;
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                m_isUnsaved = true;
+                Problem = e.Message;
+            }
+        }
+
+        string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("version", Version).BeginArray("requests");
+            foreach (var request in m_requests)
+                request.Write(json);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        void GiveBack()
+        {
+            m_lock?.Dispose();
+            m_lock = null;
+        }
+
+        bool IsSame(ImportRequest a, ImportRequest b) => IsSame(m_paths.Absolute(a.Cloud), m_paths.Absolute(b.Cloud));
+
+        static bool IsSame(string a, string b) => string.Equals(a, b, StringComparison.OrdinalIgnoreCase);
+    }
+}

@@ -1,0 +1,195 @@
+using System;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>
+    /// Keeps a second editor from importing into the same folder: a file that names its owner. What a crash left is taken over:
+    /// on the same machine when the process is gone, on another when the owner has not renewed it for a while.
+    /// </summary>
+    /// <remarks>Not the system's own locks on files: these do not hold between processes on every system and runtime that Unity
+    /// runs on.</remarks>
+    public sealed class ProjectLock : IDisposable
+    {
+        /// <summary>The owner renews it about so often.</summary>
+        public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);
+
+        /// <summary>An owner on another machine that has not renewed it for so long is taken to be gone.</summary>
+        public static readonly TimeSpan GoneAfter = TimeSpan.FromMinutes(3);
+
+        const string GuardSuffix = ".taking";
+
+        readonly string m_path;
+        readonly string m_owner;
+        DateTime m_renewed;
+
+        ProjectLock(string path, string owner)
+        {
+            m_path = path;
+            m_owner = owner;
+            m_renewed = DateTime.UtcNow;
+        }
+
+        /// <summary>Takes the lock, where nobody has it.</summary>
+        /// <param name="path">Of the file.</param>
+        /// <param name="taken">The lock, or null.</param>
+        /// <returns>Who has it, for people; null where it was taken.</returns>
+        /// <exception cref="PointCloudException">The folder cannot be written.</exception>
+        public static string TryTake(string path, out ProjectLock taken) => TryTake(path, Environment.MachineName, Self(), out taken);
+
+        /// <summary>As for another process or machine.</summary>
+        /// <param name="process">Its number, and when it began: ticks of UTC.</param>
+        public static string TryTake(string path, string machine, (int Id, long Began) process, out ProjectLock taken)
+        {
+            taken = null;
+            string owner = Describe(machine, process);
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                if (TryCreate(path, owner))
+                {
+                    taken = new ProjectLock(path, owner);
+                    return null;
+                }
+                string other = StoreFile.ReadText(path);
+                if (!IsGone(path, other, machine))
+                    return ForPeople(other);
+                if (!TryTakeOver(path, machine, owner))
+                    return ForPeople(StoreFile.ReadText(path));
+                taken = new ProjectLock(path, owner);
+                return null;
+            }
+            catch (PointCloudException e) when (e.Code == FailureCode.NotFound)
+            {
+                // Given back between two looks: the next try tells.
+                return "another editor";
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+
+        /// <summary>Tells others that the owner is there; at most every <see cref="RenewAfter"/>.</summary>
+        /// <returns>Whether the lock is still this owner's: false where another one took it, after a long sleep for
+        /// example.</returns>
+        public bool Renew(DateTime nowUtc)
+        {
+            if (nowUtc - m_renewed < RenewAfter)
+                return true;
+            m_renewed = nowUtc;
+            try
+            {
+                if (StoreFile.ReadText(m_path) != m_owner)
+                    return false;
+                File.SetLastWriteTimeUtc(m_path, nowUtc);
+                return true;
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                return false;
+            }
+        }
+
+        /// <summary>Gives it back, where it is still this owner's.</summary>
+        public void Dispose()
+        {
+            try
+            {
+                if (StoreFile.ReadText(m_path) == m_owner)
+                    File.Delete(m_path);
+            }
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            {
+                // The process is named in it: who comes next finds it gone.
+            }
+        }
+
+        /// <summary>This process.</summary>
+        public static (int Id, long Began) Self()
+        {
+            using (var process = Process.GetCurrentProcess())
+                return (process.Id, process.StartTime.ToUniversalTime().Ticks);
+        }
+
+        static bool TryCreate(string path, string owner)
+        {
+            try
+            {
+                using (var file = new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.None))
+                using (var writer = new StreamWriter(file))
+                    writer.Write(owner);
+                return true;
+            }
+            catch (IOException) when (File.Exists(path))
+            {
+                return false;
+            }
+        }
+
+        /// <summary>Only one of several who found it stale takes it over: a file beside it keeps the others off meanwhile.</summary>
+        static bool TryTakeOver(string path, string machine, string owner)
+        {
+            string guard = path + GuardSuffix;
+            if (!TryCreate(guard, owner))
+            {
+                // Left by a crash in the middle of this.
+                if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
+                    File.Delete(guard);
+                return false;
+            }
+            try
+            {
+                if (!IsGone(path, StoreFile.ReadText(path), machine))
+                    return false;
+                File.Delete(path);
+                return TryCreate(path, owner);
+            }
+            finally
+            {
+                File.Delete(guard);
+            }
+        }
+
+        static bool IsGone(string path, string owner, string machine)
+        {
+            string[] lines = owner.Split('\n');
+            if (lines.Length < 3 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
+                !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
+            {
+                // Half written: whoever writes it does so at once.
+                return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > RenewAfter;
+            }
+            if (lines[0] != machine)
+                return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > GoneAfter;
+            try
+            {
+                using (var process = Process.GetProcessById(id))
+                    return Math.Abs(process.StartTime.ToUniversalTime().Ticks - began) > TimeSpan.TicksPerSecond;
+            }
+            catch (Exception e) when (e is ArgumentException || e is InvalidOperationException)
+            {
+                return true;
+            }
+            catch (System.ComponentModel.Win32Exception)
+            {
+                // There is such a process, of another user.
+                return false;
+            }
+        }
+
+        static string Describe(string machine, (int Id, long Began) process) => string.Format(CultureInfo.InvariantCulture,
+            "{0}\n{1}\n{2}\n", machine, process.Id, process.Began);
+
+        static string ForPeople(string owner)
+        {
+            string[] lines = owner.Split('\n');
+            return lines.Length < 2 ? "another editor" : "process " + lines[1] + " on " + lines[0];
+        }
+    }
+}
