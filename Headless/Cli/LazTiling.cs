@@ -34,12 +34,9 @@ namespace FastPoints.Cli
             var table = LazChunkTable.Read(source, format, las.Info, pointsAt);
             if (table.IsLost || table.Chunks.Count == 0)
                 throw new PointCloudException(FailureCode.BadInput, path, pointsAt, "has no chunk table, or no points to repeat");
-            long points = 0, bytes = 0;
-            foreach (var chunk in table.Chunks)
-            {
-                points += chunk.Points;
-                bytes += chunk.Bytes;
-            }
+            long points = table.Chunks.PointCount, bytes = 0;
+            for (int c = 0; c < table.Chunks.Count; c++)
+                bytes += table.Chunks[c].Bytes;
 
             byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
             double scale = BitConverter.ToDouble(head, ScaleX);
@@ -66,8 +63,9 @@ namespace FastPoints.Cli
                 var pointsOfChunk = new List<int>();
                 for (int time = 0; time < times; time++)
                 {
-                    foreach (var chunk in table.Chunks)
+                    for (int c = 0; c < table.Chunks.Count; c++)
                     {
+                        var chunk = table.Chunks[c];
                         cancellation.ThrowIfCancellationRequested();
                         byte[] content = source.Read(chunk.Offset, checked((int)chunk.Bytes), "chunk").Bytes;
                         int x = BinaryPrimitives.ReadInt32LittleEndian(content);

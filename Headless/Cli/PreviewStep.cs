@@ -18,6 +18,9 @@ namespace FastPoints.Cli
         /// <summary>When which beginning of the sample could be drawn.</summary>
         public required IReadOnlyList<SampleWave> Waves { get; init; }
 
+        /// <summary>How long its jobs were.</summary>
+        public required SliceLengths Slices { get; set; }
+
         /// <summary>From the beginning to the picture.</summary>
         public required double Seconds { get; init; }
 
@@ -34,7 +37,7 @@ namespace FastPoints.Cli
         {
             double begin = run.Seconds;
             using var preview = new PreviewCloud(reader, options);
-            run.Pump(preview.Run(run.Progress));
+            var slices = SliceLengths.Measure(() => run.Pump(preview.Run(run.Progress)));
             run.Warn(reader.Info);
             return new PreviewStep
             {
@@ -43,6 +46,7 @@ namespace FastPoints.Cli
                 BytesRead = preview.Sample.BytesRead,
                 Method = preview.Sample.Method,
                 Waves = preview.Waves,
+                Slices = slices,
                 Seconds = run.Seconds - begin,
                 Image = preview.Image,
                 Png = FastPoints.Picture.Png.Encode(preview.Image),
@@ -69,6 +73,7 @@ namespace FastPoints.Cli
                 json.WriteEndObject();
             }
             json.WriteEndArray();
+            Slices.WriteKey(json);
             Error?.WriteKeys(json);
         }
     }

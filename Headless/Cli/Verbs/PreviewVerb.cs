@@ -89,6 +89,9 @@ namespace FastPoints.Cli.Verbs
             run.WriteKeys = json => result.WriteKeys(json);
             if (parsed.GetValue(m_report))
             {
+                // Once more, now that all code is compiled: the first runs of jobs took that along.
+                using (var again = PointReaders.Open(files, source))
+                    result.Slices = PreviewStep.Run(again, options, run).Slices;
                 result.Error = ErrorStep.Run(() => PointReaders.Open(files, source), options, run);
                 ErrorReport.Write(outFolder ?? CloudName.Of(files[0]) + "-preview-report", result.Error, reader.Info);
             }

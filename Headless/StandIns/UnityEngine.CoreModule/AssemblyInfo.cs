@@ -2,3 +2,4 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Unity.Collections")]
 [assembly: InternalsVisibleTo("HostTests")]
+[assembly: InternalsVisibleTo("FastPoints.Cli")]

@@ -268,6 +268,7 @@ namespace StandIns.Scheduling
             }
             TempMemory.Mark mark = TempMemory.Now;
             JobThread.Enter();
+            double begunMs = JobTimes.AreTaken ? JobTimes.NowMs() : -1;
             try
             {
                 node.Work.Execute(begin, end, node.BatchSize, node.Shared, JobThread.Index);
@@ -278,6 +279,8 @@ namespace StandIns.Scheduling
             }
             finally
             {
+                if (begunMs >= 0)
+                    JobTimes.Add(node.Work.JobType, JobTimes.NowMs() - begunMs);
                 JobThread.Leave();
                 TempMemory.FreeSince(mark);
             }

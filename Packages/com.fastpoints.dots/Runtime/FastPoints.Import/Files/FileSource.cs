@@ -64,10 +64,22 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">Truncated where the file ends before; nothing is allocated then.</exception>
         public ByteReader Read(long offset, int count, string field)
         {
+            CheckRange(offset, count, field);
+            return ReadAtMost(offset, count);
+        }
+
+        /// <summary>As <see cref="Read(long, int, string)"/>, into the caller's memory.</summary>
+        public void Read(long offset, byte[] into, int count, string field)
+        {
+            CheckRange(offset, count, field);
+            ReadInto(into, offset, count);
+        }
+
+        void CheckRange(long offset, int count, string field)
+        {
             if (offset < 0 || offset > Length || count > Length - offset)
                 throw PointCloudException.Wanted(FailureCode.Truncated, Path, offset, field, count + " bytes",
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
-            return ReadAtMost(offset, count);
         }
 
         /// <summary>Up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
@@ -76,18 +88,24 @@ namespace FastPoints.Files
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);
             var bytes = new byte[Math.Max(0, available)];
+            ReadInto(bytes, offset, bytes.Length);
+            return new ByteReader(bytes, Path, offset);
+        }
+
+        void ReadInto(byte[] bytes, long offset, int count)
+        {
             int got = 0;
             try
             {
                 var stream = Stream();
-                if (bytes.Length > 0)
+                if (count > 0)
                     stream.Position = offset;
-                while (got < bytes.Length)
+                while (got < count)
                 {
-                    int read = stream.Read(bytes, got, bytes.Length - got);
+                    int read = stream.Read(bytes, got, count - got);
                     if (read == 0)
                         throw PointCloudException.Wanted(FailureCode.ReadFailed, Path, offset + got, "the file became shorter",
-                            bytes.Length + " bytes", got);
+                            count + " bytes", got);
                     got += read;
                 }
             }
@@ -95,7 +113,6 @@ namespace FastPoints.Files
             {
                 throw FileFailures.Reading(Path, e);
             }
-            return new ByteReader(bytes, Path, offset);
         }
 
         public void Dispose()

@@ -18,8 +18,15 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfDecoded;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
+        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        public int First;
+        public int End;
+
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
+
+        /// <summary>Where the first of all goes.</summary>
         public int FirstPlace;
+
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
 
         /// <summary>Set to 1 at each place that is written.</summary>
@@ -27,16 +34,18 @@ namespace FastPoints.Preview
 
         public unsafe void Execute()
         {
-            int count = Result.Value.Points;
+            int count = (End < Result.Value.Points ? End : Result.Value.Points) - First;
+            if (count <= 0)
+                return;
             byte* from = (byte*)Decoded.GetUnsafeReadOnlyPtr();
             byte* to = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sample);
             for (int column = 0; column < ColumnsOfSample.Length; column++)
             {
                 int size = ColumnsOfSample[column].Type.SizeOf();
-                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstPlace * size,
-                    from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + ((long)FirstPlace + First) * size,
+                    from + ColumnsOfDecoded[column].OffsetBytes + (long)First * size, (long)count * size);
             }
-            UnsafeUtility.MemSet((byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled) + FirstPlace, 1,
+            UnsafeUtility.MemSet((byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled) + FirstPlace + First, 1,
                 count);
         }
     }

@@ -23,8 +23,12 @@ namespace FastPoints.Preview
         const int RangesPerRound = 32;
 
         readonly PointReader m_reader;
-        readonly List<int> m_order = new List<int>();
+        readonly SampleOrder m_order;
+
+        /// <summary>Points of each block that were given out; null where whole blocks are.</summary>
         readonly int[] m_taken;
+
+        /// <summary>Place of the order.</summary>
         int m_next;
         double m_share;
 
@@ -33,14 +37,8 @@ namespace FastPoints.Preview
         {
             m_reader = reader;
             IsSliced = canSlice && reader.BlockCount <= MostSlicedBlocks;
-            m_taken = new int[reader.BlockCount];
-            var order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
-            for (int place = 0; place < order.Places; place++)
-            {
-                int block = order.StratumAt(place);
-                if (block >= 0 && block < m_taken.Length && reader.PointsInBlock(block) > 0)
-                    m_order.Add(block);
-            }
+            m_taken = IsSliced ? new int[reader.BlockCount] : null;
+            m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
         }
 
         public bool IsSliced { get; }
@@ -56,8 +54,14 @@ namespace FastPoints.Preview
                 m_next = 0;
             m_share = share;
             var ranges = new List<BlockRange>();
-            while (m_next < m_order.Count && ranges.Count < RangesPerRound && (IsSliced || Taken < share * m_reader.PointCount))
-                Take(m_order[m_next++], IsSliced ? share : 1, ranges);
+            for (; m_next < m_order.Places && ranges.Count < RangesPerRound; m_next++)
+            {
+                if (!IsSliced && Taken >= share * m_reader.PointCount)
+                    break;
+                int block = m_order.StratumAt(m_next);
+                if (block >= 0 && block < m_reader.BlockCount)
+                    Take(block, IsSliced ? share : 1, ranges);
+            }
             // Blocks of one file one after the other.
             ranges.Sort((a, b) => a.Block.CompareTo(b.Block));
             return ranges;
@@ -67,22 +71,24 @@ namespace FastPoints.Preview
         /// <param name="points">Fewer than were asked for where the block is broken: nothing more is asked of it.</param>
         public void Tell(BlockRange range, int points)
         {
-            if (points == range.Count)
+            if (!IsSliced || points == range.Count)
                 return;
             Taken += m_reader.PointsInBlock(range.Block) - m_taken[range.Block];
             m_taken[range.Block] = m_reader.PointsInBlock(range.Block);
         }
 
-        /// <summary>Whether a block is given out to its end.</summary>
-        public bool IsTaken(int block) => m_taken[block] == m_reader.PointsInBlock(block);
+        /// <summary>Whether a block that was given out is so to its end.</summary>
+        public bool IsTaken(int block) => !IsSliced || m_taken[block] == m_reader.PointsInBlock(block);
 
         void Take(int block, double share, List<BlockRange> ranges)
         {
-            int count = (int)Math.Ceiling(share * m_reader.PointsInBlock(block)) - m_taken[block];
+            int first = IsSliced ? m_taken[block] : 0;
+            int count = (int)Math.Ceiling(share * m_reader.PointsInBlock(block)) - first;
             if (count <= 0)
                 return;
-            ranges.Add(new BlockRange(block, m_taken[block], count));
-            m_taken[block] += count;
+            ranges.Add(new BlockRange(block, first, count));
+            if (IsSliced)
+                m_taken[block] += count;
             Taken += count;
         }
     }

@@ -1,36 +1,56 @@
+using FastPoints.Files;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Which points of a sample that is still collected are of which block, by place among those that are
-    /// there.</summary>
+    /// <summary>Which points of a sample that is still collected are of which block, by place among those that are there. Each run
+    /// goes on from where the one before ended.</summary>
     [BurstCompile]
     struct ListBlockRunsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Filled;
         public SampleStrata Strata;
 
-        /// <summary>Over the whole source, and one more: the end.</summary>
+        /// <summary>Over the whole source, of some blocks in a row, and one more: their end.</summary>
         [ReadOnly] public NativeArray<long> FirstPointOfBlock;
+
+        public int Blocks;
+
+        /// <summary>Places to look at in one run.</summary>
+        public int MostPlaces;
 
         /// <summary>Points that each one that is there stands for.</summary>
         public double Weight;
 
+        public NativeReference<BlockRunState> State;
         public NativeList<SampleRun> Runs;
 
         public void Execute()
         {
-            int place = 0, gathered = 0, stretch = 0;
-            for (int block = 0; block + 1 < FirstPointOfBlock.Length; block++)
+            var state = State.Value;
+            int end = math.min(Strata.Count, state.Place + MostPlaces);
+            while (state.Block < Blocks && state.Place < end)
             {
-                int before = gathered;
-                for (; place < Strata.Count && Strata.Chosen(place) < FirstPointOfBlock[block + 1]; place++)
-                    gathered += Filled[place];
-                if (gathered > before)
-                    Runs.Add(new SampleRun { Stretch = stretch++, First = before, Count = gathered - before, Weight = Weight });
+                long endOfBlock = FirstPointOfBlock[state.Block + 1];
+                for (; state.Place < end && Strata.Chosen(state.Place) < endOfBlock; state.Place++)
+                    state.Gathered += Filled[state.Place];
+                if (state.Place == end && end < Strata.Count)
+                    break;
+                if (state.Gathered > state.Before)
+                    Runs.Add(new SampleRun
+                    {
+                        Stretch = Runs.Length,
+                        First = state.Before,
+                        Count = state.Gathered - state.Before,
+                        Weight = Weight,
+                    });
+                state.Before = state.Gathered;
+                state.Block++;
             }
+            State.Value = state;
         }
     }
 }

@@ -13,6 +13,10 @@ namespace FastPoints.Preview
         /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has come to.</summary>
         [ReadOnly] public NativeArray<int> Ranks;
 
+        /// <summary>Of the strata that are looked at.</summary>
+        public int First;
+        public int End;
+
         /// <summary>Runs that were come to.</summary>
         public int RunCount;
 
@@ -22,8 +26,7 @@ namespace FastPoints.Preview
 
         public void Execute()
         {
-            Runs.Clear();
-            for (int stratum = 0; stratum < Ranks.Length; stratum++)
+            for (int stratum = First; stratum < End; stratum++)
             {
                 int rank = Ranks[stratum] - 1;
                 if (rank < 0)

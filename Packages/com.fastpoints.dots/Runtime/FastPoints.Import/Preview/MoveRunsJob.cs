@@ -8,26 +8,16 @@ namespace FastPoints.Preview
     [BurstCompile]
     struct MoveRunsJob : IJob
     {
-        /// <summary>1 at each place whose point was kept.</summary>
-        [ReadOnly] public NativeArray<byte> Filled;
+        /// <summary>One more than there are places.</summary>
+        [ReadOnly] public NativeArray<int> PointOfPlace;
 
-        public int Places;
-
-        /// <summary>Scratch, one more than there are places.</summary>
-        public NativeArray<int> PointOfPlace;
-
+        public int First;
+        public int End;
         public NativeList<SampleRun> Runs;
 
         public void Execute()
         {
-            int kept = 0;
-            for (int place = 0; place < Places; place++)
-            {
-                PointOfPlace[place] = kept;
-                kept += Filled[place];
-            }
-            PointOfPlace[Places] = kept;
-            for (int i = 0; i < Runs.Length; i++)
+            for (int i = First; i < End; i++)
             {
                 var run = Runs[i];
                 int end = PointOfPlace[run.First + run.Count];

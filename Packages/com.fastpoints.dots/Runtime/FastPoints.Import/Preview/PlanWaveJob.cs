@@ -5,23 +5,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>The runs of one wave, in the file's order.</summary>
+    /// <summary>The runs of one wave, in the file's order, of the strata that are looked at.</summary>
     [BurstCompile]
     struct PlanWaveJob : IJob
     {
         public RunPlan Plan;
 
-        /// <summary>Of the order: where the last wave stopped.</summary>
-        public NativeReference<int> NextPlace;
-
         /// <summary>Runs of the waves before.</summary>
         public int FirstRank;
 
-        /// <summary>Runs of these and of this wave.</summary>
-        public int EndRank;
-
         /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has come to.</summary>
-        public NativeArray<int> Ranks;
+        [ReadOnly] public NativeArray<int> Ranks;
+
+        /// <summary>Of the strata that are looked at.</summary>
+        public int First;
+        public int End;
 
         public NativeList<PointRun> Runs;
 
@@ -30,17 +28,7 @@ namespace FastPoints.Preview
 
         public void Execute()
         {
-            int place = NextPlace.Value;
-            for (int rank = FirstRank; rank < EndRank; place++)
-            {
-                int stratum = Plan.Order.StratumAt(place);
-                if (stratum >= 0)
-                    Ranks[stratum] = ++rank;
-            }
-            NextPlace.Value = place;
-
-            Runs.Clear();
-            for (int stratum = 0; stratum < Ranks.Length; stratum++)
+            for (int stratum = First; stratum < End; stratum++)
             {
                 int rank = Ranks[stratum] - 1;
                 if (rank < FirstRank)

@@ -17,8 +17,8 @@ namespace FastPoints.Preview
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
-        /// <summary>Points that each block has given so far.</summary>
-        int[] m_taken;
+        /// <summary>Points that blocks have given so far, of those that have: few among millions.</summary>
+        readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
 
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
         readonly List<List<int>> m_levels;
@@ -27,7 +27,6 @@ namespace FastPoints.Preview
         {
             m_reader = reader;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
-            m_taken = new int[reader.BlockCount];
             if (reader.Tree == null)
                 return;
             m_levels = new List<List<int>>();
@@ -43,9 +42,6 @@ namespace FastPoints.Preview
 
         /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
-
-        /// <summary>Takes in blocks that were found since the last wave.</summary>
-        public void Grow() => Array.Resize(ref m_taken, m_reader.BlockCount);
 
         /// <summary>What the next wave takes of which blocks until <paramref name="wanted"/> points are taken in all.</summary>
         public List<Prefix> Next(int wanted)
@@ -80,13 +76,14 @@ namespace FastPoints.Preview
                 // Differences of rounded sums: the counts add up.
                 int count = (int)(Share(before + inBlock, points, wanted) - Share(before, points, wanted));
                 before += inBlock;
-                count = Math.Min(count, inBlock) - m_taken[block];
+                m_taken.TryGetValue(block, out int taken);
+                count = Math.Min(count, inBlock) - taken;
                 // Where an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
                 count = Math.Min(count, most - Taken);
                 if (count <= 0)
                     continue;
-                prefixes.Add(new Prefix { Block = block, First = m_taken[block], Count = count, Place = Taken });
-                m_taken[block] += count;
+                prefixes.Add(new Prefix { Block = block, First = taken, Count = count, Place = Taken });
+                m_taken[block] = taken + count;
                 Taken += count;
             }
         }
@@ -111,13 +108,13 @@ namespace FastPoints.Preview
             long points = 0;
             // What is found by jumping comes in an order that is spread already.
             bool isSpread = m_reader.BeginningsAreSpread && !m_reader.BlocksAreKnown;
-            int places = isSpread ? m_taken.Length : m_order.Places;
+            int places = isSpread ? m_reader.BlockCount : m_order.Places;
             for (int place = 0; place < places; place++)
             {
                 if (blocks.Count > wanted / LeastPoints && points >= wanted)
                     break;
                 int block = isSpread ? place : m_order.StratumAt(place);
-                if (block < 0 || block >= m_taken.Length)
+                if (block < 0 || block >= m_reader.BlockCount)
                     continue;
                 blocks.Add(block);
                 points += m_reader.PointsInBlock(block);

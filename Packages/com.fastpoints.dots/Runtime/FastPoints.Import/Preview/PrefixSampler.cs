@@ -45,7 +45,6 @@ namespace FastPoints.Preview
                 if (Reader.PointCount >= wanted || places >= Reader.MostBeginnings)
                     break;
             }
-            m_plan.Grow();
         }
 
         private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
@@ -105,6 +104,7 @@ namespace FastPoints.Preview
                 Decoded = read.Points.Bytes,
                 ColumnsOfDecoded = m_columnsOfSlot[slot],
                 Result = read.Result,
+                End = prefix.Count,
                 ColumnsOfSample = Buffer.Columns,
                 FirstPlace = prefix.Place,
                 Sample = Buffer.Points.Bytes,
@@ -113,7 +113,7 @@ namespace FastPoints.Preview
             JobHandle.ScheduleBatchedJobs();
         }
 
-        private protected override JobHandle ListRuns(NativeList<SampleRun> runs)
+        private protected override IEnumerator<JobHandle> ListRuns(NativeList<SampleRun> runs)
         {
             // In the file's order, which is not that in which lines were found by jumping.
             m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)
@@ -123,7 +123,7 @@ namespace FastPoints.Preview
                 if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)
                     pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
             double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
-            runs.Clear();
+            runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
             int stretch = 0;
             for (int first = 0, end; first < m_taken.Count; first = end, stretch++)
             {
@@ -139,7 +139,7 @@ namespace FastPoints.Preview
                         Weight = scale * Reader.PointsInBlock(block) / taken,
                     });
             }
-            return default;
+            yield break;
         }
 
         private protected override void Free()

@@ -89,9 +89,15 @@ namespace FastPoints.Preview
                             while (closing.MoveNext())
                                 yield return closing.Current;
                         if (m_sample.StandsForStretches)
-                            using (var moving = Buffer.MoveRuns(m_sample.RunList, EndPlace, ListRuns(m_sample.RunList)))
+                        {
+                            m_sample.RunList.Clear();
+                            using (var listing = ListRuns(m_sample.RunList))
+                                while (listing.MoveNext())
+                                    yield return listing.Current;
+                            using (var moving = Buffer.MoveRuns(m_sample.RunList, EndPlace))
                                 while (moving.MoveNext())
                                     yield return moving.Current;
+                        }
                         TellWave();
                         Report(progress);
                     }
@@ -110,8 +116,9 @@ namespace FastPoints.Preview
         /// <param name="wanted">Places to come to, about; all of them for the last wave.</param>
         private protected abstract IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress);
 
-        /// <summary>Schedules the list of what the waves so far have read, by place.</summary>
-        private protected abstract JobHandle ListRuns(NativeList<SampleRun> runs);
+        /// <summary>Work for a pump: lists what the waves so far have read, by place.</summary>
+        /// <param name="runs">Empty.</param>
+        private protected abstract IEnumerator<JobHandle> ListRuns(NativeList<SampleRun> runs);
 
         /// <summary>Frees what <see cref="Read"/> needs; jobs in flight are awaited. May run twice.</summary>
         private protected abstract void Free();

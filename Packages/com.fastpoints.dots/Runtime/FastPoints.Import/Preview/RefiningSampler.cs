@@ -143,7 +143,7 @@ namespace FastPoints.Preview
                 canSlice = canSlice && m_reads[i].TryKeepStates();
             }
             m_plan = new DepthPlan(m_reader, canSlice, m_seed);
-            m_stateOfBlock = new DecoderState[m_reader.BlockCount];
+            m_stateOfBlock = m_plan.IsSliced ? new DecoderState[m_reader.BlockCount] : null;
             m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
 
@@ -170,33 +170,25 @@ namespace FastPoints.Preview
         void Begin(int slot, BlockRange range)
         {
             var read = m_reads[slot];
+            var from = m_plan.IsSliced ? m_stateOfBlock[range.Block] : null;
             if (m_plan.IsSliced)
-                read.Begin(range, m_stateOfBlock[range.Block]);
+                read.Begin(range, from);
             else
                 read.Begin(range);
-            if (m_stateOfBlock[range.Block] != null)
-                m_freeStates.Push(m_stateOfBlock[range.Block]);
-            m_stateOfBlock[range.Block] = null;
+            if (from != null)
+            {
+                m_freeStates.Push(from);
+                m_stateOfBlock[range.Block] = null;
+            }
             m_done[slot] = read.Decoded;
             if (m_strata.Count > 0)
             {
-                var sampled = new SampleBlockJob
-                {
-                    Block = read.Points.Bytes,
-                    ColumnsOfBlock = m_columnsOfSlot[slot],
-                    Result = read.Result,
-                    FirstPoint = read.FirstPoint,
-                    Strata = m_strata,
-                    ColumnsOfSample = m_buffer.Columns,
-                    Sample = m_buffer.Points.Bytes,
-                    Filled = m_buffer.Filled,
-                }.Schedule(read.Decoded);
-                m_done[slot] = sampled;
+                m_done[slot] = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, read.Decoded);
             }
             // In the end no point stands in for another one.
             if (m_strata.Count > 0 && !m_isLastWave)
             {
-                var appended = m_others.ScheduleAppend(read.Points, m_columnsOfSlot[slot], read.Result, 0, range.Count,
+                var appended = m_others.ScheduleAppend(read.Points, m_columnsOfSlot[slot], read.Result, range.Count,
                     read.FirstPoint, m_strata, read.Decoded);
                 m_done[slot] = JobHandle.CombineDependencies(m_done[slot], appended);
             }
@@ -252,25 +244,34 @@ namespace FastPoints.Preview
                     gathering.Complete();
                 }
                 others.Value = new DecodeResult { Points = Math.Min(m_others.Count, drawn.Places - gathered.Value) };
-                gathering = new CopyPrefixJob
+                for (int first = 0; first < others.Value.Points; first += SampleBuffer.PlacesPerSlice)
                 {
-                    Decoded = m_others.Points.Bytes,
-                    ColumnsOfDecoded = m_others.Columns,
-                    Result = others,
-                    ColumnsOfSample = drawn.Columns,
-                    FirstPlace = gathered.Value,
-                    Sample = drawn.Points.Bytes,
-                    Filled = drawn.Filled,
-                }.Schedule();
-                yield return gathering;
-                gathering.Complete();
+                    gathering = new CopyPrefixJob
+                    {
+                        Decoded = m_others.Points.Bytes,
+                        ColumnsOfDecoded = m_others.Columns,
+                        Result = others,
+                        First = first,
+                        End = first + SampleBuffer.PlacesPerSlice,
+                        ColumnsOfSample = drawn.Columns,
+                        FirstPlace = gathered.Value,
+                        Sample = drawn.Points.Bytes,
+                        Filled = drawn.Filled,
+                    }.Schedule();
+                    yield return gathering;
+                    gathering.Complete();
+                }
                 using (var closing = drawn.Close(m_reader.Info.Transform, 0, gathered.Value + others.Value.Points))
                     while (closing.MoveNext())
                         yield return closing.Current;
                 Replace(drawn.TakeSample(m_reader.Info.Transform));
-                using (var listing = ListRuns(drawn, gathered.Value))
+                using (var listing = BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, gathered.Value, m_sample.RunList))
                     while (listing.MoveNext())
                         yield return listing.Current;
+                using (var moving = drawn.MoveRuns(m_sample.RunList, gathered.Value))
+                    while (moving.MoveNext())
+                        yield return moving.Current;
+                m_sample.StandsForStretches = true;
                 m_sample.PointsInSource = m_reader.PointCount;
                 m_sample.Substitutes = others.Value.Points;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
@@ -281,35 +282,6 @@ namespace FastPoints.Preview
                 gathered.Dispose();
                 others.Dispose();
                 drawn.Dispose();
-            }
-        }
-
-        /// <summary>Tells the sample which of its own points are of which block.</summary>
-        IEnumerator<JobHandle> ListRuns(SampleBuffer drawn, int ownPoints)
-        {
-            var firsts = new NativeArray<long>(m_reader.BlockCount + 1, Allocator.Persistent);
-            for (int block = 0; block < m_reader.BlockCount; block++)
-                firsts[block] = m_reader.FirstPointOfBlock(block);
-            firsts[m_reader.BlockCount] = m_reader.PointCount;
-            var listed = new ListBlockRunsJob
-            {
-                Filled = m_buffer.Filled,
-                Strata = m_strata,
-                FirstPointOfBlock = firsts,
-                Weight = m_reader.PointCount / (double)Math.Max(1, ownPoints),
-                Runs = m_sample.RunList,
-            }.Schedule();
-            try
-            {
-                using (var moving = drawn.MoveRuns(m_sample.RunList, ownPoints, listed))
-                    while (moving.MoveNext())
-                        yield return moving.Current;
-                m_sample.StandsForStretches = true;
-            }
-            finally
-            {
-                listed.Complete();
-                firsts.Dispose();
             }
         }
 

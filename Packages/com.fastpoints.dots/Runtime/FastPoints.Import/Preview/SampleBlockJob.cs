@@ -20,6 +20,10 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
+        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        public int First;
+        public int End;
+
         /// <summary>Index of the block's first point over the whole source.</summary>
         public long FirstPoint;
 
@@ -33,18 +37,19 @@ namespace FastPoints.Preview
 
         public unsafe void Execute()
         {
-            long end = FirstPoint + Result.Value.Points;
+            long begin = FirstPoint + First;
+            long end = FirstPoint + (End < Result.Value.Points ? End : Result.Value.Points);
             end = end < Strata.Points ? end : Strata.Points;
-            if (end <= FirstPoint)
+            if (end <= begin)
                 return;
             int* fromIndex = stackalloc int[RunLength];
             int* toIndex = stackalloc int[RunLength];
             int chosen = 0;
             int last = Strata.StratumOf(end - 1);
-            for (int stratum = Strata.StratumOf(FirstPoint); stratum <= last; stratum++)
+            for (int stratum = Strata.StratumOf(begin); stratum <= last; stratum++)
             {
                 long point = Strata.Chosen(stratum);
-                if (point >= FirstPoint && point < end)
+                if (point >= begin && point < end)
                 {
                     fromIndex[chosen] = (int)(point - FirstPoint);
                     toIndex[chosen] = stratum;

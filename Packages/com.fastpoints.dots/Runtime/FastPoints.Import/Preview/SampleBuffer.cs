@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
@@ -9,8 +10,11 @@ namespace FastPoints.Preview
     /// <summary>A sample while it is collected: a place for each point that is wanted, and which of them are filled.</summary>
     sealed class SampleBuffer : IDisposable
     {
-        /// <summary>Places of one slice of the closing work: about 2 ms of managed code.</summary>
+        /// <summary>Places of one slice of such work: about 2 ms of managed code.</summary>
         public const int PlacesPerSlice = 1 << 17;
+
+        /// <summary>Points of one slice that looks each up in a table: about as much.</summary>
+        public const int PointsPerSlice = 1 << 16;
 
         NativeArray<byte> m_filled;
         NativeArray<PointColumn> m_columns;
@@ -39,6 +43,27 @@ namespace FastPoints.Preview
             for (int i = 0; i < columns.Length; i++)
                 columns[i] = batch.Column(i);
             return columns;
+        }
+
+        /// <summary>Schedules the choice of a range's points that stand for their strata, in slices.</summary>
+        /// <param name="columns">Of the read's points.</param>
+        public JobHandle Schedule(BlockRead read, NativeArray<PointColumn> columns, SampleStrata strata, JobHandle decoded)
+        {
+            for (int first = 0; first < read.Range.Count; first += PlacesPerSlice)
+                decoded = new SampleBlockJob
+                {
+                    Block = read.Points.Bytes,
+                    ColumnsOfBlock = columns,
+                    Result = read.Result,
+                    First = first,
+                    End = Math.Min(read.Range.Count, first + PlacesPerSlice),
+                    FirstPoint = read.FirstPoint,
+                    Strata = strata,
+                    ColumnsOfSample = m_columns,
+                    Sample = Points.Bytes,
+                    Filled = m_filled,
+                }.Schedule(decoded);
+            return decoded;
         }
 
         /// <summary>Work for a pump: closes the gaps; after all that fills.</summary>
@@ -75,19 +100,42 @@ namespace FastPoints.Preview
         /// <summary>Work for a pump: runs of places become runs of points; after <see cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">All within the places that are closed.</param>
         /// <param name="end">Of these places.</param>
-        /// <param name="listed">When the runs are there.</param>
-        public IEnumerator<JobHandle> MoveRuns(NativeList<SampleRun> runs, int end, JobHandle listed)
+        public IEnumerator<JobHandle> MoveRuns(NativeList<SampleRun> runs, int end)
         {
-            var scratch = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var moved = new MoveRunsJob { Filled = m_filled, Places = end, PointOfPlace = scratch, Runs = runs }.Schedule(listed);
+            var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            pointOfPlace[0] = 0;
+            JobHandle moved = default;
             try
             {
-                yield return moved;
+                for (int first = 0; first < end; first += PlacesPerSlice)
+                {
+                    moved = new NumberPlacesJob
+                    {
+                        Filled = m_filled,
+                        First = first,
+                        End = Math.Min(end, first + PlacesPerSlice),
+                        PointOfPlace = pointOfPlace,
+                    }.Schedule();
+                    yield return moved;
+                    moved.Complete();
+                }
+                for (int first = 0; first < runs.Length; first += PlacesPerSlice)
+                {
+                    moved = new MoveRunsJob
+                    {
+                        PointOfPlace = pointOfPlace,
+                        First = first,
+                        End = Math.Min(runs.Length, first + PlacesPerSlice),
+                        Runs = runs,
+                    }.Schedule();
+                    yield return moved;
+                    moved.Complete();
+                }
             }
             finally
             {
                 moved.Complete();
-                scratch.Dispose();
+                pointOfPlace.Dispose();
             }
         }
 

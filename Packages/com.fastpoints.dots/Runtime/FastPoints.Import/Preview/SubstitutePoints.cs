@@ -53,9 +53,19 @@ namespace FastPoints.Preview
         public int Count => m_count.Value;
         public bool AreTooMany => m_count.Value > MostTaken * Points.Capacity;
 
-        /// <summary>Adds those of a block's points that are needed, after all that was scheduled before.</summary>
+        /// <summary>Adds those of a block's points that are needed, in slices, after all that was scheduled before.</summary>
+        /// <param name="count">Points that there may be.</param>
         /// <param name="strata">Of the sample, which takes some of the points itself.</param>
         public JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
+            int count, long firstPoint, SampleStrata strata, JobHandle inputDeps)
+        {
+            for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
+                inputDeps = ScheduleAppend(points, columns, result, first, first + SampleBuffer.PointsPerSlice, firstPoint, strata,
+                    inputDeps);
+            return inputDeps;
+        }
+
+        JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
             int first, int end, long firstPoint, SampleStrata strata, JobHandle inputDeps)
         {
             m_lastAppended = new AppendBareCellsJob
@@ -86,9 +96,9 @@ namespace FastPoints.Preview
             var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
             try
             {
-                for (int first = 0; first < sample.Count; first += SampleBuffer.PlacesPerSlice)
+                for (int first = 0; first < sample.Count; first += SampleBuffer.PointsPerSlice)
                 {
-                    yield return ScheduleAppend(sample.Points, columns, all, first, first + SampleBuffer.PlacesPerSlice, 0,
+                    yield return ScheduleAppend(sample.Points, columns, all, first, first + SampleBuffer.PointsPerSlice, 0,
                         default, default);
                     m_lastAppended.Complete();
                 }
@@ -132,7 +142,7 @@ namespace FastPoints.Preview
                     yield return thinning;
                     thinning.Complete();
                 }
-                for (int first = 0; first < count; first += SampleBuffer.PlacesPerSlice)
+                for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
                 {
                     thinning = new KeepBareCellsJob
                     {
@@ -141,7 +151,7 @@ namespace FastPoints.Preview
                         Positions = PositionColumns.Of(Points),
                         Transform = m_transform,
                         First = first,
-                        End = Math.Min(count, first + SampleBuffer.PlacesPerSlice),
+                        End = Math.Min(count, first + SampleBuffer.PointsPerSlice),
                         Cells = m_cells,
                         Table = m_table,
                         Kept = m_count,

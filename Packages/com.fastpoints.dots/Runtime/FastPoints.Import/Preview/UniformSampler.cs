@@ -75,17 +75,7 @@ namespace FastPoints.Preview
                 return decoded;
             if (!m_columnsOfSlot[slot].IsCreated)
                 m_columnsOfSlot[slot] = SampleBuffer.ColumnsOf(read.Points);
-            return new SampleBlockJob
-            {
-                Block = read.Points.Bytes,
-                ColumnsOfBlock = m_columnsOfSlot[slot],
-                Result = read.Result,
-                FirstPoint = read.FirstPoint,
-                Strata = m_strata,
-                ColumnsOfSample = m_buffer.Columns,
-                Sample = m_buffer.Points.Bytes,
-                Filled = m_buffer.Filled,
-            }.Schedule(decoded);
+            return m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, decoded);
         }
 
         public void Completed(BlockRead read, int slot)

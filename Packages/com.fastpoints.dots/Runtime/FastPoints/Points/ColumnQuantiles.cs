@@ -26,11 +26,14 @@ namespace FastPoints.Points
 
         static int Step(int count) => (count - 1) / MaxValuesTaken + 1;
 
+        /// <summary>Before any value was looked at.</summary>
+        public static ColumnQuantiles Empty => new ColumnQuantiles { Range = ColumnRange.Empty };
+
+        /// <param name="stored">Range of the column.</param>
         /// <param name="keys">Scratch memory for <see cref="ValuesTaken"/> values, as is <paramref name="keyScratch"/>.</param>
-        public static unsafe ColumnQuantiles Measure(byte* column, AttributeType type, int count, double scale, double offset,
-            double lowShare, double highShare, ulong* keys, ulong* keyScratch)
+        public static unsafe ColumnQuantiles Measure(in ColumnRange stored, byte* column, AttributeType type, int count,
+            double scale, double offset, double lowShare, double highShare, ulong* keys, ulong* keyScratch)
         {
-            var stored = ColumnRange.Measure(column, type, 0, count);
             double a = stored.Min * scale + offset, b = stored.Max * scale + offset;
             var found = new ColumnQuantiles
             {

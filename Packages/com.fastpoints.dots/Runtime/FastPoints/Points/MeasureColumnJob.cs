@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Points
 {
-    /// <summary>Range and quantiles of one column, of any type, as value = stored * Scale + Offset.</summary>
+    /// <summary>Quantiles of one column, of any type, as value = stored * Scale + Offset, after its range.</summary>
     [BurstCompile]
     public struct MeasureColumnJob : IJob
     {
@@ -20,6 +20,7 @@ namespace FastPoints.Points
         public double LowShare;
         public double HighShare;
 
+        /// <summary>With the range by <see cref="MeasureRangeJob"/>.</summary>
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()
@@ -28,7 +29,7 @@ namespace FastPoints.Points
             int capacity = ColumnQuantiles.ValuesTaken(Count);
             var keys = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             var scratch = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
-            Found.Value = ColumnQuantiles.Measure(column, Column.Type, Count, Scale, Offset, LowShare, HighShare,
+            Found.Value = ColumnQuantiles.Measure(Found.Value.Range, column, Column.Type, Count, Scale, Offset, LowShare, HighShare,
                 (ulong*)keys.GetUnsafePtr(), (ulong*)scratch.GetUnsafePtr());
             scratch.Dispose();
             keys.Dispose();

@@ -78,7 +78,17 @@ namespace FastPoints.Tests.Points
 
         static ColumnQuantiles Measure(PointBatch batch, double scale, double offset, double low, double high)
         {
-            using var found = new NativeReference<ColumnQuantiles>(Allocator.Persistent);
+            using var found = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
+            var measured = default(JobHandle);
+            for (int first = 0, half = batch.Count / 2 + 1; first < batch.Count; first += half)
+                measured = new MeasureRangeJob
+                {
+                    Bytes = batch.Bytes,
+                    Column = batch.Column(0),
+                    First = first,
+                    Count = Math.Min(half, batch.Count - first),
+                    Found = found,
+                }.Schedule(measured);
             new MeasureColumnJob
             {
                 Bytes = batch.Bytes,
@@ -89,7 +99,7 @@ namespace FastPoints.Tests.Points
                 LowShare = low,
                 HighShare = high,
                 Found = found,
-            }.Schedule().Complete();
+            }.Schedule(measured).Complete();
             return found.Value;
         }
 

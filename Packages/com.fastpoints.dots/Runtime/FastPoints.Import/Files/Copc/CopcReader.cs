@@ -116,12 +116,13 @@ namespace FastPoints.Files
             Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
                 + Text(ofNodes));
             var known = new HashSet<long>();
-            foreach (var chunk in Chunks)
-                known.Add(chunk.Offset);
+            for (int c = 0; c < Chunks.Count; c++)
+                known.Add(Chunks[c].Offset);
             var table = LazChunkTable.Read(Source, Format, Info, Header.PointsOffset);
             int found = 0;
-            foreach (var chunk in table.Chunks)
+            for (int c = 0; c < table.Chunks.Count; c++)
             {
+                var chunk = table.Chunks[c];
                 if (known.Contains(chunk.Offset) || chunk.Bytes > MaxLayeredChunkBytes)
                     continue;
                 Chunks.Add(chunk);

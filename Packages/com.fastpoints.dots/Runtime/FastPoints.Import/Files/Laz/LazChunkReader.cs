@@ -30,6 +30,9 @@ namespace FastPoints.Files
 
         readonly LasFile m_las;
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
+
+        /// <summary>Whether each chunk is one block, and none is listed.</summary>
+        bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
         readonly Dictionary<int, long> m_endOfChunk = new Dictionary<int, long>();
@@ -53,7 +56,7 @@ namespace FastPoints.Files
 
         public LazFormat Format { get; }
 
-        public override int BlockCount => m_blocks.Count;
+        public override int BlockCount => m_areChunksBlocks ? Chunks.Count : m_blocks.Count;
 
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
 
@@ -73,11 +76,12 @@ namespace FastPoints.Files
 
         private protected FileSource Source { get; }
 
-        private protected List<LazChunk> Chunks { get; } = new List<LazChunk>();
+        private protected LazChunkList Chunks { get; set; } = new LazChunkList();
 
-        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
+        public override long FirstPointOfBlock(int block) =>
+            m_areChunksBlocks ? Chunks.FirstPointOf(block) : Block(block).FirstPoint;
 
-        public override int PointsInBlock(int block) => Block(block).Points;
+        public override int PointsInBlock(int block) => m_areChunksBlocks ? (int)Chunks.PointsOf(block) : Block(block).Points;
 
         /// <summary>An estimate by the block's share; unwanted layers are not taken off.</summary>
         public override long BytesOfRange(BlockRange range)
@@ -93,9 +97,20 @@ namespace FastPoints.Files
 
         internal LazBlock Block(int block)
         {
-            if ((uint)block >= (uint)m_blocks.Count)
-                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
-            return m_blocks[block];
+            if ((uint)block >= (uint)BlockCount)
+                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + BlockCount + " blocks");
+            if (!m_areChunksBlocks)
+                return m_blocks[block];
+            var chunk = Chunks[block];
+            return new LazBlock
+            {
+                Chunk = block,
+                FirstPoint = Chunks.FirstPointOf(block),
+                Points = (int)chunk.Points,
+                EndOffset = chunk.Offset + chunk.Bytes,
+                IsToEnd = true,
+                Checkpoint = -1,
+            };
         }
 
         /// <summary>A chunk gave its last point before <paramref name="point"/>, counted in it: blocks behind it are not tried,
@@ -117,6 +132,8 @@ namespace FastPoints.Files
             // Of millions of blocks it takes longer than reading some of them.
             if (m_maxInputBytes >= 0)
                 return m_maxInputBytes;
+            if (m_areChunksBlocks)
+                return m_maxInputBytes = Math.Min(Chunks.MaxBytes, MaxInputBytes(Chunks.MaxPoints));
             long most = 0;
             foreach (var block in m_blocks)
             {
@@ -171,6 +188,15 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
+        /// <summary>Takes each chunk for a block, where none is too long for that: millions of them take no memory then.</summary>
+        private protected bool TryTakeChunksAsBlocks()
+        {
+            m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
+            if (m_areChunksBlocks)
+                m_maxPointsPerBlock = (int)Chunks.MaxPoints;
+            return m_areChunksBlocks;
+        }
+
         /// <summary>A chunk that starts without a checkpoint, as one block or several.</summary>
         private protected void AddBlocksOf(int chunk)
         {
@@ -184,6 +210,7 @@ namespace FastPoints.Files
         private protected void ClearBlocks()
         {
             m_blocks.Clear();
+            m_areChunksBlocks = false;
             m_maxPointsPerBlock = 0;
             m_maxInputBytes = -1;
         }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Globalization;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -28,6 +27,9 @@ namespace FastPoints.Files
         /// <summary>Two numbers a chunk, of 15 + 15 bits modelled and 23 raw at most.</summary>
         const int MaxEntryBytes = 14;
 
+        /// <summary>Of the table that are in memory at a time.</summary>
+        const int WindowBytes = 64 << 10;
+
         /// <summary>What the range coder takes to start and to end.</summary>
         const int CoderBytes = 16;
 
@@ -52,7 +54,7 @@ namespace FastPoints.Files
         public long FirstChunkOffset { get; }
 
         /// <summary>In the file's order.</summary>
-        public List<LazChunk> Chunks { get; } = new List<LazChunk>();
+        public LazChunkList Chunks { get; } = new LazChunkList();
 
         /// <summary>Whether the chunks had to be taken for lost: <see cref="Chunks"/> is what is known of them (perhaps none),
         /// and the rest must be looked for from <see cref="EndOfKnown"/>.</summary>
@@ -106,6 +108,8 @@ namespace FastPoints.Files
             long room = (start - FirstChunkOffset) / m_format.RecordBytes;
             if (count > room)
                 return "claims " + Text(count) + " chunks, there is room for " + Text(room);
+            if (count > int.MaxValue)
+                return "claims " + Text(count) + " chunks, at most " + Text(int.MaxValue) + " are read";
             if (count == 0)
                 return m_pointsClaimed == 0 ? null : "claims no chunks, the header claims points";
             return ReadEntries(start, count);
@@ -116,25 +120,30 @@ namespace FastPoints.Files
 
         unsafe string ReadEntries(long start, long count)
         {
-            int wanted = (int)Math.Min(int.MaxValue / 2, count * MaxEntryBytes + CoderBytes);
-            var bytes = m_source.ReadAtMost(start + TableHeaderBytes, wanted).Bytes;
-            var input = new byte[bytes.Length + RangeCode.PaddingBytes];
-            bytes.CopyTo(input, 0);
+            long at = start + TableHeaderBytes;
+            long endOfTable = Math.Min(m_source.Length, at + count * MaxEntryBytes + CoderBytes);
+            var window = new byte[WindowBytes + RangeCode.PaddingBytes];
             bool isVariable = m_format.HasVariableChunks;
             long offset = FirstChunkOffset;
             ulong pointsLeft = m_pointsClaimed;
             int lastPoints = 0, lastBytes = 0;
 
             using (var models = new NativeArray<byte>(IntegerModel.BytesOf(32, 2), Allocator.Persistent))
-                fixed (byte* first = input)
+                fixed (byte* first = window)
                 {
                     byte* model = (byte*)models.GetUnsafePtr();
                     IntegerModel.Initialize(model, 32, 2);
-                    byte* end = first + bytes.Length;
+                    byte* end = first + Fill(window, at, endOfTable);
                     byte* next = first;
                     RangeCode.Start(out uint value, out uint length, ref next);
                     for (long i = 0; i < count; i++)
                     {
+                        if (end - next < MaxEntryBytes + CoderBytes && at + (end - first) < endOfTable)
+                        {
+                            at += next - first;
+                            end = first + Fill(window, at, endOfTable);
+                            next = first;
+                        }
                         if (isVariable)
                             lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
                         lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
@@ -166,12 +175,20 @@ namespace FastPoints.Files
             return null;
         }
 
+        /// <summary>Fills the window with what the table has from <paramref name="at"/> on, and zeros behind it.</summary>
+        /// <returns>Bytes of the table.</returns>
+        int Fill(byte[] window, long at, long endOfTable)
+        {
+            int count = (int)Math.Min(WindowBytes, endOfTable - at);
+            m_source.Read(at, window, count, "chunk table");
+            Array.Clear(window, count, window.Length - count);
+            return count;
+        }
+
         /// <summary>Holds the table's sum against the header's count.</summary>
         void Check()
         {
-            ulong sum = 0;
-            foreach (var chunk in Chunks)
-                sum += (ulong)chunk.Points;
+            ulong sum = (ulong)Chunks.PointCount;
             if (m_emptyChunks > 0)
                 m_info.Warn(FirstChunkOffset, "the chunk table has " + Text(m_emptyChunks)
                     + " chunks more than the points that the header claims: left out");

@@ -54,6 +54,9 @@ namespace FastPoints.Files
                 : new LazReader(las, format, source, longChunkPoints);
         }
 
+        /// <summary>Byte of the file at which the chunk begins that a block is of.</summary>
+        public long OffsetOfBlock(int block) => ChunkOf(Block(block)).Offset;
+
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
         /// <summary>Not those of layered files, whose chunks say how long they are: all are soon found.</summary>
@@ -135,30 +138,25 @@ namespace FastPoints.Files
             else if (Info.PointsClaimed > 0 || Source.Length > start + LazChunkTable.LeastBytes)
             {
                 var table = LazChunkTable.Read(Source, Format, Info, start);
-                Chunks.AddRange(table.Chunks);
+                Chunks = table.Chunks;
                 isLost = table.IsLost && (Format.IsLayered || !Format.HasVariableChunks);
             }
-            foreach (var chunk in Chunks)
-                if (Format.IsLayered && chunk.Bytes > MaxLayeredChunkBytes)
-                    throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, chunk.Offset, "bytes of a layered chunk",
-                        "at most " + Text(MaxLayeredChunkBytes), chunk.Bytes);
+            for (int c = 0; Format.IsLayered && Chunks.MaxBytes > MaxLayeredChunkBytes && c < Chunks.Count; c++)
+                if (Chunks[c].Bytes > MaxLayeredChunkBytes)
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset, "bytes of a layered chunk",
+                        "at most " + Text(MaxLayeredChunkBytes), Chunks[c].Bytes);
             if (Chunks.Count == 0 && !isLost && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, start, "the header claims "
                     + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture) + " points, the file holds none");
             return isLost;
         }
 
-        bool HasLongPointwiseChunk()
-        {
-            foreach (var chunk in Chunks)
-                if (!Format.IsLayered && chunk.Points > LongChunkPoints)
-                    return true;
-            return false;
-        }
+        bool HasLongPointwiseChunk() => !Format.IsLayered && Chunks.MaxPoints > LongChunkPoints;
 
         void MakeBlocks(LazWalk walk)
         {
-            for (int c = 0; c < Chunks.Count; c++)
+            bool areChunks = TryTakeChunksAsBlocks();
+            for (int c = 0; c < Chunks.Count && !areChunks; c++)
                 if (Format.IsLayered || Chunks[c].Points <= LongChunkPoints)
                     AddBlocksOf(c);
                 else

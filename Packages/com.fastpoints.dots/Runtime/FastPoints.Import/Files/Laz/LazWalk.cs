@@ -49,7 +49,7 @@ namespace FastPoints.Files
 
         /// <param name="chunks">Known ones: looked into where they are long. Added to where <paramref
         /// name="isTableLost"/>.</param>
-        public IEnumerator<JobHandle> Run(List<LazChunk> chunks, bool isTableLost)
+        public IEnumerator<JobHandle> Run(LazChunkList chunks, bool isTableLost)
         {
             if (isTableLost && m_format.IsLayered)
                 return WalkHeaders(chunks);
@@ -59,7 +59,7 @@ namespace FastPoints.Files
         /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PointsOfBeginning"/>
         /// points or a little more; one that is too long for a block is taken to be as long as it may be, and not
         /// walked.</summary>
-        public IEnumerator<JobHandle> WalkBeginning(List<LazChunk> chunks)
+        public IEnumerator<JobHandle> WalkBeginning(LazChunkList chunks)
         {
             ulong claimed = m_reader.Info.PointsClaimed;
             if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_reader.LongChunkPoints)
@@ -80,7 +80,7 @@ namespace FastPoints.Files
             yield break;
         }
 
-        IEnumerator<JobHandle> WalkHeaders(List<LazChunk> chunks)
+        IEnumerator<JobHandle> WalkHeaders(LazChunkList chunks)
         {
             int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
@@ -111,7 +111,7 @@ namespace FastPoints.Files
         }
 
         /// <param name="isBeginning">Stop at <see cref="LazReader.PointsOfBeginning"/>.</param>
-        IEnumerator<JobHandle> WalkStreams(List<LazChunk> chunks, bool isBeginning)
+        IEnumerator<JobHandle> WalkStreams(LazChunkList chunks, bool isBeginning)
         {
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
@@ -157,7 +157,7 @@ namespace FastPoints.Files
                 && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
-        IEnumerator<JobHandle> WalkLongChunks(List<LazChunk> chunks)
+        IEnumerator<JobHandle> WalkLongChunks(LazChunkList chunks)
         {
             using (var stream = new LazWalkStream(m_reader, m_format))
             {
@@ -176,8 +176,7 @@ namespace FastPoints.Files
                         continue;
                     m_reader.Info.Warn(stream.FileOffset, "chunk " + Text(c) + ": wanted " + Text(chunk.Points) + " points, got "
                         + Text(stream.Point) + ": the others are not in the file");
-                    chunk.Points = stream.Point;
-                    chunks[c] = chunk;
+                    chunks.SetPoints(c, stream.Point);
                 }
             }
         }
@@ -234,11 +233,9 @@ namespace FastPoints.Files
             }
         }
 
-        void Tell(List<LazChunk> chunks)
+        void Tell(LazChunkList chunks)
         {
-            ulong points = 0;
-            foreach (var chunk in chunks)
-                points += (ulong)chunk.Points;
+            ulong points = (ulong)chunks.PointCount;
             if (points != m_reader.Info.PointsClaimed)
                 m_reader.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
                     + m_reader.Info.PointsClaimed.ToString(CultureInfo.InvariantCulture) + " points, the file holds "

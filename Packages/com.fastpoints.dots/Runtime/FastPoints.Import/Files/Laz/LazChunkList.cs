@@ -1,0 +1,200 @@
+using System;
+using System.Collections.Generic;
+
+namespace FastPoints.Files
+{
+    /// <summary>
+    /// Chunks of a file, however many: where each begins behind the one before, as in a chunk table, four bytes a chunk (eight
+    /// where they do not hold equal numbers of points) and sums every 64. Other lists (hierarchies of octrees) have 24 bytes a
+    /// chunk.
+    /// </summary>
+    public sealed class LazChunkList
+    {
+        /// <summary>Chunks between two sums.</summary>
+        const int GroupChunks = 64;
+
+        readonly Pages m_bytes = new Pages();
+        readonly List<long> m_offsetOfGroup = new List<long>();
+        readonly List<long> m_pointOfGroup = new List<long>();
+
+        /// <summary>Points of each chunk; null while all but the last have as many as the first.</summary>
+        Pages m_points;
+
+        /// <summary>In place of all of the above where chunks are not in a row.</summary>
+        List<LazChunk> m_scattered;
+
+        long m_firstPoints;
+        long m_lastPoints;
+        long m_end;
+
+        public int Count => m_scattered?.Count ?? m_bytes.Count;
+
+        /// <summary>Of all chunks.</summary>
+        public long PointCount { get; private set; }
+
+        /// <summary>No chunk has, or had, more points.</summary>
+        public long MaxPoints { get; private set; }
+
+        public long MaxBytes { get; private set; }
+
+        /// <summary>Whether each begins where the one before ends, which <see cref="FirstPointOf"/> goes by.</summary>
+        public bool AreInRow => m_scattered == null;
+
+        public LazChunk this[int chunk]
+        {
+            get
+            {
+                if (m_scattered != null)
+                    return m_scattered[chunk];
+                CheckChunk(chunk);
+                long offset = m_offsetOfGroup[chunk / GroupChunks];
+                for (int before = chunk - chunk % GroupChunks; before < chunk; before++)
+                    offset += m_bytes[before];
+                return new LazChunk { Offset = offset, Bytes = m_bytes[chunk], Points = PointsOf(chunk) };
+            }
+        }
+
+        public long PointsOf(int chunk)
+        {
+            if (m_scattered != null)
+                return m_scattered[chunk].Points;
+            CheckChunk(chunk);
+            return m_points != null ? m_points[chunk] : chunk == Count - 1 ? m_lastPoints : m_firstPoints;
+        }
+
+        /// <summary>Points of all chunks before, where they are in a row.</summary>
+        public long FirstPointOf(int chunk)
+        {
+            CheckChunk(chunk);
+            if (m_points == null)
+                return chunk * m_firstPoints;
+            long first = m_pointOfGroup[chunk / GroupChunks];
+            for (int before = chunk - chunk % GroupChunks; before < chunk; before++)
+                first += m_points[before];
+            return first;
+        }
+
+        public void Add(in LazChunk chunk)
+        {
+            bool isInRow = m_scattered == null && (Count == 0 || chunk.Offset == m_end) && chunk.Bytes <= uint.MaxValue
+                && chunk.Points <= uint.MaxValue;
+            if (isInRow)
+                AddInRow(chunk);
+            else
+                Scatter().Add(chunk);
+            PointCount += chunk.Points;
+            MaxPoints = Math.Max(MaxPoints, chunk.Points);
+            MaxBytes = Math.Max(MaxBytes, chunk.Bytes);
+        }
+
+        /// <summary>Corrects what a chunk was taken to hold.</summary>
+        public void SetPoints(int chunk, long points)
+        {
+            var chunks = Scatter();
+            var corrected = chunks[chunk];
+            PointCount += points - corrected.Points;
+            MaxPoints = Math.Max(MaxPoints, points);
+            corrected.Points = points;
+            chunks[chunk] = corrected;
+        }
+
+        public void Clear()
+        {
+            ClearRow();
+            m_scattered = null;
+            PointCount = MaxPoints = MaxBytes = 0;
+        }
+
+        void AddInRow(in LazChunk chunk)
+        {
+            if (Count == 0)
+                m_firstPoints = chunk.Points;
+            else if (m_points == null && m_lastPoints != m_firstPoints)
+                CountEach();
+            if (Count % GroupChunks == 0)
+            {
+                m_offsetOfGroup.Add(chunk.Offset);
+                if (m_points != null)
+                    m_pointOfGroup.Add(PointCount);
+            }
+            m_bytes.Add((uint)chunk.Bytes);
+            m_points?.Add((uint)chunk.Points);
+            m_lastPoints = chunk.Points;
+            m_end = chunk.Offset + chunk.Bytes;
+        }
+
+        /// <summary>A chunk follows one that has other points than the first.</summary>
+        void CountEach()
+        {
+            var points = new Pages();
+            for (int chunk = 0; chunk < Count; chunk++)
+            {
+                if (chunk % GroupChunks == 0)
+                    m_pointOfGroup.Add(chunk * m_firstPoints);
+                points.Add((uint)PointsOf(chunk));
+            }
+            m_points = points;
+        }
+
+        /// <summary>The chunks as they are, from now on.</summary>
+        List<LazChunk> Scatter()
+        {
+            if (m_scattered != null)
+                return m_scattered;
+            var chunks = new List<LazChunk>(Count);
+            for (int chunk = 0; chunk < Count; chunk++)
+                chunks.Add(this[chunk]);
+            ClearRow();
+            return m_scattered = chunks;
+        }
+
+        void ClearRow()
+        {
+            m_bytes.Clear();
+            m_points = null;
+            m_offsetOfGroup.Clear();
+            m_pointOfGroup.Clear();
+        }
+
+        void CheckChunk(int chunk)
+        {
+            if (m_scattered != null)
+                throw new InvalidOperationException("the chunks are not in a row");
+            if ((uint)chunk >= (uint)Count)
+                throw new ArgumentOutOfRangeException(nameof(chunk), chunk, "the file has " + Count + " chunks");
+        }
+
+        /// <summary>Numbers in pages: none is copied when there are more, but those of the first page.</summary>
+        sealed class Pages
+        {
+            const int PageBits = 16, PageLength = 1 << PageBits, LeastLength = 16;
+
+            readonly List<uint[]> m_pages = new List<uint[]>();
+
+            public int Count { get; private set; }
+
+            public uint this[int index] => m_pages[index >> PageBits][index & PageLength - 1];
+
+            public void Add(uint number)
+            {
+                if (Count == m_pages.Count << PageBits)
+                    m_pages.Add(new uint[Count == 0 ? LeastLength : PageLength]);
+                var page = m_pages[Count >> PageBits];
+                int place = Count & PageLength - 1;
+                if (place == page.Length)
+                {
+                    Array.Resize(ref page, 2 * place);
+                    m_pages[0] = page;
+                }
+                page[place] = number;
+                Count++;
+            }
+
+            public void Clear()
+            {
+                m_pages.Clear();
+                Count = 0;
+            }
+        }
+    }
+}
