@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Gpu;
 using FastPoints.Headless.Graphics;
 using FastPoints.Picture;
 using FastPoints.Rendering;
@@ -23,13 +24,14 @@ namespace FastPoints.Cli
         readonly RenderTexture m_target;
         readonly CommandBuffer m_commands = new() { name = "FastPoints" };
         bool m_hasPalette;
+        float m_edlStrength;
 
         /// <param name="stream">Its pool is one of the graphics card's.</param>
         public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options)
         {
             m_stream = stream;
             m_options = options;
-            m_materials = new PointMaterials(shaders.Points);
+            m_materials = new PointMaterials(shaders.Points, shaders.Compose);
             m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool);
             m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
                 GraphicsFormat.D32_SFloat);
@@ -38,6 +40,7 @@ namespace FastPoints.Cli
 
         public override void Add(int cloud, PicturePlan plan)
         {
+            m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
             m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source));
             if (m_hasPalette && plan.Mode == ColorMode.Rgb)
                 return;
@@ -49,11 +52,11 @@ namespace FastPoints.Cli
         public override RgbaImage Draw(in Camera camera)
         {
             int width = m_options.WidthPx, height = m_options.HeightPx;
-            m_renderer.Prepare(m_stream, camera.ToStreamView(width, height));
             var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? DepthAround(camera) : 0);
-            double density = m_renderer.List.Points / (double)(width * height);
-            view.SizePx = m_options.PointSizePx >= 1 ? m_options.PointSizePx : PointSizing.SizeFor(density);
-            view.Shape = view.SizePx <= 1 ? PointShape.Pixel : m_options.RoundPoints ? PointShape.Disc : PointShape.Square;
+            view.Style = StyleOf(m_options, m_edlStrength);
+            view.Color = m_target;
+            view.Depth = m_target;
+            m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);
             m_commands.Clear();
             m_commands.SetRenderTarget(m_target);
             m_commands.ClearRenderTarget(true, true, ColorOf(m_options.Background));
@@ -77,6 +80,17 @@ namespace FastPoints.Cli
             m_materials.Dispose();
             m_commands.Dispose();
             m_target.Release();
+        }
+
+        static PointStyle StyleOf(PictureOptions options, float edlStrength)
+        {
+            var size = options.SizeInWorld ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
+            return new PointStyle
+            {
+                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel : options.RoundPoints ? PointShape.Disc : PointShape.Square,
+                Size = size,
+                EdlStrength = edlStrength,
+            };
         }
 
         /// <summary>How far before or behind an eye a cloud reaches.</summary>

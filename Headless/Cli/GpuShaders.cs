@@ -19,10 +19,12 @@ namespace FastPoints.Cli
                 throw new UsageException("--gpu: " + HeadlessGraphics.WhyNot);
             string folder = FindFolder();
             Points = HeadlessShaders.Load(Path.Combine(folder, "Points.shader"));
+            Compose = HeadlessShaders.Load(Path.Combine(folder, "Compose.shader"));
             CopyPages = HeadlessShaders.LoadCompute(Path.Combine(folder, "CopyPages.compute"));
         }
 
         public Shader Points { get; }
+        public Shader Compose { get; }
         public ComputeShader CopyPages { get; }
 
         public NodePool CreatePool(long limitBytes, int bankBytes, int bytesPerUpload) =>

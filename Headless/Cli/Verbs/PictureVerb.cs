@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Gpu;
 using FastPoints.Picture;
 using FastPoints.Store;
 
@@ -74,7 +75,7 @@ namespace FastPoints.Cli.Verbs
                     reference.Width + "x" + reference.Height);
 
             var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
-                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0])
+                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && options.SizeInWorld?.Mode != PointSizeMode.Adaptive
                 ? DrawStep.RunStored(clouds[0], options, budget, run)
                 : clouds.Any(CloudFolder.IsCloud) || budget > 0 && clouds.All(BringsOctree)
                 ? StreamedPictureStep.Run(clouds, options, budget, run)

@@ -81,6 +81,38 @@ namespace FastPoints.HostTests.Gpu
             Compare(streams, streams.Plan.Camera, "color-" + mode);
         }
 
+        /// <summary>Sizes that differ from point to point: by distance, and by what is drawn at their place.</summary>
+        [TestCase("0.2u", true)]
+        [TestCase("0.2u", false)]
+        [TestCase("adaptive", true)]
+        [TestCase("adaptive", false)]
+        public void Draw_SizesInTheWorld_AreThoseOfTheSoftwareRasterizer(string size, bool isRound)
+        {
+            var options = Options(0, isRound);
+            Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+            using var streams = new TwinStreams(m_demo, options, Points / 2);
+            var camera = streams.Plan.Camera;
+            var center = streams.Ranges.Robust.Center;
+            Compare(streams, camera, "size-" + size + (isRound ? "-round" : ""));
+            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+                streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
+        }
+
+        [TestCase("1", false)]
+        [TestCase("5", true)]
+        [TestCase("adaptive", true)]
+        public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound)
+        {
+            var options = Options(0, isRound, ColorMode.Elevation);
+            options.EdlStrength = 0.4f;
+            Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+            using var streams = new TwinStreams(m_demo, options, Points / 2);
+            Compare(streams, streams.Plan.Camera, "edl-" + size);
+            var center = streams.Ranges.Robust.Center;
+            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+                streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
+        }
+
         /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in
         /// view.</summary>
         [Test]

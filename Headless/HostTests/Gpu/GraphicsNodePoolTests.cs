@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Gpu;
 using FastPoints.Headless.Graphics;
 using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
@@ -160,9 +161,10 @@ namespace FastPoints.HostTests.Gpu
         public void Record_FrameAfterFrame_MakesNoGarbage()
         {
             using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
-            using var materials = new PointMaterials(new GpuShaders().Points);
+            var shaders = new GpuShaders();
+            using var materials = new PointMaterials(shaders.Points, shaders.Compose);
             using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool);
-            renderer.List.SetLook(0, new FastPoints.Gpu.CloudLook { Plane = 1, Scale = 1 / 256.0 });
+            renderer.List.SetLook(0, new CloudLook { Plane = 1, Scale = 1 / 256.0 });
             using var commands = new UnityEngine.Rendering.CommandBuffer();
             var cameras = Enumerable.Range(0, 6).Select(i => Near(stream, i / 5.0, i)).ToArray();
             long Garbage(int frames)
@@ -172,10 +174,12 @@ namespace FastPoints.HostTests.Gpu
                 {
                     var camera = cameras[frame / 10 % cameras.Length];
                     Frame(stream, camera);
-                    renderer.Prepare(stream, camera.ToStreamView(320, 180));
+                    var view = RenderViews.Of(camera, 320, 180, 0);
+                    view.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Adaptive(), EdlStrength = 0.25f };
+                    renderer.Prepare(stream, camera.ToStreamView(320, 180), view.Style);
                     long before = GC.GetAllocatedBytesForCurrentThread();
                     commands.Clear();
-                    renderer.Record(commands, RenderViews.Of(camera, 320, 180, 0));
+                    renderer.Record(commands, view);
                     garbage += GC.GetAllocatedBytesForCurrentThread() - before;
                 }
                 return garbage;

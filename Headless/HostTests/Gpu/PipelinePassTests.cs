@@ -3,6 +3,7 @@ using System.IO;
 using System.Threading;
 using FastPoints.Cli;
 using FastPoints.Entities;
+using FastPoints.Gpu;
 using FastPoints.Headless.Graphics;
 using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
@@ -60,7 +61,10 @@ namespace FastPoints.HostTests.Gpu
             m_group.Begin(shaders.CreatePool(64 << 20, 8 << 20, 1 << 20));
             m_group.Stream.Settings.Selection.SmallestNodePx = 0;
             m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
-            PointScene.Current = m_scene = new PointScene(shaders.Points, m_group.Stream) { Shape = PointShape.Disc, SizePx = 3 };
+            PointScene.Current = m_scene = new PointScene(shaders.Points, shaders.Compose, m_group.Stream)
+            {
+                Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
+            };
         }
 
         [TearDown]

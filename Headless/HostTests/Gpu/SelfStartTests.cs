@@ -34,6 +34,7 @@ namespace FastPoints.HostTests.Gpu
             var shaders = new GpuShaders();
             var resources = ScriptableObject.CreateInstance<PointCloudResources>();
             resources.Points = shaders.Points;
+            resources.Compose = shaders.Compose;
             resources.CopyPages = shaders.CopyPages;
             Resources.Assets[PointCloudResources.Path] = resources;
             BuiltInPass.Begin();
@@ -74,7 +75,7 @@ namespace FastPoints.HostTests.Gpu
             settings.MillionPoints = 0.005f;
             settings.MemoryMiB = 64;
             settings.Shape = PointShape.Disc;
-            settings.SizePx = 5;
+            settings.Size = 5;
             var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
             cloud.Path = path;
             var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
@@ -88,7 +89,7 @@ namespace FastPoints.HostTests.Gpu
             }
             Assert.That(group.Stream.Settings.Selection.PointBudget, Is.EqualTo(5000));
             Assert.That(group.Stream.Pool.LimitBytes, Is.EqualTo(64 << 20));
-            Assert.That((group.Scene.Shape, group.Scene.SizePx), Is.EqualTo((PointShape.Disc, 5f)));
+            Assert.That((group.Scene.Style.Shape, group.Scene.Style.Size.Value), Is.EqualTo((PointShape.Disc, 5f)));
             camera.Render();
             var request = AsyncGPUReadback.Request(target);
             request.WaitForCompletion();

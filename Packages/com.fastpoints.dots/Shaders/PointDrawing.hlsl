@@ -3,6 +3,7 @@
 #define FASTPOINTS_POINT_DRAWING_INCLUDED
 
 #include "PointBlocks.hlsl"
+#include "PointSizes.hlsl"
 #include "PointValues.hlsl"
 #include "Generated/GpuCloud.hlsl"
 #include "Generated/GpuNode.hlsl"
@@ -24,6 +25,9 @@ uint _FastPointsFirstInstance;
 // From places as seen from the camera, along the world's axes, to the clip space of the API: no translation in it.
 float4x4 _FastPointsViewProjection;
 
+// Where the camera looks, a unit vector of the world.
+float3 _FastPointsForward;
+
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
 
@@ -33,6 +37,12 @@ struct FastPointsPoint
     bool IsThere;
     float4 PositionClip;
     float3 Color;
+
+    // Edge of its square, diameter of its disc, in pixels.
+    float SizePx;
+
+    // Along the view's direction, in world units.
+    float Depth;
 };
 
 float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index)
@@ -106,11 +116,19 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.IsThere = index < FastPointsCountOf(block);
     loaded.PositionClip = float4(0.0, 0.0, 0.0, -1.0);
     loaded.Color = float3(0.0, 0.0, 0.0);
+    loaded.SizePx = 0.0;
+    loaded.Depth = 0.0;
     if (!loaded.IsThere)
         return loaded;
     float3 steps = FastPointsStepsFromAnchor(node, block, index);
     float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
     loaded.PositionClip = mul(_FastPointsViewProjection, float4(seen, 1.0));
+    loaded.Depth = dot(_FastPointsForward, seen);
+#if defined(FASTPOINTS_ADAPTIVE)
+    loaded.SizePx = FastPointsSizePx(FastPointsGapAt(node.SizeNode, node.AnchorInCube + node.CubesPerStep * steps), loaded.Depth);
+#else
+    loaded.SizePx = FastPointsSizePx(1.0, loaded.Depth);
+#endif
     float3 color = FastPointsColor(node, cloud, blockIndex, index, steps) * FastPointsUnpackColor(node.Tint);
     loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
     return loaded;

@@ -11,9 +11,6 @@
 // Width and height of the picture in pixels.
 float2 _FastPointsScreenPx;
 
-// Edge of a square, diameter of a disc.
-float _FastPointsSizePx;
-
 struct FastPointsVaryings
 {
     float4 PositionClip : SV_POSITION;
@@ -21,6 +18,10 @@ struct FastPointsVaryings
 #if defined(FASTPOINTS_DISCS)
     // From -1 to 1 over the square.
     float2 Corner : TEXCOORD1;
+#endif
+#if defined(FASTPOINTS_LAYERED)
+    // The radius in whole pixels, and the depth in world units.
+    nointerpolation float2 RadiusAndDepth : TEXCOORD2;
 #endif
 #if !defined(FASTPOINTS_IS_QUAD)
     // Some APIs want it where the topology is points; others have no such thing.
@@ -36,7 +37,7 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
     // Two triangles: 0, 1, 2 and 3, 4, 5.
     uint of = vertex % 6u;
     float2 corner = float2(of == 1u || of >= 4u ? 1.0 : -1.0, of == 2u || of == 3u || of == 5u ? 1.0 : -1.0);
-    drawn.PositionClip.xy += corner * (_FastPointsSizePx / _FastPointsScreenPx) * drawn.PositionClip.w;
+    drawn.PositionClip.xy += corner * (drawn.SizePx / _FastPointsScreenPx) * drawn.PositionClip.w;
 #else
     FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex);
     varyings.PointSize = 1.0;
@@ -44,18 +45,37 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #if defined(FASTPOINTS_DISCS)
     varyings.Corner = corner;
 #endif
+#if defined(FASTPOINTS_LAYERED)
+    varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
+#endif
     varyings.PositionClip = drawn.PositionClip;
     varyings.Color = drawn.Color;
     return varyings;
 }
 
-float4 FastPointsFragment(FastPointsVaryings varyings) : SV_Target
+struct FastPointsTargets
+{
+    // Where layered, alpha has the radius, 0 where no point is.
+    float4 Color : SV_Target0;
+#if defined(FASTPOINTS_LAYERED)
+    // In world units, and the device's.
+    float2 Depth : SV_Target1;
+#endif
+};
+
+FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
 {
 #if defined(FASTPOINTS_DISCS)
     if (dot(varyings.Corner, varyings.Corner) > 1.0)
         discard;
 #endif
-    return float4(varyings.Color, 1.0);
+    FastPointsTargets targets;
+    targets.Color = float4(varyings.Color, 1.0);
+#if defined(FASTPOINTS_LAYERED)
+    targets.Color.w = varyings.RadiusAndDepth.x / 255.0;
+    targets.Depth = float2(varyings.RadiusAndDepth.y, varyings.PositionClip.z);
+#endif
+    return targets;
 }
 
 #endif

@@ -14,6 +14,8 @@ Shader "Hidden/FastPoints/Points"
             #pragma vertex FastPointsVertex
             #pragma fragment FastPointsFragment
             #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS
+            #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
+            #pragma multi_compile_local _ FASTPOINTS_LAYERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
             ENDHLSL
         }

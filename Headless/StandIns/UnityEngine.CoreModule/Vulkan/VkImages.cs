@@ -11,6 +11,7 @@ namespace StandIns.Vulkan
         R32Uint = 98,
         R32Sint = 99,
         R32Sfloat = 100,
+        R32g32Sfloat = 103,
         R16g16b16a16Sfloat = 97,
         R32g32b32a32Uint = 107,
         R32g32b32a32Sfloat = 109,

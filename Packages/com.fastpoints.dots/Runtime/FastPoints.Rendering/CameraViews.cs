@@ -16,8 +16,8 @@ namespace FastPoints.Rendering
             var view = new StreamView
             {
                 EyeWorld = EyeOf(camera),
-                IsOrthographic = projection.m33 == 1,
-                ScalePx = camera.pixelHeight * 0.5 * math.abs(projection.m11),
+                IsOrthographic = IsOrthographic(projection),
+                ScalePx = ScalePxOf(camera, projection),
             };
             // Of a place p seen from the eye, clip = M p: inside is -w <= x, y, z <= w (Gribb and Hartmann, 2001).
             var w = Row(clip, 3);
@@ -31,13 +31,26 @@ namespace FastPoints.Rendering
 
         /// <summary>How a camera's picture is drawn.</summary>
         /// <param name="intoTexture">Whether the target is a render texture, which some APIs have upside down.</param>
-        public static RenderView RenderViewOf(Camera camera, bool intoTexture) => new RenderView
+        public static RenderView RenderViewOf(Camera camera, bool intoTexture)
         {
-            ViewProjection = GL.GetGPUProjectionMatrix(camera.projectionMatrix, intoTexture) * RotationOf(camera),
-            WidthPx = camera.pixelWidth,
-            HeightPx = camera.pixelHeight,
-            IsLinear = QualitySettings.activeColorSpace == ColorSpace.Linear,
-        };
+            var projection = camera.projectionMatrix;
+            var rotation = RotationOf(camera);
+            return new RenderView
+            {
+                ViewProjection = GL.GetGPUProjectionMatrix(projection, intoTexture) * rotation,
+                WidthPx = camera.pixelWidth,
+                HeightPx = camera.pixelHeight,
+                // The engine's cameras look along their negative Z.
+                Forward = -(Vector3)rotation.GetRow(2),
+                ScalePx = ScalePxOf(camera, projection),
+                IsOrthographic = IsOrthographic(projection),
+                IsLinear = QualitySettings.activeColorSpace == ColorSpace.Linear,
+            };
+        }
+
+        static float ScalePxOf(Camera camera, in Matrix4x4 projection) => camera.pixelHeight * 0.5f * math.abs(projection.m11);
+
+        static bool IsOrthographic(in Matrix4x4 projection) => projection.m33 == 1;
 
         /// <summary>A far plane at infinity has no direction: it is left out.</summary>
         static void AddPlane(ref StreamView view, double4 plane)

@@ -9,6 +9,7 @@ namespace FastPoints.Rendering
         public const string Path = "FastPoints/PointCloudResources";
 
         public Shader Points;
+        public Shader Compose;
         public ComputeShader CopyPages;
 
         public static PointCloudResources Load() => Resources.Load<PointCloudResources>(Path);

@@ -3,36 +3,78 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A material for each shape: keywords are looked at when commands are executed, not when they are recorded, so that
-    /// one material could not draw two shapes in a frame.</summary>
+    /// <summary>A material for each variant that is drawn with: keywords are looked at when commands are executed, not when they
+    /// are recorded, so that one material could not draw two looks in a frame. Made when they are first needed.</summary>
     public sealed class PointMaterials : IDisposable
     {
-        readonly Material[] m_ofShape;
+        const int Shapes = 1 + (int)PointShape.Disc;
 
-        /// <param name="shader">The package's Points.shader.</param>
-        public PointMaterials(Shader shader)
+        /// <summary>Bits above the shape: an option each.</summary>
+        const int Adaptive = 1, Layered = 2, Options = 4;
+
+        readonly Shader m_points;
+        readonly Shader m_compose;
+        readonly Material[] m_ofVariant = new Material[Shapes * Options];
+        Material m_composing;
+
+        /// <param name="points">The package's Points.shader.</param>
+        /// <param name="compose">The package's Compose.shader.</param>
+        public PointMaterials(Shader points, Shader compose)
         {
-            m_ofShape = new Material[1 + (int)PointShape.Disc];
-            for (int shape = 0; shape < m_ofShape.Length; shape++)
-                m_ofShape[shape] = new Material(shader) { hideFlags = HideFlags.HideAndDontSave };
-            this[PointShape.Square].EnableKeyword(ShaderNames.SquaresKeyword);
-            this[PointShape.Disc].EnableKeyword(ShaderNames.DiscsKeyword);
+            m_points = points;
+            m_compose = compose;
         }
 
-        public Material this[PointShape shape] => m_ofShape[(int)shape];
+        /// <summary>Draws points of a style.</summary>
+        internal Material For(in PointStyle style)
+        {
+            int options = (style.IsAdaptive ? Adaptive : 0) | (style.IsLayered ? Layered : 0);
+            int variant = (int)style.Shape + Shapes * options;
+            if (m_ofVariant[variant] != null)
+                return m_ofVariant[variant];
+            var material = Make(m_points);
+            Enable(material, ShaderNames.SquaresKeyword, style.Shape == PointShape.Square);
+            Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc);
+            Enable(material, ShaderNames.AdaptiveKeyword, style.IsAdaptive);
+            Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
+            return m_ofVariant[variant] = material;
+        }
+
+        /// <summary>Draws a layer of points into a camera's picture.</summary>
+        internal Material Compose
+        {
+            get
+            {
+                if (m_composing == null)
+                    m_composing = Make(m_compose);
+                return m_composing;
+            }
+        }
 
         public void Dispose()
         {
-            for (int shape = 0; shape < m_ofShape.Length; shape++)
-            {
-                if (m_ofShape[shape] == null)
-                    continue;
-                if (Application.isPlaying)
-                    UnityEngine.Object.Destroy(m_ofShape[shape]);
-                else
-                    UnityEngine.Object.DestroyImmediate(m_ofShape[shape]);
-                m_ofShape[shape] = null;
-            }
+            for (int variant = 0; variant < m_ofVariant.Length; variant++)
+                Destroy(ref m_ofVariant[variant]);
+            Destroy(ref m_composing);
+        }
+
+        static Material Make(Shader shader) => new Material(shader) { hideFlags = HideFlags.HideAndDontSave };
+
+        static void Enable(Material material, string keyword, bool isEnabled)
+        {
+            if (isEnabled)
+                material.EnableKeyword(keyword);
+        }
+
+        static void Destroy(ref Material material)
+        {
+            if (material == null)
+                return;
+            if (Application.isPlaying)
+                UnityEngine.Object.Destroy(material);
+            else
+                UnityEngine.Object.DestroyImmediate(material);
+            material = null;
         }
     }
 }

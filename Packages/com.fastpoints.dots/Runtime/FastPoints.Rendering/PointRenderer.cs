@@ -27,6 +27,8 @@ namespace FastPoints.Rendering
         readonly GrowingBuffer m_nodeOfInstance = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         readonly GrowingBuffer m_arguments = new GrowingBuffer(GraphicsBuffer.Target.IndirectArguments,
             GraphicsBuffer.IndirectDrawArgs.size);
+        readonly GrowingBuffer m_sizeNodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
+        readonly PointLayer m_layer = new PointLayer();
         readonly GrowingBuffer m_palette = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
         NativeArray<uint> m_colors;
@@ -57,32 +59,22 @@ namespace FastPoints.Rendering
 
         /// <summary>Lists what a camera sees of the stream's last frame.</summary>
         /// <param name="view">In the world that the stream's placements lead to.</param>
-        public void Prepare(StreamContext stream, in StreamView view) => List.Build(stream, view);
+        /// <param name="style">That is drawn with.</param>
+        public void Prepare(StreamContext stream, in StreamView view, in PointStyle style) =>
+            List.Build(stream, view, style.IsAdaptive);
 
         /// <summary>Records the draws, into the target that is set.</summary>
         public void Record(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
                 return;
-            WriteBuffers(commands, view.Shape);
-            m_properties.SetBuffer(ShaderNames.Nodes, m_nodes.Buffer);
-            m_properties.SetBuffer(ShaderNames.Clouds, m_clouds.Buffer);
-            m_properties.SetBuffer(ShaderNames.NodeOfInstance, m_nodeOfInstance.Buffer);
-            m_properties.SetBuffer(ShaderNames.Palette, m_palette.Buffer);
-            m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
-            m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
-            m_properties.SetFloat(ShaderNames.SizePx, view.SizePx);
-            m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
-            var material = m_materials[view.Shape];
-            var topology = view.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
-            for (int i = 0; i < List.Draws.Length; i++)
-            {
-                var draw = List.Draws[i];
-                m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
-                m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
-                commands.DrawProceduralIndirect(Matrix4x4.identity, material, 0, topology, m_arguments.Buffer,
-                    i * GraphicsBuffer.IndirectDrawArgs.size, m_properties);
-            }
+            WriteBuffers(commands, view.Style);
+            Set(view);
+            if (view.Style.IsLayered)
+                m_layer.Begin(commands, view);
+            DrawBanks(commands, view.Style);
+            if (view.Style.IsLayered)
+                m_layer.End(commands, view, m_materials.Compose);
         }
 
         public void Dispose()
@@ -95,13 +87,48 @@ namespace FastPoints.Rendering
             m_nodeOfInstance.Dispose();
             m_arguments.Dispose();
             m_palette.Dispose();
+            m_sizeNodes.Dispose();
             m_drawArguments.Dispose();
             m_colors.Dispose();
         }
 
-        void WriteBuffers(CommandBuffer commands, PointShape shape)
+        void Set(in RenderView view)
         {
-            int vertices = PlaneShape.MaxPointsPerBlock * (shape == PointShape.Pixel ? 1 : VerticesOfQuad);
+            var size = view.Style.Size;
+            float perGap = size.IsConstant ? 0 : size.Value * view.ScalePx;
+            m_properties.SetBuffer(ShaderNames.Nodes, m_nodes.Buffer);
+            m_properties.SetBuffer(ShaderNames.Clouds, m_clouds.Buffer);
+            m_properties.SetBuffer(ShaderNames.NodeOfInstance, m_nodeOfInstance.Buffer);
+            m_properties.SetBuffer(ShaderNames.Palette, m_palette.Buffer);
+            if (view.Style.IsAdaptive)
+                m_properties.SetBuffer(ShaderNames.SizeNodes, m_sizeNodes.Buffer);
+            m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
+            m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            m_properties.SetVector(ShaderNames.Forward, view.Forward);
+            m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
+                view.IsOrthographic ? 1 : 0, 0));
+            m_properties.SetVector(ShaderNames.SizeLimitsPx, new Vector4(size.LimitsPx.x, size.LimitsPx.y, 0, 0));
+            // A layer's colours become light when it is composed.
+            m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear && !view.Style.IsLayered ? 1 : 0);
+        }
+
+        void DrawBanks(CommandBuffer commands, in PointStyle style)
+        {
+            var material = m_materials.For(style);
+            var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
+            for (int i = 0; i < List.Draws.Length; i++)
+            {
+                var draw = List.Draws[i];
+                m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
+                m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
+                commands.DrawProceduralIndirect(Matrix4x4.identity, material, 0, topology, m_arguments.Buffer,
+                    i * GraphicsBuffer.IndirectDrawArgs.size, m_properties);
+            }
+        }
+
+        void WriteBuffers(CommandBuffer commands, in PointStyle style)
+        {
+            int vertices = PlaneShape.MaxPointsPerBlock * (style.Shape == PointShape.Pixel ? 1 : VerticesOfQuad);
             m_drawArguments.Clear();
             for (int i = 0; i < List.Draws.Length; i++)
                 m_drawArguments.Add(new GraphicsBuffer.IndirectDrawArgs
@@ -113,6 +140,8 @@ namespace FastPoints.Rendering
             m_nodes.Write(commands, List.Nodes);
             m_clouds.Write(commands, List.Clouds);
             m_nodeOfInstance.Write(commands, List.NodeOfInstance);
+            if (style.IsAdaptive)
+                m_sizeNodes.Write(commands, List.SizeNodes);
             if (!m_isPaletteWritten)
                 m_palette.Write(commands, m_colors);
             m_isPaletteWritten = true;

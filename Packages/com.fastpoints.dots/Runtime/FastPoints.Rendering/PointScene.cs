@@ -33,13 +33,14 @@ namespace FastPoints.Rendering
             public int LastFrame;
         }
 
-        /// <param name="shader">The package's Points.shader.</param>
+        /// <param name="points">The package's Points.shader.</param>
+        /// <param name="compose">The package's Compose.shader.</param>
         /// <param name="stream">Its pool is on the graphics card; not this scene's.</param>
-        public PointScene(Shader shader, StreamContext stream)
+        public PointScene(Shader points, Shader compose, StreamContext stream)
         {
             Stream = stream;
             m_pool = (GraphicsNodePool)stream.Pool;
-            m_materials = new PointMaterials(shader);
+            m_materials = new PointMaterials(points, compose);
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
             m_palette = new NativeArray<uint>(PointRenderer.PaletteLength, Allocator.Persistent);
         }
@@ -48,10 +49,7 @@ namespace FastPoints.Rendering
         public static PointScene Current { get; set; }
 
         public StreamContext Stream { get; }
-        public PointShape Shape { get; set; } = PointShape.Square;
-
-        /// <summary>Edge of a point's square, diameter of its disc.</summary>
-        public float SizePx { get; set; } = 2;
+        public PointStyle Style { get; set; } = PointStyle.Default;
 
         /// <summary>Of the cameras that were announced since the last <see cref="BeginFrame"/>.</summary>
         public NativeArray<StreamView> NextViews => m_nextViews.AsArray();
@@ -94,15 +92,19 @@ namespace FastPoints.Rendering
         public void Announce(Camera camera) => m_nextViews.Add(CameraViews.StreamViewOf(camera));
 
         /// <summary>Records the clouds as a camera sees them, into the target that is set.</summary>
-        public void Record(CommandBuffer commands, Camera camera, bool intoTexture)
+        /// <param name="color">That target, and <paramref name="depth"/> its depth: see <see cref="RenderView.Color"/>.</param>
+        /// <param name="intoTexture">See <see cref="CameraViews.RenderViewOf"/>.</param>
+        public void Record(CommandBuffer commands, Camera camera, RenderTargetIdentifier color, RenderTargetIdentifier depth,
+            bool intoTexture)
         {
             var renderer = RendererFor(camera);
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
-            renderer.Prepare(Stream, CameraViews.StreamViewOf(camera));
+            renderer.Prepare(Stream, CameraViews.StreamViewOf(camera), Style);
             var view = CameraViews.RenderViewOf(camera, intoTexture);
-            view.Shape = Shape;
-            view.SizePx = SizePx;
+            view.Color = color;
+            view.Depth = depth;
+            view.Style = Style;
             renderer.Record(commands, view);
         }
 

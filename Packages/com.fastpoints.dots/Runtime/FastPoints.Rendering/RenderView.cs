@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
@@ -10,12 +11,21 @@ namespace FastPoints.Rendering
         public Matrix4x4 ViewProjection;
         public int WidthPx;
         public int HeightPx;
-        public PointShape Shape;
 
-        /// <summary>Edge of a square, diameter of a disc.</summary>
-        public float SizePx;
+        /// <summary>Where the camera looks: a unit vector of the world.</summary>
+        public Vector3 Forward;
+
+        /// <summary>Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).</summary>
+        public float ScalePx;
+        public bool IsOrthographic;
 
         /// <summary>Colours are written as light (a project in linear colour space), and not as sRGB.</summary>
         public bool IsLinear;
+
+        /// <summary>What is drawn into. It is set already; a style that needs a layer of its own sets it again, the viewport
+        /// being the whole picture.</summary>
+        public RenderTargetIdentifier Color;
+        public RenderTargetIdentifier Depth;
+        public PointStyle Style;
     }
 }

@@ -38,7 +38,15 @@ namespace FastPoints.Rendering
             clip.SetRow(1, y);
             clip.SetRow(2, z);
             clip.SetRow(3, w);
-            return new RenderView { ViewProjection = clip, WidthPx = widthPx, HeightPx = heightPx };
+            return new RenderView
+            {
+                ViewProjection = clip,
+                WidthPx = widthPx,
+                HeightPx = heightPx,
+                Forward = new Vector3((float)camera.Forward.x, (float)camera.Forward.y, (float)camera.Forward.z),
+                ScalePx = (float)camera.ToStreamView(widthPx, heightPx).ScalePx,
+                IsOrthographic = camera.IsOrthographic,
+            };
         }
 
         static Vector4 Row(Unity.Mathematics.double3 axis, double scale, double constant) =>

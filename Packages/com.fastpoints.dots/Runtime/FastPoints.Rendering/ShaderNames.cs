@@ -8,19 +8,29 @@ namespace FastPoints.Rendering
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
         public static readonly int BankOut = Shader.PropertyToID("_FastPointsBankOut");
         public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
+        public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
+        public static readonly int Forward = Shader.PropertyToID("_FastPointsForward");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
+        public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
+        public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
+        public static readonly int LayerDevice = Shader.PropertyToID("_FastPointsLayerDevice");
         public static readonly int NodeOfInstance = Shader.PropertyToID("_FastPointsNodeOfInstance");
         public static readonly int Nodes = Shader.PropertyToID("_FastPointsNodes");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
         public static readonly int Palette = Shader.PropertyToID("_FastPointsPalette");
+        public static readonly int ScalePx = Shader.PropertyToID("_FastPointsScalePx");
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
-        public static readonly int SizePx = Shader.PropertyToID("_FastPointsSizePx");
+        public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
+        public static readonly int SizeLimitsPx = Shader.PropertyToID("_FastPointsSizeLimitsPx");
+        public static readonly int SizeNodes = Shader.PropertyToID("_FastPointsSizeNodes");
         public static readonly int Staging = Shader.PropertyToID("_FastPointsStaging");
         public static readonly int ViewProjection = Shader.PropertyToID("_FastPointsViewProjection");
 
         public const string CopyPagesKernel = "FastPointsCopyPages";
+        public const string AdaptiveKeyword = "FASTPOINTS_ADAPTIVE";
+        public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";
     }

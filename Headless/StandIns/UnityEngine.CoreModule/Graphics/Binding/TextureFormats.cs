@@ -25,6 +25,8 @@ namespace StandIns.Graphics
                     return GraphicsFormat.R32G32B32A32_UInt;
                 case RenderTextureFormat.RFloat:
                     return GraphicsFormat.R32_SFloat;
+                case RenderTextureFormat.RGFloat:
+                    return GraphicsFormat.R32G32_SFloat;
                 case RenderTextureFormat.RInt:
                     return GraphicsFormat.R32_SInt;
                 case RenderTextureFormat.Depth:
@@ -49,6 +51,8 @@ namespace StandIns.Graphics
                     return RenderTextureFormat.ARGBInt;
                 case GraphicsFormat.R32_SFloat:
                     return RenderTextureFormat.RFloat;
+                case GraphicsFormat.R32G32_SFloat:
+                    return RenderTextureFormat.RGFloat;
                 case GraphicsFormat.R32_SInt:
                 case GraphicsFormat.R32_UInt:
                     return RenderTextureFormat.RInt;
@@ -75,6 +79,8 @@ namespace StandIns.Graphics
                     return VkFormat.R32Sint;
                 case GraphicsFormat.R32_SFloat:
                     return VkFormat.R32Sfloat;
+                case GraphicsFormat.R32G32_SFloat:
+                    return VkFormat.R32g32Sfloat;
                 case GraphicsFormat.R16G16B16A16_SFloat:
                     return VkFormat.R16g16b16a16Sfloat;
                 case GraphicsFormat.R32G32B32A32_UInt:
@@ -93,6 +99,7 @@ namespace StandIns.Graphics
             switch (format)
             {
                 case VkFormat.R16g16b16a16Sfloat:
+                case VkFormat.R32g32Sfloat:
                     return 8;
                 case VkFormat.R32g32b32a32Uint:
                 case VkFormat.R32g32b32a32Sfloat:

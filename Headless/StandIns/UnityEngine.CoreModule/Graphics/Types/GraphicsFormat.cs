@@ -10,6 +10,7 @@ namespace UnityEngine.Experimental.Rendering
         R32_SInt = 41,
         R16G16B16A16_SFloat = 48,
         R32_SFloat = 49,
+        R32G32_SFloat = 50,
         R32G32B32A32_SFloat = 52,
         D32_SFloat = 93,
     }

@@ -8,6 +8,7 @@ namespace UnityEngine
         Default = 7,
         DefaultHDR = 9,
         ARGBFloat = 11,
+        RGFloat = 12,
         RFloat = 14,
         ARGBInt = 17,
         RInt = 19,

@@ -1,3 +1,4 @@
+using FastPoints.Gpu;
 using FastPoints.Rendering;
 using Unity.Entities;
 using Unity.Mathematics;
@@ -29,9 +30,29 @@ namespace FastPoints.Entities
 
         public PointShape Shape = PointShape.Square;
 
-        [Range(1, 32)]
-        [Tooltip("Edge of a point's square, diameter of its disc, in pixels.")]
-        public float SizePx = 2;
+        [Tooltip("Pixels: the same near and far. World: a length, smaller farther away. Adaptive: as far apart as points are, so " +
+            "that surfaces close.")]
+        public PointSizeMode SizeMode = PointSizeMode.Pixels;
+
+        [Min(0)]
+        [Tooltip("Edge of a point's square, diameter of its disc: in pixels; in world units; or, adaptive, in distances between points.")]
+        public float Size = 2;
+
+        [Range(1, 64)]
+        [Tooltip("No point is larger, in pixels.")]
+        public float MaxSizePx = PointSize.DefaultMaxPx;
+
+        [Range(0, 2)]
+        [Tooltip("Eye-dome lighting: shades points by how far their neighbours lie before them. 0 for none, 0.25 is usual.")]
+        public float EyeDomeLighting;
+
+        /// <summary>What points look like.</summary>
+        public PointStyle Style => new PointStyle
+        {
+            Shape = Shape,
+            Size = new PointSize { Mode = SizeMode, Value = Size, MinPx = 1, MaxPx = MaxSizePx },
+            EdlStrength = EyeDomeLighting,
+        };
 
         World m_world;
         Entity m_entity;
@@ -65,7 +86,7 @@ namespace FastPoints.Entities
                 UploadBytesPerFrame = UploadMiBPerFrame << 20,
                 SmallestNodePx = SmallestNodePx,
             });
-            m_world.EntityManager.SetComponentData(m_entity, new PointCloudStyle { Shape = Shape, SizePx = SizePx });
+            m_world.EntityManager.SetComponentData(m_entity, new PointCloudStyle { Value = Style });
         }
     }
 }

@@ -99,7 +99,7 @@ namespace FastPoints.Entities
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
-            Scene = new PointScene(resources.Points, Stream);
+            Scene = new PointScene(resources.Points, resources.Compose, Stream);
             PointScene.Current = Scene;
             return true;
         }

@@ -49,8 +49,7 @@ namespace FastPoints.Entities
         {
             using (var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp))
             {
-                scene.Shape = styles[0].Shape;
-                scene.SizePx = styles[0].SizePx;
+                scene.Style = styles[0].Value;
             }
         }
 

@@ -93,7 +93,12 @@ namespace FastPoints.Streaming
             Grid.BoxOf(source.Key, out node.Center, out node.Half);
             page.Nodes[n] = node;
             page.States[n] = new NodeState { Slot = NodeState.NoSlot, Failures = hasPoints ? 0 : NodeState.IsHole };
-            page.Places[n] = new NodePlace { Corner = Grid.Corner - Grid.Root.Corner, IsWide = Grid.IsWide };
+            page.Places[n] = new NodePlace
+            {
+                Corner = Grid.Corner - Grid.Root.Corner,
+                IsWide = Grid.IsWide,
+                Level = (byte)source.Level,
+            };
             for (int p = 0; p < Shapes.Length; p++)
                 page.Planes[n * Shapes.Length + p] = new PlaneRange
                 {

@@ -69,6 +69,8 @@ namespace FastPoints.Streaming
             Corner = choice.Records.IsWide ? corner - new Grid3(margin, margin, margin) : choice.Records.Base;
         }
 
+        public NodeCubes Cubes => new NodeCubes { Corner = CubeMin - Grid.ToGeo(Root.Corner), Size = CubeSize };
+
         /// <summary>Around a node's points and all below: from the corner of the root cube, CRS units.</summary>
         public void BoxOf(int4 key, out double3 center, out float3 half)
         {

@@ -87,6 +87,7 @@ namespace FastPoints.Streaming
         public override string Path => Reader.Info.Path;
         public override CloudGrid Grid => Grids.Grid;
         public override GridCube Root => Grids.Root;
+        public override NodeCubes Cubes => Grids.Cubes;
         public override StoreLayout Layout { get; }
         public override NativeArray<int> Planes => m_planes;
         public override NativeArray<PlaneShape> Shapes => m_shapes;

@@ -46,7 +46,7 @@ namespace FastPoints.Rendering.BuiltIn
             if (scene == null)
                 return;
             scene.Announce(camera);
-            scene.Record(commands, camera, true);
+            scene.Record(commands, camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget, true);
         }
 
         static CommandBuffer CommandsFor(Camera camera)

@@ -36,7 +36,7 @@ namespace FastPoints.Rendering.Hdrp
                 return;
             scene.Announce(camera);
             CoreUtils.SetRenderTarget(ctx.cmd, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, ClearFlag.None);
-            scene.Record(ctx.cmd, camera, true);
+            scene.Record(ctx.cmd, camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, true);
         }
     }
 }

@@ -56,7 +56,7 @@ namespace FastPoints.Rendering.Urp
             var commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
             commands.SetRenderTarget(data.Color, data.Depth);
             bool intoTexture = data.CameraData.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
-            data.Scene.Record(commands, data.CameraData.camera, intoTexture);
+            data.Scene.Record(commands, data.CameraData.camera, data.Color, data.Depth, intoTexture);
         }
 
         static void Enqueue(ScriptableRenderContext context, Camera camera)

@@ -10,6 +10,7 @@ namespace FastPoints.Gpu
     public sealed unsafe class DrawList : IDisposable
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
+        readonly SizeTree m_sizes = new SizeTree();
         NativeList<DrawListCloud> m_listed;
         NativeList<GpuCloud> m_clouds;
         NativeList<GpuNode> m_nodes;
@@ -43,6 +44,9 @@ namespace FastPoints.Gpu
         /// <summary>One for each bank that something is drawn from.</summary>
         public NativeArray<BankDraw> Draws => m_draws.AsArray();
 
+        /// <summary>What adaptive sizes are looked up in; empty where none are.</summary>
+        public NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
+
         /// <summary>Of the nodes that the camera sees.</summary>
         public long Points => m_points.Value;
 
@@ -56,8 +60,13 @@ namespace FastPoints.Gpu
         }
 
         /// <summary>Fills the list with what the stream's last frame listed.</summary>
-        public void Build(StreamContext stream, in StreamView view)
+        /// <param name="isAdaptive">Sizes are: without, <see cref="SizeNodes"/> is empty.</param>
+        public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false)
         {
+            if (isAdaptive)
+                m_sizes.Build(stream);
+            else
+                m_sizes.Clear();
             m_listed.Clear();
             m_clouds.Clear();
             for (int c = 0; c < stream.Clouds.Count; c++)
@@ -74,6 +83,7 @@ namespace FastPoints.Gpu
                     Pages = cloud.Pages,
                     View = new CloudView(view, cloud.Placement),
                     Placement = cloud.Placement,
+                    Cubes = cloud.Source.Cubes,
                     Look = m_looks[c],
                     Step = cloud.Source.Grid.Step,
                     EyeWorld = view.EyeWorld,
@@ -86,6 +96,7 @@ namespace FastPoints.Gpu
             {
                 Drawn = stream.Drawn.AsArray(),
                 Clouds = m_listed.AsArray(),
+                SizeNodeOfDrawn = m_sizes.NodeOfDrawn,
                 Nodes = m_nodes,
                 NodeOfInstance = m_nodeOfInstance,
                 Draws = m_draws,
@@ -99,6 +110,7 @@ namespace FastPoints.Gpu
         {
             if (!IsCreated)
                 return;
+            m_sizes.Dispose();
             m_listed.Dispose();
             m_clouds.Dispose();
             m_nodes.Dispose();

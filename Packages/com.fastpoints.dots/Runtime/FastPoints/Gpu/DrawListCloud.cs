@@ -11,6 +11,7 @@ namespace FastPoints.Gpu
         public HierarchyPage* Pages;
         public CloudView View;
         public CloudPlacement Placement;
+        public NodeCubes Cubes;
         public CloudLook Look;
         public double3 Step;
         public double3 EyeWorld;
@@ -18,7 +19,7 @@ namespace FastPoints.Gpu
         /// <summary>Planes that are streamed.</summary>
         public int PlaneCount;
 
-        /// <summary>The node's record, but for its first instance.</summary>
+        /// <summary>The node's record, but for its first instance, tint and place in the size tree.</summary>
         /// <param name="firstWord">Of the node's planes, in its bank.</param>
         public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
         {
@@ -31,6 +32,8 @@ namespace FastPoints.Gpu
             var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
             var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
+            var cubeCorner = Cubes.CornerAt(from->Nodes[node].Center, place.Level);
+            var cubeSize = Cubes.SizeAt(place.Level);
             var fromEye = Placement.OriginWorld - EyeWorld;
             return new GpuNode
             {
@@ -42,6 +45,8 @@ namespace FastPoints.Gpu
                 ColorWord = colorWord,
                 Cloud = (uint)cloud,
                 IsWide = place.IsWide ? 1u : 0u,
+                AnchorInCube = (float3)((anchorGrid * Step - cubeCorner) / cubeSize),
+                CubesPerStep = (float3)(Step / cubeSize),
             };
         }
 

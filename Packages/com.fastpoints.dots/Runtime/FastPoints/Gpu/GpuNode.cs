@@ -41,5 +41,15 @@ namespace FastPoints.Gpu
 
         /// <summary>Multiplies its points' colours: sRGB, red, green, blue from the lowest byte.</summary>
         public uint Tint;
+
+        /// <summary>Place of the anchor in the node's cube: from 0 to 1 along each axis.</summary>
+        public float3 AnchorInCube;
+
+        /// <summary>In the <see cref="SizeTree"/>: looked at where sizes are adaptive.</summary>
+        public uint SizeNode;
+
+        /// <summary>Edges of the cube in one grid step.</summary>
+        public float3 CubesPerStep;
+        public uint Reserved;
     }
 }

@@ -16,6 +16,9 @@ namespace FastPoints.Gpu
         /// <summary>By number of the cloud; those without pages are not drawn.</summary>
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
+        /// <summary>Of drawn nodes; empty where no size is adaptive.</summary>
+        [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
+
         public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;
         public NativeList<BankDraw> Draws;
@@ -83,6 +86,7 @@ namespace FastPoints.Gpu
                 InstanceOfBank[drawn.Run.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;
                 node.Tint = drawn.Tint;
+                node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : 0;
                 var nodeOfInstance = NodeOfInstance.GetUnsafePtr();
                 for (int block = 0; block < blocks; block++)
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;

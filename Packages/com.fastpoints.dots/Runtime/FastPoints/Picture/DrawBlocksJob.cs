@@ -1,9 +1,11 @@
+using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
@@ -29,6 +31,9 @@ namespace FastPoints.Picture
         [ReadOnly] public NativeArray<uint> Palette;
         [ReadOnly] public NativeArray<float> SizeOfTile;
 
+        /// <summary>Of a <see cref="SizeTree"/>; empty where no size is adaptive.</summary>
+        [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes;
+
         /// <summary>Of a batch of one block, positions as doubles.</summary>
         public PointDrawing Drawing;
 
@@ -39,6 +44,7 @@ namespace FastPoints.Picture
         {
             byte* batch = stackalloc byte[MaxBatchBytes];
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
+            float* gaps = stackalloc float[PlaneShape.MaxPointsPerBlock];
             var run = Runs[index];
             var planes = (PlaneView*)Planes.GetUnsafeReadOnlyPtr() + (long)index * PlaneCount;
             for (int block = 0; block < run.BlockCount; block++)
@@ -51,8 +57,24 @@ namespace FastPoints.Picture
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
                         UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
+                if (SizeNodes.Length > 0)
+                    FindGaps(run, batch, count, gaps);
                 Drawing.Draw(batch, (uint*)Palette.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
-                    (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
+                    (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels),
+                    SizeNodes.Length > 0 ? gaps : null);
+            }
+        }
+
+        void FindGaps(in BlockRun run, byte* batch, int count, float* gaps)
+        {
+            var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
+            var y = (double*)(batch + Drawing.Positions.Y.OffsetBytes);
+            var z = (double*)(batch + Drawing.Positions.Z.OffsetBytes);
+            var nodes = (GpuSizeNode*)SizeNodes.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < count; i++)
+            {
+                var place = (new double3(x[i], y[i], z[i]) - run.CubeCorner) * run.CubesPerStep;
+                gaps[i] = SizeTree.GapAt(nodes, run.SizeNode, (float3)place);
             }
         }
 

@@ -117,7 +117,6 @@ namespace FastPoints.Picture
                 Projection = drawing.Projection,
                 Background = background,
                 EdlStrength = edlStrength,
-                SizeOfTile = m_sizeOfTile,
                 Colors = m_colors,
             }.ScheduleParallel(HeightPx, 16, inputDeps);
         }

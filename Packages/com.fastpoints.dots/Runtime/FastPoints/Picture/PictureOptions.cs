@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using FastPoints.Gpu;
 
 namespace FastPoints.Picture
 {
@@ -26,6 +27,13 @@ namespace FastPoints.Picture
         /// <summary>In pixels; 0: as large as it takes for surfaces to look closed.</summary>
         public float PointSizePx;
 
+        /// <summary>In place of <see cref="PointSizePx"/>: a length in the world, or adaptive, which only clouds that are
+        /// streamed are; to others that is 0.</summary>
+        public PointSize? SizeInWorld;
+
+        /// <summary>Whether sizes are chosen from what a picture of the points shows.</summary>
+        public bool IsAutoSize => PointSizePx < 1 && SizeInWorld?.Mode != PointSizeMode.World;
+
         /// <summary>Discs in place of squares.</summary>
         public bool RoundPoints;
 
@@ -41,7 +49,7 @@ namespace FastPoints.Picture
 
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
-            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS, points=square|round, " +
+            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS|LENGTHu|adaptive, points=square|round, " +
             "edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
@@ -57,12 +65,9 @@ namespace FastPoints.Picture
                 case "up":
                     return TryName(value, out UpAxis, ref error);
                 case "size":
-                    if (value == "auto")
-                        PointSizePx = 0;
-                    else if (TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
-                        PointSizePx = number;
-                    else
-                        error = "size: wanted auto or 1 to " + PointDrawing.MaxSizePx + " pixels, got " + value;
+                    if (!TrySize(value))
+                        error = "size: wanted auto, 1 to " + PointDrawing.MaxSizePx +
+                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive; got " + value;
                     break;
                 case "points":
                     if (value != "square" && value != "round")
@@ -99,6 +104,18 @@ namespace FastPoints.Picture
 
         static bool TryNumber(string text, float min, float max, out float value) =>
             float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && value >= min && value <= max;
+
+        bool TrySize(string value)
+        {
+            float number = 0;
+            bool isLength = value.EndsWith("u", StringComparison.Ordinal) &&
+                TryNumber(value.Substring(0, value.Length - 1), float.Epsilon, float.MaxValue, out number);
+            if (value != "auto" && value != "adaptive" && !isLength && !TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
+                return false;
+            SizeInWorld = value == "adaptive" ? PointSize.Adaptive() : isLength ? PointSize.World(number) : (PointSize?)null;
+            PointSizePx = SizeInWorld.HasValue ? 0 : number;
+            return true;
+        }
 
         static bool TryColor(string text, out uint color)
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Gpu;
 using FastPoints.Points;
 
 namespace FastPoints.Picture
@@ -41,7 +42,7 @@ namespace FastPoints.Picture
         public float SizePx { get; set; }
 
         /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
-        public bool WantsAutoSize => m_options.PointSizePx < 1;
+        public bool WantsAutoSize => m_options.IsAutoSize;
 
         /// <summary>What was assumed for want of better: a line for people each.</summary>
         public List<string> Assumptions { get; }
@@ -52,12 +53,16 @@ namespace FastPoints.Picture
         /// <summary>The drawing, on a canvas with its sizes set, of points that lie in batches like this one.</summary>
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
+            var world = m_options.SizeInWorld.GetValueOrDefault();
+            bool hasOwnSize = world.Mode == PointSizeMode.World;
             return new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
                 Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform),
-                LargestPx = canvas.LargestPx,
+                LargestPx = hasOwnSize ? world.MaxPx : canvas.LargestPx,
+                HasOwnSize = hasOwnSize,
+                Size = world,
                 IsRound = m_options.RoundPoints,
             };
         }

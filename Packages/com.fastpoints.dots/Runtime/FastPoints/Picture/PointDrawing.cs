@@ -1,4 +1,6 @@
+using System.Runtime.CompilerServices;
 using System.Threading;
+using FastPoints.Gpu;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -9,9 +11,9 @@ namespace FastPoints.Picture
     /// colour, of which the smallest wins:
     /// <code>
     /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
-    ///     depth (ordered)     alpha     blue      green    red
+    ///     depth (ordered)     radius    blue      green    red
     /// </code>
-    /// so that a picture depends on no order and on no number of threads; of two points at one depth the smaller colour
+    /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on no order and on no number of threads; of two points at one depth the smaller colour
     /// stays. Blittable, for jobs.
     /// </summary>
     public struct PointDrawing
@@ -25,8 +27,12 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public ColorMapping Colors;
 
-        /// <summary>Largest size of any tile; 1 is drawn faster.</summary>
+        /// <summary>Largest size of any point; 1 is drawn faster.</summary>
         public float LargestPx;
+
+        /// <summary>The size of points is <see cref="Size"/>, whatever their tiles' is.</summary>
+        public bool HasOwnSize;
+        public PointSize Size;
 
         /// <summary>Discs in place of squares.</summary>
         public bool IsRound;
@@ -36,8 +42,9 @@ namespace FastPoints.Picture
         /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of
         /// <see cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
         /// <param name="pixels">Width times height of them, row by row from the top.</param>
+        /// <param name="gaps">By point of those drawn: see <see cref="PointSize.ToPx"/>. Null where no size is adaptive.</param>
         public readonly unsafe void Draw(byte* bytes, uint* palette, float* sizeOfTile, int first, int count,
-            ulong* pixels)
+            ulong* pixels, float* gaps = null)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
@@ -51,7 +58,7 @@ namespace FastPoints.Picture
                 if (LargestPx <= 1)
                     DrawPixels(x, y, z, colors, run, pixels);
                 else
-                    DrawSplats(x, y, z, colors, run, sizeOfTile, pixels);
+                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels);
             }
         }
 
@@ -65,13 +72,12 @@ namespace FastPoints.Picture
                     continue;
                 if (!(xPx >= 0 && xPx < widthPx && yPx >= 0 && yPx < heightPx))
                     continue;
-                ulong key = (ulong)PointProjection.DepthToBits(depth) << 32 | colors[i];
-                Lower(pixels + ((long)(int)yPx * width + (int)xPx), key);
+                Lower(pixels + ((long)(int)yPx * width + (int)xPx), KeyOf(depth, 1, colors[i]));
             }
         }
 
         readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
-            ulong* pixels)
+            float* gaps, ulong* pixels)
         {
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
@@ -82,10 +88,19 @@ namespace FastPoints.Picture
                     continue;
                 if (!(xPx >= -mostHalf && xPx < width + mostHalf && yPx >= -mostHalf && yPx < height + mostHalf))
                     continue;
-                int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
-                int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
-                double half = sizeOfTile[tileY * tilesAcross + tileX] * 0.5;
-                ulong key = (ulong)PointProjection.DepthToBits(depth) << 32 | colors[i];
+                float size;
+                if (HasOwnSize)
+                {
+                    size = Size.ToPx(gaps == null ? 0 : gaps[i], (float)Projection.PixelsPerUnitAt(depth));
+                }
+                else
+                {
+                    int tileX = math.clamp((int)xPx, 0, width - 1) / PointSizing.TileEdgePx;
+                    int tileY = math.clamp((int)yPx, 0, height - 1) / PointSizing.TileEdgePx;
+                    size = sizeOfTile[tileY * tilesAcross + tileX];
+                }
+                double half = size * 0.5;
+                ulong key = KeyOf(depth, PointSizing.RadiusOf(size), colors[i]);
 
                 // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
                 int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
@@ -105,6 +120,10 @@ namespace FastPoints.Picture
                 }
             }
         }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static ulong KeyOf(float depth, uint radiusPx, uint color) =>
+            (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
         /// <summary>The smaller of two stays, whatever other threads do. Pixels only ever fall, so a value read too early costs
         /// one more round; the plain read is whole on 64-bit processors.</summary>

@@ -55,6 +55,10 @@ namespace FastPoints.Picture
             return (IsOrthographic || forward > 0) & depth - depth == 0;
         }
 
+        /// <summary>Of a unit at a depth, in pixels.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly double PixelsPerUnitAt(float depth) => IsOrthographic ? ScalePx : ScalePx / depth;
+
         /// <summary>Float bits that order as the floats do, for either sign: smaller is nearer.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint DepthToBits(float depth)

@@ -36,6 +36,9 @@ namespace FastPoints.Picture
         public static double DensityOf(int pixelsDrawn) =>
             -math.log(1 - math.min(pixelsDrawn, PixelsPerTile - 0.5) / PixelsPerTile);
 
+        /// <summary>How far eye-dome lighting looks around a point of a size, in whole pixels.</summary>
+        public static uint RadiusOf(float sizePx) => (uint)math.max(1, (int)(sizePx * 0.5f + 0.5f));
+
         /// <summary>A tile's size within its bounds.</summary>
         public static float Limit(float size, float typical) =>
             math.clamp(size, MinPx, math.min(MaxPx, MostOfTypical * typical + 1));

@@ -12,7 +12,7 @@ namespace FastPoints.Picture
     /// </summary>
     /// <remarks>
     /// Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the same
-    /// for any unit, scale and field of view. It multiplies the encoded sRGB values, which is light to the power of 2.2.
+    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. It multiplies the encoded sRGB values, which is light to the power of 2.2.
     /// </remarks>
     [BurstCompile]
     public struct ResolvePictureJob : IJobFor
@@ -29,9 +29,6 @@ namespace FastPoints.Picture
         /// <summary>0: no eye-dome lighting.</summary>
         public float EdlStrength;
 
-        /// <summary>Sizes of points: neighbours are looked at half a size away, at least at 1 pixel.</summary>
-        [ReadOnly] public NativeArray<float> SizeOfTile;
-
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
 
         public void Execute(int index)
@@ -44,7 +41,7 @@ namespace FastPoints.Picture
                 if (pixel == PointDrawing.EmptyPixel)
                     Colors[row + x] = Background;
                 else if (EdlStrength <= 0)
-                    Colors[row + x] = (uint)pixel;
+                    Colors[row + x] = (uint)pixel | 0xFF000000u;
                 else
                     Colors[row + x] = Darken((uint)pixel, Shade(x, index, pixel));
             }
@@ -53,10 +50,8 @@ namespace FastPoints.Picture
         float Shade(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
-            int tile = y / PointSizing.TileEdgePx * PointSizing.TilesAlong(Projection.WidthPx) + x / PointSizing.TileEdgePx;
-            int radiusPx = math.max(1, (int)(SizeOfTile[tile] * 0.5f + 0.5f));
-            float scalePx = (float)Projection.ScalePx / radiusPx;
-            float pixelsPerUnit = Projection.IsOrthographic ? scalePx : scalePx / depth;
+            int radiusPx = (int)(pixel >> 24 & 0xFF);
+            float pixelsPerUnit = (float)Projection.PixelsPerUnitAt(depth) / radiusPx;
             float sum = 0;
             for (int dy = -1; dy <= 1; dy++)
             {
@@ -83,7 +78,7 @@ namespace FastPoints.Picture
             uint red = (uint)((color & 255) * shade + 0.5f);
             uint green = (uint)((color >> 8 & 255) * shade + 0.5f);
             uint blue = (uint)((color >> 16 & 255) * shade + 0.5f);
-            return red | green << 8 | blue << 16 | color & 0xFF000000u;
+            return red | green << 8 | blue << 16 | 0xFF000000u;
         }
     }
 }

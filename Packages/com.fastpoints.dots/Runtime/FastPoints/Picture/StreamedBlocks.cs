@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -61,6 +62,8 @@ namespace FastPoints.Picture
             m_planes = new NativeList<PlaneView>(Allocator.Persistent);
         }
 
+        public StreamContext Stream => m_stream;
+
         /// <summary>How the cloud's points are drawn for a camera in the world that the stream's placements lead to.</summary>
         public PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
         {
@@ -79,19 +82,38 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Draws what the last frame listed. The stream must not run until the job is complete.</summary>
-        public JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, JobHandle inputDeps)
+        /// <param name="sizes">Of that frame; looked at where sizes are adaptive.</param>
+        public JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
         {
             var cloud = m_stream.Clouds[m_cloud];
+            var cubes = cloud.Source.Cubes;
+            var step = cloud.Source.Grid.Step;
+            var drawing = DrawingFor(camera, canvas);
+            if (sizes.Nodes.Length > 0)
+            {
+                drawing.HasOwnSize = true;
+                drawing.LargestPx = drawing.Size.MaxPx;
+            }
             int planes = cloud.Source.Planes.Length;
             m_runs.Clear();
             m_planes.Clear();
-            foreach (var drawn in m_stream.Drawn)
+            for (int i = 0; i < m_stream.Drawn.Length; i++)
             {
+                var drawn = m_stream.Drawn[i];
                 if (drawn.Cloud != m_cloud)
                     continue;
+                var place = cloud.Pages[drawn.Page].Places[drawn.Node];
+                var center = cloud.Pages[drawn.Page].Nodes[drawn.Node].Center;
                 byte* at = m_pool.AddressOf(drawn.Run);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                m_runs.Add(new BlockRun { Corner = cloud.Pages[drawn.Page].Places[drawn.Node].Corner, BlockCount = blocks });
+                m_runs.Add(new BlockRun
+                {
+                    Corner = place.Corner,
+                    BlockCount = blocks,
+                    SizeNode = sizes.Nodes.Length > 0 ? sizes.NodeOfDrawn[i] : 0,
+                    CubeCorner = cubes.CornerAt(center, place.Level) / step,
+                    CubesPerStep = step / cubes.SizeAt(place.Level),
+                });
                 for (int p = 0; p < planes; p++)
                 {
                     m_planes.Add(new PlaneView(at, cloud.ShapeOf(drawn.Page, drawn.Node, p), blocks));
@@ -107,7 +129,8 @@ namespace FastPoints.Picture
                 Targets = m_targets,
                 Palette = canvas.Palette,
                 SizeOfTile = canvas.SizeOfTile,
-                Drawing = DrawingFor(camera, canvas),
+                SizeNodes = sizes.Nodes,
+                Drawing = drawing,
                 Pixels = canvas.Pixels,
             }.ScheduleParallel(m_runs.Length, 1, inputDeps);
         }

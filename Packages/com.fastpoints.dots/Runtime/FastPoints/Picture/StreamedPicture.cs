@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Gpu;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
@@ -12,6 +14,8 @@ namespace FastPoints.Picture
         readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
         readonly PictureOptions m_options;
         readonly PictureCanvas m_canvas;
+        readonly SizeTree m_sizes = new SizeTree();
+        float m_edlStrength;
 
         public StreamedPicture(PictureOptions options)
         {
@@ -25,6 +29,7 @@ namespace FastPoints.Picture
         public void Add(StreamedBlocks blocks, ColorMode mode)
         {
             m_clouds.Add(blocks);
+            m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
             if (m_clouds.Count == 1 || mode != ColorMode.Rgb)
                 m_canvas.UsePalette(mode);
         }
@@ -33,8 +38,11 @@ namespace FastPoints.Picture
         public RgbaImage Draw(in Camera camera)
         {
             m_canvas.Clear();
-            bool isAuto = m_options.PointSizePx < 1;
-            m_canvas.UseSize(isAuto ? PointSizing.MinPx : m_options.PointSizePx);
+            bool isAdaptive = m_options.SizeInWorld?.Mode == PointSizeMode.Adaptive;
+            bool isAuto = m_options.IsAutoSize && !isAdaptive;
+            if (isAdaptive && m_clouds.Count > 0)
+                m_sizes.Build(m_clouds[0].Stream);
+            m_canvas.UseSize(math.max(PointSizing.MinPx, m_options.PointSizePx));
             var drawn = DrawAll(camera, default);
             if (isAuto)
             {
@@ -46,8 +54,7 @@ namespace FastPoints.Picture
             {
                 Projection = new PointProjection(camera, PositionTransform.Identity, m_canvas.WidthPx, m_canvas.HeightPx),
             };
-            float edl = m_options.EdlStrength > 0 ? m_options.EdlStrength : 0;
-            m_canvas.ScheduleResolve(projection, m_options.Background, edl, drawn).Complete();
+            m_canvas.ScheduleResolve(projection, m_options.Background, m_edlStrength, drawn).Complete();
             return m_canvas.ToImage();
         }
 
@@ -56,12 +63,13 @@ namespace FastPoints.Picture
             foreach (var cloud in m_clouds)
                 cloud.Dispose();
             m_canvas.Dispose();
+            m_sizes.Dispose();
         }
 
         JobHandle DrawAll(in Camera camera, JobHandle inputDeps)
         {
             foreach (var cloud in m_clouds)
-                inputDeps = JobHandle.CombineDependencies(inputDeps, cloud.ScheduleDraw(camera, m_canvas, default));
+                inputDeps = JobHandle.CombineDependencies(inputDeps, cloud.ScheduleDraw(camera, m_canvas, m_sizes, default));
             return inputDeps;
         }
     }

@@ -7,6 +7,10 @@ namespace FastPoints.Streaming
         public int Page;
         public int Node;
 
+        /// <summary>Place of the node above it among those that are drawn; -1 where that one is not drawn, or there is
+        /// none.</summary>
+        public int Parent;
+
         /// <summary>Its place in the <see cref="NodeCache"/>.</summary>
         public int Slot;
 

@@ -102,9 +102,9 @@ namespace FastPoints.Streaming
         static void ListDraws(StreamContext stream, ref FrameStats stats)
         {
             var selected = stream.Selector.Selected;
-            var isShown = stream.IsShown;
+            var drawnOfSelected = stream.DrawnOfSelected;
             var drawn = stream.Drawn;
-            isShown.Clear();
+            drawnOfSelected.Clear();
             drawn.Clear();
             bool isAll = true;
             for (int i = 0; i < selected.Length; i++)
@@ -112,21 +112,28 @@ namespace FastPoints.Streaming
                 var node = selected[i];
                 var page = stream.Clouds[node.Cloud].Pages + node.Page;
                 var state = page->States + node.Node;
-                bool isParentShown = node.Parent < 0 || isShown[node.Parent];
+                int parent = node.Parent < 0 ? StreamContext.NotDrawn : drawnOfSelected[node.Parent];
                 bool isHole = state->Slot == NodeState.NoSlot && page->IsHole(node.Node);
                 bool isComplete = state->Slot != NodeState.NoSlot && stream.Cache[state->Slot].Phase == CachePhase.Resident;
-                isShown.Add(isParentShown && (isHole || isComplete));
                 isAll &= isHole || isComplete;
-                if (!isParentShown || !isComplete)
+                if (parent == StreamContext.NotShown || !(isHole || isComplete))
+                {
+                    drawnOfSelected.Add(StreamContext.NotShown);
                     continue;
+                }
+                if (isHole || stream.Cache[state->Slot].IsHidden)
+                {
+                    drawnOfSelected.Add(StreamContext.NotDrawn);
+                    continue;
+                }
                 var slot = stream.Cache[state->Slot];
-                if (slot.IsHidden)
-                    continue;
+                drawnOfSelected.Add(drawn.Length);
                 drawn.Add(new DrawnNode
                 {
                     Cloud = node.Cloud,
                     Page = node.Page,
                     Node = node.Node,
+                    Parent = parent,
                     Slot = state->Slot,
                     Run = slot.Run,
                     Tint = slot.Tint,

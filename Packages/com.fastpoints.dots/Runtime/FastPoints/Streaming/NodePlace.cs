@@ -10,5 +10,8 @@ namespace FastPoints.Streaming
 
         /// <summary>Positions are 64-bit columns.</summary>
         public bool IsWide;
+
+        /// <summary>Of the node's cube: see <see cref="NodeCubes"/>.</summary>
+        public byte Level;
     }
 }

@@ -17,6 +17,7 @@ namespace FastPoints.Streaming
         public abstract string Path { get; }
         public abstract CloudGrid Grid { get; }
         public abstract GridCube Root { get; }
+        public abstract NodeCubes Cubes { get; }
         public abstract StoreLayout Layout { get; }
 
         /// <summary>The planes that are streamed, as indices in <see cref="Layout"/>, rising; position is the first.</summary>

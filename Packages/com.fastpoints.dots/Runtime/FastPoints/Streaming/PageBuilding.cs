@@ -39,7 +39,12 @@ namespace FastPoints.Streaming
                 // Only what hangs on the upper levels has pages of its own.
                 page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
-                page.Places[n] = new NodePlace { Corner = records[n].Corner - grid.Corner, IsWide = records[n].IsWide };
+                page.Places[n] = new NodePlace
+                {
+                    Corner = records[n].Corner - grid.Corner,
+                    IsWide = records[n].IsWide,
+                    Level = (byte)(grid.RootSideLog2 - records[n].SideLog2),
+                };
                 for (int p = 0; p < wantedCount; p++)
                     page.Planes[n * wantedCount + p] = ranges[(long)n * planesInTable + wanted[p]];
             }

@@ -9,6 +9,7 @@ namespace FastPoints.Streaming
     {
         public Grid3 Corner;
         public double3 Step;
+        public int RootSideLog2;
         public Grid3 BoundsMin;
         public Grid3 BoundsMax;
 
@@ -16,6 +17,7 @@ namespace FastPoints.Streaming
         {
             Corner = manifest.Root.Corner;
             Step = manifest.Grid.Step;
+            RootSideLog2 = manifest.Root.SideLog2;
             BoundsMin = manifest.BoundsMin;
             BoundsMax = manifest.BoundsMax;
         }

@@ -33,7 +33,7 @@ namespace FastPoints.Streaming
             Reads = new NodeReads(this);
             Uploads = new NodeUploads(this);
             Drawn = new NativeList<DrawnNode>(1024, Allocator.Persistent);
-            IsShown = new NativeList<bool>(1024, Allocator.Persistent);
+            DrawnOfSelected = new NativeList<int>(1024, Allocator.Persistent);
         }
 
         public StreamSettings Settings { get; } = new StreamSettings();
@@ -50,8 +50,14 @@ namespace FastPoints.Streaming
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
 
-        /// <summary>By selected node: whether it and all above it can be drawn.</summary>
-        public NativeList<bool> IsShown { get; }
+        /// <summary>By selected node: its place in <see cref="Drawn"/>; <see cref="NotDrawn"/>; or <see cref="NotShown"/>.</summary>
+        public NativeList<int> DrawnOfSelected { get; }
+
+        /// <summary>A hole, or hidden: what is below it can be drawn.</summary>
+        public const int NotDrawn = -1;
+
+        /// <summary>It, or something above it, is not there yet.</summary>
+        public const int NotShown = -2;
 
         public bool IsDisposed { get; private set; }
 
@@ -206,7 +212,7 @@ namespace FastPoints.Streaming
             Cache.Dispose();
             Pool.Dispose();
             Drawn.Dispose();
-            IsShown.Dispose();
+            DrawnOfSelected.Dispose();
         }
 
         void ReleaseIfStill(int slot)

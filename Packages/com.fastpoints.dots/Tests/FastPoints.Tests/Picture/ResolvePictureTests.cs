@@ -14,7 +14,6 @@ namespace FastPoints.Tests.Picture
         {
             using var pixels = new NativeArray<ulong>(depths.Length, Allocator.Persistent);
             using var colors = new NativeArray<uint>(depths.Length, Allocator.Persistent);
-            using var sizes = new NativeArray<float>(PointSizing.TilesAlong(depths.Length), Allocator.Persistent);
             var keys = pixels;
             for (int i = 0; i < depths.Length; i++)
                 keys[i] = float.IsNaN(depths[i])
@@ -26,7 +25,6 @@ namespace FastPoints.Tests.Picture
                 Projection = new PointProjection { WidthPx = depths.Length, HeightPx = 1, IsOrthographic = true, ScalePx = 1 },
                 Background = background,
                 EdlStrength = strength,
-                SizeOfTile = sizes,
                 Colors = colors,
             }.Schedule(1, default).Complete();
             return colors.ToArray();

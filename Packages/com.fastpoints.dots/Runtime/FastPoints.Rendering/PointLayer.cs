@@ -1,0 +1,42 @@
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>A layer that holds points alone, for what looks at a point's neighbours: drawn first, then composed into the
+    /// camera's picture, with its depth. So it needs nothing of the picture's own targets.</summary>
+    sealed class PointLayer
+    {
+        readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
+        readonly RenderTargetIdentifier[] m_targets = { ShaderNames.LayerColor, ShaderNames.LayerDepth };
+
+        /// <summary>What is recorded from here on is drawn into the layer.</summary>
+        public void Begin(CommandBuffer commands, in RenderView view)
+        {
+            commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
+            commands.GetTemporaryRT(ShaderNames.LayerDepth, Describe(view, GraphicsFormat.R32G32_SFloat, GraphicsFormat.None));
+            commands.GetTemporaryRT(ShaderNames.LayerDevice, Describe(view, GraphicsFormat.None, GraphicsFormat.D32_SFloat));
+            commands.SetRenderTarget(m_targets, ShaderNames.LayerDevice);
+            commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
+        }
+
+        /// <summary>Draws the layer into the camera's picture, and gives it back.</summary>
+        public void End(CommandBuffer commands, in RenderView view, Material compose)
+        {
+            commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, -1);
+            commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
+            m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            m_properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
+            m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
+            m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
+            commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerDepth);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
+        }
+
+        static RenderTextureDescriptor Describe(in RenderView view, GraphicsFormat color, GraphicsFormat depth) =>
+            new RenderTextureDescriptor(view.WidthPx, view.HeightPx, color, depth);
+    }
+}

@@ -1,0 +1,20 @@
+Shader "Hidden/FastPoints/Compose"
+{
+    SubShader
+    {
+        Pass
+        {
+            Name "Compose"
+            ZWrite On
+            ZTest LEqual
+            Cull Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex FastPointsComposeVertex
+            #pragma fragment FastPointsComposeFragment
+            #include "Packages/com.fastpoints.dots/Shaders/ComposePass.hlsl"
+            ENDHLSL
+        }
+    }
+}

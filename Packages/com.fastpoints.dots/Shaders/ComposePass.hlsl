@@ -1,0 +1,77 @@
+// From a layer of points (FASTPOINTS_LAYERED in PointPass.hlsl) to the camera's picture: eye-dome lighting as in
+// FastPoints.Picture.ResolvePictureJob, and depth against what else the picture has.
+#ifndef FASTPOINTS_COMPOSE_PASS_INCLUDED
+#define FASTPOINTS_COMPOSE_PASS_INCLUDED
+
+#include "PointValues.hlsl"
+
+// ResolvePictureJob.MaxDifferencePx.
+#define FASTPOINTS_MOST_BEFORE_PX 12.0
+
+// sRGB; alpha: radius of the point in 255ths, 0 where there is none.
+Texture2D<float4> _FastPointsLayerColor;
+
+// Depth in world units along the view's direction, and the device's.
+Texture2D<float2> _FastPointsLayerDepth;
+
+// Width and height of the layer in pixels.
+float2 _FastPointsScreenPx;
+
+// 0: none.
+float _FastPointsEdlStrength;
+
+// x: pixels of a world unit at a depth of one; at any depth where y is 1 (orthographic).
+float2 _FastPointsScalePx;
+
+// 1: colours are written as light, not as sRGB.
+uint _FastPointsIsLinear;
+
+struct FastPointsComposed
+{
+    float4 Color : SV_Target;
+    float Depth : SV_Depth;
+};
+
+// A triangle that covers the picture.
+float4 FastPointsComposeVertex(uint vertex : SV_VertexID) : SV_POSITION
+{
+    return float4(vertex == 1u ? 3.0 : -1.0, vertex == 2u ? 3.0 : -1.0, 0.5, 1.0);
+}
+
+// How far the eight pixels around lie before this one, in pixels.
+float FastPointsBeforePx(int2 pixel, float depth, int radius)
+{
+    float pixelsPerUnit = _FastPointsScalePx.x / (_FastPointsScalePx.y != 0.0 ? 1.0 : depth) / float(radius);
+    float before = 0.0;
+    for (int y = -1; y <= 1; y++)
+    {
+        for (int x = -1; x <= 1; x++)
+        {
+            int2 beside = pixel + int2(x, y) * radius;
+            if (beside.x < 0 || beside.y < 0 || beside.x >= int(_FastPointsScreenPx.x) || beside.y >= int(_FastPointsScreenPx.y))
+                continue;
+            if (_FastPointsLayerColor.Load(int3(beside, 0)).w == 0.0)
+                continue;
+            float between = depth - _FastPointsLayerDepth.Load(int3(beside, 0)).x;
+            before += clamp(between * pixelsPerUnit, 0.0, FASTPOINTS_MOST_BEFORE_PX);
+        }
+    }
+    return before;
+}
+
+FastPointsComposed FastPointsComposeFragment(float4 position : SV_POSITION)
+{
+    int2 pixel = int2(position.xy);
+    float4 color = _FastPointsLayerColor.Load(int3(pixel, 0));
+    if (color.w == 0.0)
+        discard;
+    float2 depth = _FastPointsLayerDepth.Load(int3(pixel, 0));
+    float before = FastPointsBeforePx(pixel, depth.x, int(color.w * 255.0 + 0.5));
+    color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);
+    FastPointsComposed composed;
+    composed.Color = float4(_FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color.xyz) : color.xyz, 1.0);
+    composed.Depth = depth.y;
+    return composed;
+}
+
+#endif
