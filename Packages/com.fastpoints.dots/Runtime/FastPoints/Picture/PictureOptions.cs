@@ -49,7 +49,7 @@ namespace FastPoints.Picture
 
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
-            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS|LENGTHu|adaptive, points=square|round, " +
+            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round, " +
             "edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
@@ -67,7 +67,8 @@ namespace FastPoints.Picture
                 case "size":
                     if (!TrySize(value))
                         error = "size: wanted auto, 1 to " + PointDrawing.MaxSizePx +
-                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive; got " + value;
+                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances between points as in " +
+                            "adaptive:1.2; got " + value;
                     break;
                 case "points":
                     if (value != "square" && value != "round")
@@ -107,13 +108,21 @@ namespace FastPoints.Picture
 
         bool TrySize(string value)
         {
+            const string adaptive = "adaptive", ofGaps = adaptive + ":";
             float number = 0;
-            bool isLength = value.EndsWith("u", StringComparison.Ordinal) &&
-                TryNumber(value.Substring(0, value.Length - 1), float.Epsilon, float.MaxValue, out number);
-            if (value != "auto" && value != "adaptive" && !isLength && !TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
+            PointSize? inWorld = null;
+            if (value == adaptive)
+                inWorld = PointSize.Adaptive();
+            else if (value.StartsWith(ofGaps, StringComparison.Ordinal) &&
+                TryNumber(value.Substring(ofGaps.Length), 0.01f, 100, out number))
+                inWorld = PointSize.Adaptive(number);
+            else if (value.EndsWith("u", StringComparison.Ordinal) &&
+                TryNumber(value.Substring(0, value.Length - 1), float.Epsilon, float.MaxValue, out number))
+                inWorld = PointSize.World(number);
+            else if (value != "auto" && !TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
                 return false;
-            SizeInWorld = value == "adaptive" ? PointSize.Adaptive() : isLength ? PointSize.World(number) : (PointSize?)null;
-            PointSizePx = SizeInWorld.HasValue ? 0 : number;
+            SizeInWorld = inWorld;
+            PointSizePx = inWorld.HasValue ? 0 : number;
             return true;
         }
 

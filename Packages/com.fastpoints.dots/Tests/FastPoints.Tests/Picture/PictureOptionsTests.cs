@@ -1,3 +1,4 @@
+using FastPoints.Gpu;
 using FastPoints.Picture;
 using NUnit.Framework;
 
@@ -24,10 +25,27 @@ namespace FastPoints.Tests.Picture
             Assert.That(options.UpAxis, Is.EqualTo(UpAxis.Y));
         }
 
+        [TestCase("2", PointSizeMode.Pixels, 2)]
+        [TestCase("0.25u", PointSizeMode.World, 0.25f)]
+        [TestCase("adaptive", PointSizeMode.Adaptive, PointSize.DefaultGaps)]
+        [TestCase("adaptive:1.2", PointSizeMode.Adaptive, 1.2f)]
+        public void TrySetStyle_Sizes_AreOfTheirKind(string value, PointSizeMode mode, float size)
+        {
+            var options = new PictureOptions();
+            Assert.That(options.TrySetStyle("size", "adaptive", out string error), Is.True, error);
+            Assert.That(options.TrySetStyle("size", value, out error), Is.True, error);
+            Assert.That(options.SizeInWorld?.Mode ?? PointSizeMode.Pixels, Is.EqualTo(mode));
+            Assert.That(options.SizeInWorld?.Value ?? options.PointSizePx, Is.EqualTo(size));
+        }
+
         [TestCase("color", "pink")]
         [TestCase("color", "3")]
         [TestCase("size", "0")]
         [TestCase("size", "-")]
+        [TestCase("size", "u")]
+        [TestCase("size", "-1u")]
+        [TestCase("size", "adaptive:")]
+        [TestCase("size", "adaptive:0")]
         [TestCase("points", "flat")]
         [TestCase("edl", "-1")]
         [TestCase("background", "12345")]

@@ -8,6 +8,7 @@ namespace FastPoints.Tests.Picture
     public class ResolvePictureTests
     {
         const uint White = 0xFFFFFFFF;
+        const uint RadiusOfOne = 1 << 24;
 
         /// <summary>A row of pixels with these depths (NaN: none), orthographic, one unit a pixel.</summary>
         static uint[] Resolve(float strength, uint background, params float[] depths)
@@ -18,7 +19,7 @@ namespace FastPoints.Tests.Picture
             for (int i = 0; i < depths.Length; i++)
                 keys[i] = float.IsNaN(depths[i])
                     ? PointDrawing.EmptyPixel
-                    : (ulong)PointProjection.DepthToBits(depths[i]) << 32 | White;
+                    : (ulong)PointProjection.DepthToBits(depths[i]) << 32 | RadiusOfOne | White & 0xFFFFFF;
             new ResolvePictureJob
             {
                 Pixels = pixels,
