@@ -76,6 +76,7 @@ namespace FastPoints.Cli
             run.Progress.Begin("stream");
             var shaders = new GpuShaders();
             using var stream = new StreamContext(shaders.CreatePool(1L << 30, Bank, Upload));
+            stream.SetClipBoxes(options.ClipBoxes);
             stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
             using var picture = new GpuPicture(shaders, stream, options);
             var assumptions = new List<string>();

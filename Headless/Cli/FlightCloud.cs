@@ -21,11 +21,6 @@ namespace FastPoints.Cli
         /// <summary>Points of the upper levels that decide on colours and ranges.</summary>
         const int PointsToPlanWith = DrawStored.PointsToPlanWith;
 
-        static readonly string[] s_attributes =
-        [
-            AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Intensity, AttributeNames.Classification,
-        ];
-
         /// <summary>Adds a cloud to a stream.</summary>
         /// <returns>What it looks like.</returns>
         public static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
@@ -43,9 +38,9 @@ namespace FastPoints.Cli
                     return AddSample(reader, stream, options, cancellation, out ranges, out number);
                 WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
                 ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
-                using (var batch = ReadTop(reader))
+                using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color)))
                     WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
-                var source = new TreeSource(reader, CloudLooks.PlanesFor(ranges.Resolve(options.Color)));
+                var source = new TreeSource(reader, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
                 var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
                 number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
                 return plan;
@@ -70,7 +65,7 @@ namespace FastPoints.Cli
                 ranges = preview.Ranges;
                 sample = new SampleReader(preview.Sample, reader.Info.Path);
             }
-            var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color)));
+            var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
         }
@@ -81,7 +76,7 @@ namespace FastPoints.Cli
             var folder = CloudFolder.Open(path);
             try
             {
-                var schema = LoadNodes.SchemaFor(folder, s_attributes);
+                var schema = LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(options.Color));
                 var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
                 ranges = new DisplayRanges();
                 using (var selection = new NodeSelection(folder))
@@ -92,7 +87,7 @@ namespace FastPoints.Cli
                     WorkPump.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
                 }
                 var plan = new PicturePlan(options, ranges, transform);
-                var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode));
+                var source = new FolderSource(folder, CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty));
                 number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
                 return plan;
             }
@@ -104,7 +99,7 @@ namespace FastPoints.Cli
         }
 
         /// <summary>The points of the upper levels, as far as they are needed; nodes that are damaged give what they have.</summary>
-        static PointBatch ReadTop(PointReader reader)
+        static PointBatch ReadTop(PointReader reader, string[] attributes)
         {
             var blocks = new List<int>();
             int points = 0, most = 1;
@@ -116,7 +111,7 @@ namespace FastPoints.Cli
                 points += reader.Tree[node].PointCount;
                 most = Math.Max(most, reader.Tree[node].PointCount);
             }
-            var schema = reader.Info.Schema.Select([AttributeNames.X, AttributeNames.Y, AttributeNames.Z, .. s_attributes]);
+            var schema = reader.Info.Schema.Select([AttributeNames.X, AttributeNames.Y, AttributeNames.Z, .. attributes]);
             var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
             using var read = reader.CreateRead(schema, most, Allocator.Persistent);
             foreach (int block in blocks)

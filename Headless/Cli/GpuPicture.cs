@@ -41,10 +41,10 @@ namespace FastPoints.Cli
         public override void Add(int cloud, PicturePlan plan)
         {
             m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
-            m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source));
+            m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses));
             if (m_hasPalette && plan.Mode == ColorMode.Rgb)
                 return;
-            using var palette = Palettes.Create(plan.Mode, Allocator.Temp);
+            using var palette = Palettes.Create(plan.Mode, Allocator.Temp, plan.Gradient);
             m_renderer.SetPalette(palette);
             m_hasPalette = true;
         }

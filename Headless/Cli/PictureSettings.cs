@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using FastPoints.Picture;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Cli
@@ -37,8 +38,28 @@ namespace FastPoints.Cli
             Description = PictureOptions.StyleHelp + ".",
         };
 
-        public PictureSettings(Command command)
+        readonly Option<string[]> m_clip = new("--clip")
         {
+            HelpName = "x,y,z,X,Y,Z",
+            Description = "Draw only what is in the box between two corners, or in any of several (of converted clouds and octrees).",
+        };
+        readonly Option<string[]> m_cut = new("--cut")
+        {
+            HelpName = "x,y,z,X,Y,Z",
+            Description = "Leave out what is in the box.",
+        };
+
+        readonly bool m_canFilter;
+
+        /// <param name="canFilter">Whether the verb streams clouds, which can be clipped, and shown by class.</param>
+        public PictureSettings(Command command, bool canFilter)
+        {
+            m_canFilter = canFilter;
+            if (canFilter)
+            {
+                command.Add(m_clip);
+                command.Add(m_cut);
+            }
             command.Add(m_size);
             command.Add(m_eye);
             command.Add(m_target);
@@ -56,6 +77,12 @@ namespace FastPoints.Cli
             if (!(options.FovDegrees > 0 && options.FovDegrees < 180))
                 throw new UsageException("--fov: wanted more than 0 and less than 180 degrees");
             ReadStyle(parsed.GetValue(m_style), options);
+            if (!m_canFilter && options.IsFiltered)
+                throw new UsageException("--style: classes can be chosen by the verbs picture and fly, of converted clouds");
+            foreach (string box in m_canFilter ? parsed.GetValue(m_clip) ?? [] : [])
+                options.ClipBoxes.Add(Box("--clip", box, false));
+            foreach (string box in m_canFilter ? parsed.GetValue(m_cut) ?? [] : [])
+                options.ClipBoxes.Add(Box("--cut", box, true));
 
             string? eye = parsed.GetValue(m_eye), target = parsed.GetValue(m_target), view = parsed.GetValue(m_view);
             if ((eye == null) != (target == null))
@@ -106,16 +133,29 @@ namespace FastPoints.Cli
 
         static double3 Position(string option, string text)
         {
+            var numbers = Numbers(text);
+            return numbers.Length == 3 ? new double3(numbers[0], numbers[1], numbers[2])
+                : throw new UsageException(option + ": wanted x,y,z, got " + text);
+        }
+
+        static ClipBox Box(string option, string text, bool cuts)
+        {
+            var numbers = Numbers(text);
+            return numbers.Length == 6 ? new ClipBox(new double3(numbers[0], numbers[1], numbers[2]),
+                new double3(numbers[3], numbers[4], numbers[5]), cuts)
+                : throw new UsageException(option + ": wanted x,y,z,X,Y,Z, got " + text);
+        }
+
+        /// <summary>None where any is no number.</summary>
+        static double[] Numbers(string text)
+        {
             var parts = text.Split(',');
-            var position = new double3(0, 0, 0);
-            bool isGood = parts.Length == 3;
-            for (int axis = 0; isGood && axis < 3; axis++)
-            {
-                isGood = double.TryParse(parts[axis], NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-                    && double.IsFinite(value);
-                position[axis] = value;
-            }
-            return isGood ? position : throw new UsageException(option + ": wanted x,y,z, got " + text);
+            var numbers = new double[parts.Length];
+            for (int i = 0; i < parts.Length; i++)
+                if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i])
+                    || !double.IsFinite(numbers[i]))
+                    return [];
+            return numbers;
         }
     }
 }

@@ -26,6 +26,7 @@ namespace FastPoints.Cli
         {
             double begin = run.Seconds;
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
+            stream.SetClipBoxes(options.ClipBoxes);
             stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawStored.DefaultBudget;
             stream.Settings.UploadBytesPerFrame = BankBytes;
             stream.Settings.FramesAhead = 0;

@@ -88,7 +88,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_budget);
             Command.Add(m_pool);
             Command.Add(m_upload);
-            m_picture = new PictureSettings(Command);
+            m_picture = new PictureSettings(Command, canFilter: true);
             AddCommonOptions();
         }
 
@@ -120,6 +120,7 @@ namespace FastPoints.Cli.Verbs
             using var stream = new StreamContext(shaders?.CreatePool(pool, bank, upload) ?? new MemoryNodePool(pool, bank));
             stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
             stream.Settings.UploadBytesPerFrame = upload;
+            stream.SetClipBoxes(options.ClipBoxes);
             using var picture = shaders != null ? new GpuPicture(shaders, stream, options) : (FlightPicture)new CpuPicture(stream, options);
             var bounds = BoundsGeo.Empty;
             foreach (string cloud in clouds)

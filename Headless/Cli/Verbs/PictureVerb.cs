@@ -40,7 +40,7 @@ namespace FastPoints.Cli.Verbs
         {
             Command.Add(m_clouds);
             Command.Add(m_output);
-            m_picture = new PictureSettings(Command);
+            m_picture = new PictureSettings(Command, canFilter: true);
             Command.Add(m_budget);
             Command.Add(m_against);
             Command.Add(m_gpu);
@@ -54,6 +54,7 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
             ("./fastpoints picture scan.fastpoints -o p.png --gpu", "by the renderer that a game would use"),
             ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
+            ("./fastpoints picture scan.fastpoints -o g.png --style classes=2,size=adaptive", "the ground alone, its surface closed"),
             ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
         ];
 
@@ -75,10 +76,12 @@ namespace FastPoints.Cli.Verbs
                     reference.Width + "x" + reference.Height);
 
             var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
-                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && options.SizeInWorld?.Mode != PointSizeMode.Adaptive
+                : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
                 ? DrawStep.RunStored(clouds[0], options, budget, run)
-                : clouds.Any(CloudFolder.IsCloud) || budget > 0 && clouds.All(BringsOctree)
+                : clouds.Any(CloudFolder.IsCloud) || (budget > 0 || options.IsFiltered) && clouds.All(BringsOctree)
                 ? StreamedPictureStep.Run(clouds, options, budget, run)
+                : options.IsFiltered
+                ? throw new UsageException("--clip, --cut and classes want clouds that are converted, or bring octrees along")
                 : Draw(clouds, m_source.Read(parsed), options, budget, run);
             if (reference != null)
                 result.Error = ImageError.Compare(result.Image, reference, options.Background);
@@ -93,6 +96,10 @@ namespace FastPoints.Cli.Verbs
                     + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
             StageTable.Of(run.Progress).Write(run.Out, "  ");
         }
+
+        /// <summary>Whether there is more to it than drawing each node's points.</summary>
+        static bool IsForStream(PictureOptions options) =>
+            options.SizeInWorld?.Mode == PointSizeMode.Adaptive || options.IsFiltered;
 
         static bool BringsOctree(string path)
         {

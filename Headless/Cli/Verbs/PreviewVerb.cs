@@ -52,7 +52,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_quick);
             Command.Add(m_report);
             Command.Add(m_out);
-            m_picture = new PictureSettings(Command);
+            m_picture = new PictureSettings(Command, canFilter: false);
             m_source = new SourceSettings(Command);
             AddCommonOptions();
         }

@@ -1,13 +1,18 @@
 using System;
+using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
 using FastPoints.Entities;
 using FastPoints.HostTests.Cli;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using StandIns.Entities;
 using StandIns.Scene;
 using Unity.Entities;
+using Unity.Mathematics;
 using Unity.Transforms;
 using UnityEngine;
 
@@ -39,7 +44,7 @@ namespace FastPoints.HostTests.Entities
             m_world = new World("default");
             World.DefaultGameObjectInjectionWorld = m_world;
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem));
+                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ClipCloudsSystem));
             m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
             m_group.Begin(new MemoryNodePool(1 << 24, 1 << 20));
         }
@@ -80,6 +85,59 @@ namespace FastPoints.HostTests.Entities
             Frames(() => !m_world.EntityManager.Exists(entity));
             UnityEngine.Object.DestroyImmediate(scene);
             Assert.That(cloud.Entity, Is.EqualTo(Entity.Null));
+        }
+
+        [Test]
+        public void PointCloud_ColourAndClasses_DecideOnWhatIsStreamed()
+        {
+            var scene = new GameObject("scan");
+            var cloud = scene.AddComponent<FastPoints.Entities.PointCloud>();
+            cloud.Path = m_cloud;
+            PointCloudLook Look() => m_world.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity);
+            string[] Planes()
+            {
+                Frames(() => IsStreamed(cloud.Entity));
+                int number = m_world.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number;
+                var source = m_group.Stream.Clouds[number].Source;
+                return source.Planes.ToArray().Select(p => source.Layout.Planes[p].Name).ToArray();
+            }
+            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, StoreLayout.ColorName }));
+            Assert.That(Look().Mode, Is.EqualTo(ColorMode.Rgb));
+
+            cloud.Color = ColorMode.Elevation;
+            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
+            Assert.That(Look().Mode, Is.EqualTo(ColorMode.Elevation));
+
+            cloud.HiddenClasses = new[] { 2, 6 };
+            Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));
+            Assert.That(Look().Value.HiddenClasses.Has(6), Is.True);
+            Assert.That(Look().Value.ClassPlane, Is.EqualTo(1));
+            UnityEngine.Object.DestroyImmediate(scene);
+        }
+
+        [Test]
+        public void PointCloudClipBox_OnAGameObject_ClipsAsItStandsUntilItGoes()
+        {
+            var clips = m_group.Stream.ClipBoxes;
+            var scene = new GameObject("box");
+            var box = scene.AddComponent<PointCloudClipBox>();
+            var place = Matrix4x4.identity;
+            place.m00 = 4;
+            place.m03 = 50;
+            SceneLoop.Place(scene.transform, place);
+            Frames(() => clips.Length == 1 && clips[0].CenterWorld.x == 50);
+            Assert.That(clips[0].EdgesWorld, Is.EqualTo(new double3x3(4, 0, 0, 0, 1, 0, 0, 0, 1)));
+            Assert.That(clips[0].Cuts, Is.False);
+            box.Cuts = true;
+            Frames(() => clips[0].Cuts);
+            UnityEngine.Object.DestroyImmediate(scene);
+            Frames(() => clips.Length == 0);
+
+            // What a script gave the stream stays.
+            clips.Add(new ClipBox(0, 1));
+            Frames(() => true);
+            m_world.Update();
+            Assert.That(clips.Length, Is.EqualTo(1));
         }
 
         [Test]

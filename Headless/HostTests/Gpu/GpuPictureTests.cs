@@ -1,4 +1,5 @@
 using System.IO;
+using System.Linq;
 using FastPoints.Cli;
 using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
@@ -6,6 +7,7 @@ using FastPoints.Picture;
 using FastPoints.Streaming;
 using FastPoints.Tests;
 using NUnit.Framework;
+using NUnit.Framework.Constraints;
 using Unity.Mathematics;
 using Camera = FastPoints.Picture.Camera;
 
@@ -75,9 +77,12 @@ namespace FastPoints.HostTests.Gpu
         [TestCase(ColorMode.Elevation)]
         [TestCase(ColorMode.Intensity)]
         [TestCase(ColorMode.Classification)]
+        [TestCase(ColorMode.ReturnNumber)]
+        [TestCase(ColorMode.PointSource)]
         public void Draw_ColorModes_AreThoseOfTheSoftwareRasterizer(ColorMode mode)
         {
             using var streams = new TwinStreams(m_demo, Options(4, true, mode), Points);
+            Assert.That(streams.Plan.Mode, Is.EqualTo(mode));
             Compare(streams, streams.Plan.Camera, "color-" + mode);
         }
 
@@ -111,6 +116,52 @@ namespace FastPoints.HostTests.Gpu
             var center = streams.Ranges.Robust.Center;
             Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
                 streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
+        }
+
+        /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing outside is
+        /// drawn.</summary>
+        [TestCase(false, false)]
+        [TestCase(true, false)]
+        [TestCase(true, true)]
+        public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts)
+        {
+            var options = Options(3, true);
+            using var streams = new TwinStreams(m_demo, options, Points);
+            var bounds = streams.Ranges.Robust;
+            var all = streams.Draw(streams.Plan.Camera).Gpu;
+            var turned = new ClipBox(bounds.Min, bounds.Center, true);
+            double sin = math.sin(0.5), cos = math.cos(0.5);
+            turned.EdgesWorld = math.mul(new double3x3(new double3(cos, sin, 0), new double3(-sin, cos, 0), new double3(0, 0, 1)),
+                turned.EdgesWorld);
+            if (keeps)
+                options.ClipBoxes.Add(new ClipBox(bounds.Center - bounds.Size * 0.3, bounds.Center + bounds.Size * 0.3));
+            if (cuts)
+                options.ClipBoxes.Add(turned);
+            streams.Clip();
+            Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts);
+            var left = streams.Draw(streams.Plan.Camera).Gpu;
+            int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
+            Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));
+        }
+
+        [TestCase(ColorMode.Classification)]
+        [TestCase(ColorMode.Rgb)]
+        [TestCase(ColorMode.Elevation)]
+        public void Draw_ClassesHidden_IsThatOfTheSoftwareRasterizer(ColorMode mode)
+        {
+            var options = Options(3, true, mode);
+            using var all = new TwinStreams(m_demo, options, Points);
+            var everything = all.Draw(all.Plan.Camera).Gpu;
+            Assert.That(options.TrySetStyle("classes", "2+5", out string error), Is.True, error);
+            using var streams = new TwinStreams(m_demo, options, Points);
+            Compare(streams, streams.Plan.Camera, "classes-" + mode);
+            var some = streams.Draw(streams.Plan.Camera).Gpu;
+            Assert.That(some.Rgba, Is.Not.EqualTo(everything.Rgba));
+            if (mode != ColorMode.Classification)
+                return;
+            using var palette = Palettes.Create(mode, Unity.Collections.Allocator.Persistent);
+            var wanted = new[] { palette[2], palette[5], options.Background };
+            Assert.That(Enumerable.Range(0, 320 * 180).Select(i => some[i % 320, i / 320]).Distinct(), Is.SubsetOf(wanted));
         }
 
         /// <summary>A camera 1 cm from a point whose coordinates are millions of metres, with points near and far in

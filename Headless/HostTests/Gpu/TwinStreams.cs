@@ -55,6 +55,13 @@ namespace FastPoints.HostTests.Gpu
         public PicturePlan Plan { get; }
         public DisplayRanges Ranges { get; }
 
+        /// <summary>By what the options say now.</summary>
+        public void Clip()
+        {
+            m_cpu.SetClipBoxes(m_options.ClipBoxes);
+            m_gpu.SetClipBoxes(m_options.ClipBoxes);
+        }
+
         /// <summary>Pictures of the same nodes, of the same camera.</summary>
         public (RgbaImage Cpu, RgbaImage Gpu) Draw(Camera camera)
         {

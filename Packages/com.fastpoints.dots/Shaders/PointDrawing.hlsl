@@ -3,15 +3,16 @@
 #define FASTPOINTS_POINT_DRAWING_INCLUDED
 
 #include "PointBlocks.hlsl"
+#include "PointFilters.hlsl"
 #include "PointSizes.hlsl"
 #include "PointValues.hlsl"
-#include "Generated/GpuCloud.hlsl"
 #include "Generated/GpuNode.hlsl"
 
 // FastPoints.Gpu.ColorSource.
 #define FASTPOINTS_COLOR_CHANNELS 0u
 #define FASTPOINTS_COLOR_ATTRIBUTE 1u
-#define FASTPOINTS_COLOR_PLACE 2u
+#define FASTPOINTS_COLOR_WRAPPED 2u
+#define FASTPOINTS_COLOR_PLACE 3u
 
 StructuredBuffer<GpuNode> _FastPointsNodes;
 StructuredBuffer<GpuCloud> _FastPointsClouds;
@@ -96,6 +97,8 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
     float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
     if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
         return FastPointsLookUp(FastPointsEntry(first));
+    if (cloud.ColorSource == FASTPOINTS_COLOR_WRAPPED)
+        return FastPointsLookUp(uint(int(floor(first))) & 0xFFu);
     uint packed = block.Packed + FastPointsWordsOf(block, 0u), minimumWord = 3u + (wide & 1u);
     float second = FastPointsColumnValue(cloud, block, 1u, minimumWord, packed, index);
     packed += FastPointsWordsOf(block, 1u);
@@ -122,6 +125,14 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
         return loaded;
     float3 steps = FastPointsStepsFromAnchor(node, block, index);
     float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
+#if defined(FASTPOINTS_CLIPPED)
+    if (!FastPointsIsLeftByClips(seen))
+        return loaded;
+#endif
+#if defined(FASTPOINTS_FILTERED)
+    if (FastPointsIsHidden(cloud, node.ClassWord, blockIndex, index))
+        return loaded;
+#endif
     loaded.PositionClip = mul(_FastPointsViewProjection, float4(seen, 1.0));
     loaded.Depth = dot(_FastPointsForward, seen);
 #if defined(FASTPOINTS_ADAPTIVE)

@@ -16,6 +16,8 @@ Shader "Hidden/FastPoints/Points"
             #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS
             #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
             #pragma multi_compile_local _ FASTPOINTS_LAYERED
+            #pragma multi_compile_local _ FASTPOINTS_CLIPPED
+            #pragma multi_compile_local _ FASTPOINTS_FILTERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
             ENDHLSL
         }

@@ -11,45 +11,59 @@ namespace FastPoints.Rendering
     public static class CloudLooks
     {
         /// <summary>What a mode streams beside the position.</summary>
+        /// <param name="hidesClasses">Whether it matters what class a point has.</param>
+        public static string[] PlanesFor(ColorMode mode, bool hidesClasses)
+        {
+            var planes = PlanesFor(mode);
+            if (!hidesClasses || mode == ColorMode.Classification)
+                return planes;
+            Array.Resize(ref planes, planes.Length + 1);
+            planes[planes.Length - 1] = AttributeNames.Classification;
+            return planes;
+        }
+
+        /// <summary>What a mode streams beside the position.</summary>
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
-            : mode == ColorMode.Intensity ? new[] { AttributeNames.Intensity }
-            : mode == ColorMode.Classification ? new[] { AttributeNames.Classification }
+            : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute }
             : new string[0];
 
         /// <param name="colors">Of places in grid steps from the corner of the source's root cube.</param>
         /// <param name="source">Streams the plane that the mode needs.</param>
-        public static CloudLook Of(in ColorMapping colors, NodeSource source)
+        /// <param name="hidden">Classes; where the source does not stream them, none is hidden.</param>
+        public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {
             var look = new CloudLook { Scale = colors.Scale, Bias = colors.Bias };
+            if (!hidden.IsEmpty && FindPlane(source, AttributeNames.Classification, out look.ClassPlane))
+                look.HiddenClasses = hidden;
             switch (colors.Mode)
             {
                 case ColorMode.Rgb:
                     look.Source = ColorSource.Channels;
                     look.Plane = PlaneOf(source, StoreLayout.ColorName);
                     break;
-                case ColorMode.Intensity:
-                    look.Source = ColorSource.Attribute;
-                    look.Plane = PlaneOf(source, AttributeNames.Intensity);
-                    break;
-                case ColorMode.Classification:
-                    look.Source = ColorSource.Attribute;
-                    look.Plane = PlaneOf(source, AttributeNames.Classification);
-                    break;
-                default:
+                case ColorMode.Elevation:
                     look.Source = ColorSource.Place;
                     look.ValuePerUnit = colors.PositionWeights * colors.Scale / source.Grid.Step;
+                    break;
+                default:
+                    look.Source = colors.Wraps ? ColorSource.Wrapped : ColorSource.Attribute;
+                    look.Plane = PlaneOf(source, ColorModes.AttributeOf(colors.Mode));
                     break;
             }
             return look;
         }
 
-        static int PlaneOf(NodeSource source, string name)
+        static int PlaneOf(NodeSource source, string name) => FindPlane(source, name, out int plane) ? plane
+            : throw new ArgumentException(source.Path + ": plane " + name + " is not streamed", nameof(source));
+
+        /// <param name="found">Counted among the planes that are streamed; 0 where it is none of them.</param>
+        static bool FindPlane(NodeSource source, string name, out int found)
         {
             int plane = source.Layout.PlaneOf(name);
-            for (int p = 0; p < source.Planes.Length; p++)
-                if (source.Planes[p] == plane)
-                    return p;
-            throw new ArgumentException(source.Path + ": plane " + name + " is not streamed", nameof(source));
+            for (found = source.Planes.Length - 1; found > 0; found--)
+                if (source.Planes[found] == plane)
+                    return true;
+            return false;
         }
     }
 }

@@ -10,7 +10,7 @@ namespace FastPoints.Rendering
         const int Shapes = 1 + (int)PointShape.Disc;
 
         /// <summary>Bits above the shape: an option each.</summary>
-        const int Adaptive = 1, Layered = 2, Options = 4;
+        const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Options = 16;
 
         readonly Shader m_points;
         readonly Shader m_compose;
@@ -26,9 +26,12 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>Draws points of a style.</summary>
-        internal Material For(in PointStyle style)
+        /// <param name="isClipped">There are clip boxes.</param>
+        /// <param name="isFiltered">Classes are hidden.</param>
+        internal Material For(in PointStyle style, bool isClipped, bool isFiltered)
         {
-            int options = (style.IsAdaptive ? Adaptive : 0) | (style.IsLayered ? Layered : 0);
+            int options = (style.IsAdaptive ? Adaptive : 0) | (style.IsLayered ? Layered : 0) | (isClipped ? Clipped : 0) |
+                (isFiltered ? Filtered : 0);
             int variant = (int)style.Shape + Shapes * options;
             if (m_ofVariant[variant] != null)
                 return m_ofVariant[variant];
@@ -37,6 +40,8 @@ namespace FastPoints.Rendering
             Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc);
             Enable(material, ShaderNames.AdaptiveKeyword, style.IsAdaptive);
             Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
+            Enable(material, ShaderNames.ClippedKeyword, isClipped);
+            Enable(material, ShaderNames.FilteredKeyword, isFiltered);
             return m_ofVariant[variant] = material;
         }
 

@@ -28,6 +28,7 @@ namespace FastPoints.Rendering
         readonly GrowingBuffer m_arguments = new GrowingBuffer(GraphicsBuffer.Target.IndirectArguments,
             GraphicsBuffer.IndirectDrawArgs.size);
         readonly GrowingBuffer m_sizeNodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
+        readonly GrowingBuffer m_clipBoxes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
         readonly PointLayer m_layer = new PointLayer();
         readonly GrowingBuffer m_palette = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
@@ -88,6 +89,7 @@ namespace FastPoints.Rendering
             m_arguments.Dispose();
             m_palette.Dispose();
             m_sizeNodes.Dispose();
+            m_clipBoxes.Dispose();
             m_drawArguments.Dispose();
             m_colors.Dispose();
         }
@@ -102,6 +104,9 @@ namespace FastPoints.Rendering
             m_properties.SetBuffer(ShaderNames.Palette, m_palette.Buffer);
             if (view.Style.IsAdaptive)
                 m_properties.SetBuffer(ShaderNames.SizeNodes, m_sizeNodes.Buffer);
+            if (List.ClipBoxes.Length > 0)
+                m_properties.SetBuffer(ShaderNames.ClipBoxes, m_clipBoxes.Buffer);
+            m_properties.SetInteger(ShaderNames.ClipBoxCount, List.ClipBoxes.Length);
             m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.Forward, view.Forward);
@@ -114,7 +119,7 @@ namespace FastPoints.Rendering
 
         void DrawBanks(CommandBuffer commands, in PointStyle style)
         {
-            var material = m_materials.For(style);
+            var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.HidesClasses);
             var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
             for (int i = 0; i < List.Draws.Length; i++)
             {
@@ -140,6 +145,7 @@ namespace FastPoints.Rendering
             m_nodes.Write(commands, List.Nodes);
             m_clouds.Write(commands, List.Clouds);
             m_nodeOfInstance.Write(commands, List.NodeOfInstance);
+            m_clipBoxes.Write(commands, List.ClipBoxes);
             if (style.IsAdaptive)
                 m_sizeNodes.Write(commands, List.SizeNodes);
             if (!m_isPaletteWritten)

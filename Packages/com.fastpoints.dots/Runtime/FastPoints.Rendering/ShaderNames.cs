@@ -7,6 +7,8 @@ namespace FastPoints.Rendering
     {
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");
         public static readonly int BankOut = Shader.PropertyToID("_FastPointsBankOut");
+        public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
+        public static readonly int ClipBoxes = Shader.PropertyToID("_FastPointsClipBoxes");
         public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
@@ -30,6 +32,8 @@ namespace FastPoints.Rendering
 
         public const string CopyPagesKernel = "FastPointsCopyPages";
         public const string AdaptiveKeyword = "FASTPOINTS_ADAPTIVE";
+        public const string ClippedKeyword = "FASTPOINTS_CLIPPED";
+        public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

@@ -1,4 +1,4 @@
-// Written by RepoTools hlsl from FastPoints.Gpu.GpuCloud: 80 bytes.
+// Written by RepoTools hlsl from FastPoints.Gpu.GpuCloud: 112 bytes.
 #ifndef FASTPOINTS_GPU_CLOUD_INCLUDED
 #define FASTPOINTS_GPU_CLOUD_INCLUDED
 
@@ -13,7 +13,9 @@ struct GpuCloud
     float3 ValuePerStep; // 48, 12
     float Bias;          // 60, 4
     float3 Scale;        // 64, 12
-    uint Reserved;       // 76, 4
+    uint ClassDivisor;   // 76, 4
+    uint4 HiddenLow;     // 80, 16
+    uint4 HiddenHigh;    // 96, 16
 };
 
 #endif

@@ -17,7 +17,7 @@ struct GpuNode
     float3 AnchorInCube; // 64, 12
     uint SizeNode;       // 76, 4
     float3 CubesPerStep; // 80, 12
-    uint Reserved;       // 92, 4
+    uint ClassWord;      // 92, 4
 };
 
 #endif

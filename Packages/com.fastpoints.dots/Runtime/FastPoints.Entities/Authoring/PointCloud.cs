@@ -1,7 +1,8 @@
+using FastPoints.Gpu;
+using FastPoints.Picture;
 using Unity.Entities;
-using Unity.Mathematics;
-using Unity.Transforms;
 using UnityEngine;
+using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
@@ -16,6 +17,18 @@ namespace FastPoints.Entities
         [Tooltip("The .fastpoints folder: absolute, or below StreamingAssets.")]
         string m_path;
 
+        [SerializeField]
+        [Tooltip("What points are coloured by; another where the cloud has nothing for it.")]
+        ColorMode m_color = ColorMode.Auto;
+
+        [SerializeField]
+        [Tooltip("Of elevation and intensity.")]
+        Gradient m_gradient = Gradient.Auto;
+
+        [SerializeField]
+        [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
+        int[] m_hiddenClasses = new int[0];
+
         World m_world;
 
         /// <summary>The <c>.fastpoints</c> folder: absolute, or below StreamingAssets.</summary>
@@ -27,10 +40,44 @@ namespace FastPoints.Entities
                 if (m_path == value)
                     return;
                 m_path = value;
-                if (!isActiveAndEnabled)
+                Reopen();
+            }
+        }
+
+        /// <summary>What points are coloured by; another where the cloud has nothing for it.</summary>
+        public ColorMode Color
+        {
+            get => m_color;
+            set
+            {
+                if (m_color == value)
                     return;
-                Remove();
-                Add();
+                m_color = value;
+                Reopen();
+            }
+        }
+
+        /// <summary>Of elevation and intensity.</summary>
+        public Gradient Gradient
+        {
+            get => m_gradient;
+            set
+            {
+                if (m_gradient == value)
+                    return;
+                m_gradient = value;
+                Reopen();
+            }
+        }
+
+        /// <summary>Classes, 0 to 255, whose points are not drawn. A copy.</summary>
+        public int[] HiddenClasses
+        {
+            get => (int[])m_hiddenClasses.Clone();
+            set
+            {
+                m_hiddenClasses = (int[])value.Clone();
+                Reopen();
             }
         }
 
@@ -44,7 +91,16 @@ namespace FastPoints.Entities
         void Update()
         {
             if (Entity != Entity.Null && m_world.IsCreated)
-                m_world.EntityManager.SetComponentData(Entity, PlaceOf(transform));
+                m_world.EntityManager.SetComponentData(Entity, TransformMatrix.Of(transform));
+        }
+
+        /// <summary>Other planes may have to be streamed.</summary>
+        void Reopen()
+        {
+            if (!isActiveAndEnabled)
+                return;
+            Remove();
+            Add();
         }
 
         void Add()
@@ -56,8 +112,14 @@ namespace FastPoints.Entities
                 return;
             var entities = m_world.EntityManager;
             Entity = entities.CreateEntity();
-            entities.AddComponentData(Entity, PlaceOf(transform));
-            entities.AddComponentObject(Entity, new PointCloudFile { Path = m_path });
+            entities.AddComponentData(Entity, TransformMatrix.Of(transform));
+            entities.AddComponentObject(Entity, new PointCloudFile
+            {
+                Path = m_path,
+                Color = m_color,
+                Gradient = m_gradient,
+                HiddenClasses = ClassMask.Of(m_hiddenClasses),
+            });
         }
 
         void Remove()
@@ -65,19 +127,6 @@ namespace FastPoints.Entities
             if (m_world != null && m_world.IsCreated && Entity != Entity.Null)
                 m_world.EntityManager.DestroyEntity(Entity);
             Entity = Entity.Null;
-        }
-
-        static LocalToWorld PlaceOf(Transform transform)
-        {
-            var matrix = transform.localToWorldMatrix;
-            return new LocalToWorld
-            {
-                Value = new float4x4(
-                    new float4(matrix.m00, matrix.m10, matrix.m20, matrix.m30),
-                    new float4(matrix.m01, matrix.m11, matrix.m21, matrix.m31),
-                    new float4(matrix.m02, matrix.m12, matrix.m22, matrix.m32),
-                    new float4(matrix.m03, matrix.m13, matrix.m23, matrix.m33)),
-            };
         }
     }
 }

@@ -1,4 +1,6 @@
+using FastPoints.Picture;
 using UnityEngine;
+using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
@@ -9,5 +11,14 @@ namespace FastPoints.Entities
     {
         [Tooltip("The .fastpoints folder: absolute, or below StreamingAssets.")]
         public string Path;
+
+        [Tooltip("What points are coloured by; another where the cloud has nothing for it.")]
+        public ColorMode Color = ColorMode.Auto;
+
+        [Tooltip("Of elevation and intensity.")]
+        public Gradient Gradient = Gradient.Auto;
+
+        [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
+        public int[] HiddenClasses = new int[0];
     }
 }

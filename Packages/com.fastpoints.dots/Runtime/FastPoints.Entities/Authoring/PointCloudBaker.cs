@@ -1,3 +1,4 @@
+using FastPoints.Gpu;
 using Unity.Entities;
 
 namespace FastPoints.Entities
@@ -8,7 +9,13 @@ namespace FastPoints.Entities
         public override void Bake(PointCloudAuthoring authoring)
         {
             var entity = GetEntity(TransformUsageFlags.Dynamic);
-            AddComponentObject(entity, new PointCloudFile { Path = authoring.Path });
+            AddComponentObject(entity, new PointCloudFile
+            {
+                Path = authoring.Path,
+                Color = authoring.Color,
+                Gradient = authoring.Gradient,
+                HiddenClasses = ClassMask.Of(authoring.HiddenClasses),
+            });
         }
     }
 }

@@ -1,3 +1,5 @@
+using FastPoints.Gpu;
+using FastPoints.Picture;
 using Unity.Entities;
 
 namespace FastPoints.Entities
@@ -7,6 +9,14 @@ namespace FastPoints.Entities
     {
         /// <summary>Of the <c>.fastpoints</c> folder: absolute, or below the application's streaming assets.</summary>
         public string Path;
+
+        /// <summary>What points are coloured by; another where the cloud has nothing for it. Looked at when it is opened, as are
+        /// the others: only what they need is streamed.</summary>
+        public ColorMode Color;
+        public Gradient Gradient;
+
+        /// <summary>Classes whose points are not drawn.</summary>
+        public ClassMask HiddenClasses;
 
         /// <summary>What went wrong when it was opened; null where nothing did.</summary>
         public string Error;

@@ -73,22 +73,26 @@ namespace FastPoints.Entities
                 else if (!EntityManager.HasComponent<PointCloudFile>(entity))
                     opening.Result.Dispose();
                 else
-                    Add(entity, opening.Result);
+                    Add(entity, opening.Result, EntityManager.GetComponentObject<PointCloudFile>(entity));
             }
         }
 
-        void Add(Entity entity, CloudFolder folder)
+        void Add(Entity entity, CloudFolder folder, PointCloudFile file)
         {
             var manifest = folder.Manifest;
             var space = UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit);
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
             EntityManager.AddComponentData(entity, new PointCloudPlacement());
             var ranges = DisplayRanges.Of(manifest);
-            var mode = ranges.Resolve(ColorMode.Auto);
-            var planes = CloudLooks.PlanesFor(mode);
-            var source = new FolderSource(folder, planes);
+            var mode = ranges.Resolve(file.Color);
+            var source = new FolderSource(folder, CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
             var colors = ColorMapping.Of(mode, ranges, manifest.Grid.FromCorner(manifest.Root.Corner));
-            EntityManager.AddComponentData(entity, new PointCloudLook { Mode = mode, Value = CloudLooks.Of(colors, source) });
+            EntityManager.AddComponentData(entity, new PointCloudLook
+            {
+                Mode = mode,
+                Gradient = file.Gradient,
+                Value = CloudLooks.Of(colors, source, file.HiddenClasses),
+            });
             EntityManager.AddComponentObject(entity, new PointCloudSource { Source = source });
         }
 

@@ -15,6 +15,7 @@ namespace FastPoints.Entities
     /// <item><see cref="ApplyBudgetSystem"/>: limits that were set</item>
     /// <item><see cref="OpenCloudsSystem"/>, <see cref="PlaceCloudsSystem"/>: files become sources, transforms placements</item>
     /// <item><see cref="AddCloudsSystem"/>: entities that came and went</item>
+    /// <item><see cref="ClipCloudsSystem"/>: boxes that all are clipped by</item>
     /// <item><see cref="ShowCloudsSystem"/>: how clouds are coloured</item>
     /// <item><see cref="ReceiveNodesSystem"/>: what arrived since the last frame</item>
     /// <item><see cref="ControlNodesSystem"/>: what users hide, pin and tint</item>

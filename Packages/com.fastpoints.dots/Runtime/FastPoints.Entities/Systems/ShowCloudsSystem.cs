@@ -16,6 +16,7 @@ namespace FastPoints.Entities
 
         /// <summary>Of the palette; RGB needs none.</summary>
         ColorMode m_mode = ColorMode.Rgb;
+        Gradient m_gradient;
 
         protected override void OnCreate()
         {
@@ -35,13 +36,14 @@ namespace FastPoints.Entities
             using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
             {
                 // There is one palette: the first cloud that is looked up in one has it.
-                var mode = ColorMode.Rgb;
+                int first = -1;
                 for (int i = 0; i < clouds.Length; i++)
                 {
                     scene.SetLook(clouds[i].Number, looks[i].Value);
-                    mode = mode == ColorMode.Rgb ? looks[i].Mode : mode;
+                    first = first < 0 && looks[i].Mode != ColorMode.Rgb ? i : first;
                 }
-                UsePalette(scene, mode);
+                if (first >= 0)
+                    UsePalette(scene, looks[first].Mode, looks[first].Gradient);
             }
         }
 
@@ -53,12 +55,12 @@ namespace FastPoints.Entities
             }
         }
 
-        void UsePalette(PointScene scene, ColorMode mode)
+        void UsePalette(PointScene scene, ColorMode mode, Gradient gradient)
         {
-            if (mode == ColorMode.Rgb || mode == m_mode)
+            if ((mode, gradient) == (m_mode, m_gradient))
                 return;
-            m_mode = mode;
-            using (var palette = Palettes.Create(mode, Allocator.Temp))
+            (m_mode, m_gradient) = (mode, gradient);
+            using (var palette = Palettes.Create(mode, Allocator.Temp, gradient))
                 scene.SetPalette(palette);
         }
     }

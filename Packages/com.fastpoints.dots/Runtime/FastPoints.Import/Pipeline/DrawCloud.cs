@@ -60,7 +60,7 @@ namespace FastPoints.Pipeline
                 progress?.Begin("draw");
                 using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
                 {
-                    m_canvas.UsePalette(Plan.Mode);
+                    m_canvas.UsePalette(Plan.Mode, Plan.Gradient);
                     long points = drawSample ? sample.Count : m_reader.PointCount;
                     using (var size = SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points))
                         while (size.MoveNext())
@@ -91,18 +91,12 @@ namespace FastPoints.Pipeline
         PointSchema WantedFor(ColorMode mode)
         {
             var schema = m_reader.Info.Schema;
-            switch (mode)
-            {
-                case ColorMode.Rgb:
-                    return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red,
-                        AttributeNames.Green, AttributeNames.Blue);
-                case ColorMode.Intensity:
-                    return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity);
-                case ColorMode.Classification:
-                    return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Classification);
-                default:
-                    return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
-            }
+            if (mode == ColorMode.Rgb)
+                return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green,
+                    AttributeNames.Blue);
+            return ColorModes.AttributeOf(mode) is string attribute
+                ? schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, attribute)
+                : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
         }
 
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)

@@ -43,8 +43,7 @@ namespace FastPoints.Pipeline
         public IEnumerator<JobHandle> Run(StageProgress progress)
         {
             progress?.Begin("select");
-            var schema = LoadNodes.SchemaFor(m_folder, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
-                AttributeNames.Intensity, AttributeNames.Classification);
+            var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
             var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
             var ranges = new DisplayRanges();
             using (var selection = new NodeSelection(m_folder))
@@ -71,7 +70,7 @@ namespace FastPoints.Pipeline
                     NodesDrawn = selection.NodeCount;
                     PointsDrawn = batch.Count;
                     progress?.Begin("draw");
-                    canvas.UsePalette(Plan.Mode);
+                    canvas.UsePalette(Plan.Mode, Plan.Gradient);
                     using (var size = SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count))
                         while (size.MoveNext())
                             yield return size.Current;

@@ -36,7 +36,7 @@ namespace FastPoints.Pipeline
             for (int view = 0; view < plans.Length; view++)
             {
                 m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
-                m_canvases[view].UsePalette(plans[view].Mode);
+                m_canvases[view].UsePalette(plans[view].Mode, plans[view].Gradient);
             }
         }
 

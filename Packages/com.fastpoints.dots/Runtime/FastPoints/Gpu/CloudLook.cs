@@ -18,5 +18,12 @@ namespace FastPoints.Gpu
         /// <summary>For <see cref="ColorSource.Place"/>: entries of the palette for one CRS unit along each of the cloud's axes;
         /// <see cref="Bias"/> is then the root corner's entry.</summary>
         public double3 ValuePerUnit;
+
+        /// <summary>Classes whose points are not drawn.</summary>
+        public ClassMask HiddenClasses;
+
+        /// <summary>The classification, counted among the planes that are streamed: looked at where classes are
+        /// hidden.</summary>
+        public int ClassPlane;
     }
 }

@@ -9,6 +9,9 @@ namespace FastPoints.Gpu
         /// <summary>One column, looked up in the palette.</summary>
         Attribute,
 
+        /// <summary>The same, with entries of the palette used again and again.</summary>
+        Wrapped,
+
         /// <summary>The place, looked up in the palette.</summary>
         Place,
     }

@@ -13,6 +13,7 @@ namespace FastPoints.Gpu
         readonly SizeTree m_sizes = new SizeTree();
         NativeList<DrawListCloud> m_listed;
         NativeList<GpuCloud> m_clouds;
+        NativeList<GpuClipBox> m_clipBoxes;
         NativeList<GpuNode> m_nodes;
         NativeList<uint> m_nodeOfInstance;
         NativeList<BankDraw> m_draws;
@@ -24,6 +25,7 @@ namespace FastPoints.Gpu
         {
             m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
             m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
+            m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
             m_nodes = new NativeList<GpuNode>(1024, Allocator.Persistent);
             m_nodeOfInstance = new NativeList<uint>(16384, Allocator.Persistent);
             m_draws = new NativeList<BankDraw>(Allocator.Persistent);
@@ -43,6 +45,12 @@ namespace FastPoints.Gpu
 
         /// <summary>One for each bank that something is drawn from.</summary>
         public NativeArray<BankDraw> Draws => m_draws.AsArray();
+
+        /// <summary>What points are clipped by.</summary>
+        public NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
+
+        /// <summary>Whether any cloud hides points by their class.</summary>
+        public bool HidesClasses { get; private set; }
 
         /// <summary>What adaptive sizes are looked up in; empty where none are.</summary>
         public NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
@@ -69,6 +77,10 @@ namespace FastPoints.Gpu
                 m_sizes.Clear();
             m_listed.Clear();
             m_clouds.Clear();
+            m_clipBoxes.Clear();
+            HidesClasses = false;
+            foreach (var box in stream.ClipBoxes)
+                m_clipBoxes.Add(new GpuClipBox(box, view.EyeWorld));
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
@@ -90,7 +102,9 @@ namespace FastPoints.Gpu
                     PlaneCount = cloud.Source.Planes.Length,
                 };
                 m_listed.Add(listed);
-                m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[m_looks[c].Plane]));
+                HidesClasses |= !listed.Look.HiddenClasses.IsEmpty;
+                m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
+                    cloud.Source.Planes[listed.Look.ClassPlane]));
             }
             new ListBlocksJob
             {
@@ -113,6 +127,7 @@ namespace FastPoints.Gpu
             m_sizes.Dispose();
             m_listed.Dispose();
             m_clouds.Dispose();
+            m_clipBoxes.Dispose();
             m_nodes.Dispose();
             m_nodeOfInstance.Dispose();
             m_draws.Dispose();

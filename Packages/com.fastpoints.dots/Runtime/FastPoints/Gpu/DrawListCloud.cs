@@ -26,9 +26,6 @@ namespace FastPoints.Gpu
             var from = Pages + page;
             var place = from->Places[node];
             var planes = from->Planes + (long)node * PlaneCount;
-            uint colorWord = firstWord;
-            for (int p = 0; p < Look.Plane; p++)
-                colorWord += (uint)(planes[p].LengthBytes / sizeof(uint));
             var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
             var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
@@ -42,7 +39,8 @@ namespace FastPoints.Gpu
                 AnchorView = (float3)(math.mul(Placement.Linear, anchorGrid * Step) + fromEye),
                 AnchorValue = (float)(math.dot(Look.ValuePerUnit, anchorGrid * Step) + Look.Bias),
                 PositionWord = firstWord,
-                ColorWord = colorWord,
+                ColorWord = WordOf(planes, Look.Plane, firstWord),
+                ClassWord = WordOf(planes, Look.ClassPlane, firstWord),
                 Cloud = (uint)cloud,
                 IsWide = place.IsWide ? 1u : 0u,
                 AnchorInCube = (float3)((anchorGrid * Step - cubeCorner) / cubeSize),
@@ -50,10 +48,19 @@ namespace FastPoints.Gpu
             };
         }
 
+        /// <summary>The first word of a plane.</summary>
+        static uint WordOf(PlaneRange* planes, int plane, uint firstWord)
+        {
+            for (int p = 0; p < plane; p++)
+                firstWord += (uint)(planes[p].LengthBytes / sizeof(uint));
+            return firstWord;
+        }
+
         /// <summary>The cloud's record.</summary>
         /// <param name="layout">Of the cloud.</param>
         /// <param name="plane">That points are coloured by, in the layout.</param>
-        public readonly GpuCloud Describe(StoreLayout layout, int plane)
+        /// <param name="classPlane">Their classes, in the layout: looked at where some are hidden.</param>
+        public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
         {
             var linear = Placement.Linear;
             var cloud = new GpuCloud
@@ -64,7 +71,11 @@ namespace FastPoints.Gpu
                 ColorSource = (uint)Look.Source,
                 ValuePerStep = (float3)(Look.ValuePerUnit * Step),
                 Bias = (float)Look.Bias,
+                HiddenLow = Look.HiddenClasses.Low,
+                HiddenHigh = Look.HiddenClasses.High,
             };
+            if (!Look.HiddenClasses.IsEmpty)
+                cloud.ClassDivisor = (uint)layout.Columns[layout.Planes[classPlane].FirstColumn].Divisor;
             if (Look.Source == ColorSource.Place)
                 return cloud;
             var of = layout.Planes[plane];

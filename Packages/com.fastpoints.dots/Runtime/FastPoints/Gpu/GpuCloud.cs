@@ -31,6 +31,12 @@ namespace FastPoints.Gpu
 
         /// <summary>By column of the colour plane: entries of the palette, or 255ths of a channel, for one stored unit.</summary>
         public float3 Scale;
-        public uint Reserved;
+
+        /// <summary>A class for one stored unit.</summary>
+        public uint ClassDivisor;
+
+        /// <summary>See <see cref="ClassMask"/>: points that are not drawn.</summary>
+        public uint4 HiddenLow;
+        public uint4 HiddenHigh;
     }
 }

@@ -50,6 +50,8 @@ namespace FastPoints.Gpu
 
         /// <summary>Edges of the cube in one grid step.</summary>
         public float3 CubesPerStep;
-        public uint Reserved;
+
+        /// <summary>First word, in the bank, of the plane of classes: looked at where some are hidden.</summary>
+        public uint ClassWord;
     }
 }

@@ -9,10 +9,13 @@ namespace FastPoints.Picture
         /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
         public ColorMode Mode;
 
-        /// <summary>Rgb: the three columns. Intensity, Classification: the first is the attribute's.</summary>
+        /// <summary>Rgb: the three columns. Modes of one attribute: the first is its.</summary>
         public PointColumn First;
         public PointColumn Second;
         public PointColumn Third;
+
+        /// <summary>Entries of the palette are used again and again: what is beyond 255 counts from 0 anew.</summary>
+        public bool Wraps;
 
         /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), kept within 0 and 255.</summary>
         public double Scale;
@@ -34,11 +37,9 @@ namespace FastPoints.Picture
                     mapping.Second = batch.Column(schema.IndexOf(AttributeNames.Green));
                     mapping.Third = batch.Column(schema.IndexOf(AttributeNames.Blue));
                     break;
-                case ColorMode.Intensity:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Intensity));
-                    break;
-                case ColorMode.Classification:
-                    mapping.First = batch.Column(schema.IndexOf(AttributeNames.Classification));
+                default:
+                    if (ColorModes.AttributeOf(mode) is string attribute)
+                        mapping.First = batch.Column(schema.IndexOf(attribute));
                     break;
             }
             return mapping;
@@ -58,7 +59,12 @@ namespace FastPoints.Picture
                     mapping.SetRange(ranges.IntensityLow, ranges.IntensityHigh);
                     break;
                 case ColorMode.Classification:
+                case ColorMode.ReturnNumber:
                     mapping.Scale = 1;
+                    break;
+                case ColorMode.PointSource:
+                    mapping.Scale = 1;
+                    mapping.Wraps = true;
                     break;
                 default:
                     int axis = (int)ranges.UpAxis;

@@ -13,6 +13,10 @@ namespace FastPoints.Picture
         Intensity,
         /// <summary>One colour for each class.</summary>
         Classification,
+        /// <summary>One colour for each number: the first return, the second and so on. Of converted clouds.</summary>
+        ReturnNumber,
+        /// <summary>One colour for each flight line or scanner: 256, used again and again. Of converted clouds.</summary>
+        PointSource,
     }
 
     /// <summary>How a cloud's colour values are to be read: decided once, from all of a sample.</summary>

@@ -74,7 +74,9 @@ namespace FastPoints.Picture
         public bool IntensityVaries;
 
         public bool HasIntensity;
-        public bool HasClassification;
+
+        /// <summary>Those of <see cref="ColorModes.Categories"/> whose attributes are there.</summary>
+        public readonly HashSet<ColorMode> Categories = new HashSet<ColorMode>();
 
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
@@ -93,8 +95,8 @@ namespace FastPoints.Picture
                 Robust = bounds,
                 ElevationLow = bounds.IsEmpty ? 0 : bounds.Min.z,
                 ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
-                HasClassification = manifest.Attributes.Has(AttributeNames.Classification),
             };
+            ranges.FindCategories(manifest.Attributes);
             int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
             if (intensity >= 0)
             {
@@ -174,7 +176,7 @@ namespace FastPoints.Picture
                 }
                 yield return all;
                 all.Complete();
-                HasClassification = points.Schema.Has(AttributeNames.Classification);
+                FindCategories(points.Schema);
                 SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
                 Outline = OutlineOf(points, transform);
                 if (m_hasFar && Outline.Length > 0)
@@ -205,13 +207,19 @@ namespace FastPoints.Picture
             {
                 case ColorMode.Rgb when Color != ColorDepth.None:
                 case ColorMode.Intensity when HasIntensity:
-                case ColorMode.Classification when HasClassification:
-                    return wanted;
                 case ColorMode.Elevation:
                     return wanted;
                 default:
-                    return Color != ColorDepth.None ? ColorMode.Rgb : IntensityVaries ? ColorMode.Intensity : ColorMode.Elevation;
+                    return Categories.Contains(wanted) ? wanted
+                        : Color != ColorDepth.None ? ColorMode.Rgb : IntensityVaries ? ColorMode.Intensity : ColorMode.Elevation;
             }
+        }
+
+        void FindCategories(PointSchema schema)
+        {
+            foreach (var mode in ColorModes.Categories)
+                if (schema.Has(ColorModes.AttributeOf(mode)))
+                    Categories.Add(mode);
         }
 
         void SetPositions(PositionBounds bounds, ColumnQuantiles x, ColumnQuantiles y, ColumnQuantiles z)

@@ -1,6 +1,7 @@
 using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Store;
+using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -34,6 +35,13 @@ namespace FastPoints.Picture
         /// <summary>Of a <see cref="SizeTree"/>; empty where no size is adaptive.</summary>
         [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes;
 
+        /// <summary>In grid steps from the corner of the cloud's root cube.</summary>
+        [ReadOnly] public NativeArray<LocalClip> Clips;
+
+        /// <summary>Where classes are hidden: where they are in the batch.</summary>
+        public PointColumn Classes;
+        public ClassMask HiddenClasses;
+
         /// <summary>Of a batch of one block, positions as doubles.</summary>
         public PointDrawing Drawing;
 
@@ -57,11 +65,28 @@ namespace FastPoints.Picture
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
                         UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
+                if (Clips.Length > 0 || !HiddenClasses.IsEmpty)
+                    Hide(batch, count);
                 if (SizeNodes.Length > 0)
                     FindGaps(run, batch, count, gaps);
                 Drawing.Draw(batch, (uint*)Palette.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
                     (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels),
                     SizeNodes.Length > 0 ? gaps : null);
+            }
+        }
+
+        /// <summary>What has no place is not drawn.</summary>
+        void Hide(byte* batch, int count)
+        {
+            var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
+            var y = (double*)(batch + Drawing.Positions.Y.OffsetBytes);
+            var z = (double*)(batch + Drawing.Positions.Z.OffsetBytes);
+            var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
+            for (int i = 0; i < count; i++)
+            {
+                bool isLeft = LocalClip.Leave(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
+                    (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i]));
+                x[i] = isLeft ? x[i] : double.NaN;
             }
         }
 

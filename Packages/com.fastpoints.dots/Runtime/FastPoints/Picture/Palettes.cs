@@ -13,26 +13,61 @@ namespace FastPoints.Picture
 
         /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
         /// none.</summary>
-        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator)
+        /// <param name="gradient">Of amounts; categories have colours of their own.</param>
+        public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
+            if (gradient == Gradient.Auto)
+                gradient = mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
             for (int i = 0; i < Length; i++)
             {
                 double share = i / (Length - 1.0);
                 switch (mode)
                 {
-                    case ColorMode.Elevation:
-                        palette[i] = Viridis(DarkestShare + (1 - DarkestShare) * share);
-                        break;
                     case ColorMode.Classification:
                         palette[i] = s_classes[i < s_classes.Length ? i : s_classes.Length - 1];
                         break;
+                    case ColorMode.ReturnNumber:
+                        palette[i] = Hue(0.1 + 0.13 * i, 0.75, 0.95);
+                        break;
+                    case ColorMode.PointSource:
+                        // Steps of the golden ratio: neighbours differ, and none comes twice.
+                        palette[i] = Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2));
+                        break;
                     default:
-                        palette[i] = Gray(DarkestLight + (1 - DarkestLight) * share);
+                        palette[i] = Ramp(gradient, share);
                         break;
                 }
             }
             return palette;
+        }
+
+        static uint Ramp(Gradient gradient, double share)
+        {
+            switch (gradient)
+            {
+                case Gradient.Viridis:
+                    return Viridis(DarkestShare + (1 - DarkestShare) * share);
+                case Gradient.Turbo:
+                    return Turbo(share);
+                default:
+                    return Gray(DarkestLight + (1 - DarkestLight) * share);
+            }
+        }
+
+        /// <summary>A colour of the circle (Smith, "Color gamut transform pairs", 1978).</summary>
+        /// <param name="turns">Around the circle: red, green at a third, blue at two.</param>
+        /// <param name="saturation">0 for grey, to 1.</param>
+        /// <param name="value">Of the brightest channel, sRGB.</param>
+        static uint Hue(double turns, double saturation, double value)
+        {
+            byte Channel(double shift)
+            {
+                double place = turns + shift;
+                double distance = Math.Abs((place - Math.Floor(place)) * 6 - 3);
+                return ToByte(value * (1 - saturation * (1 - Math.Min(1, Math.Max(0, distance - 1)))));
+            }
+            return Pack(Channel(0), Channel(2 / 3.0), Channel(1 / 3.0));
         }
 
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
@@ -57,6 +92,16 @@ namespace FastPoints.Picture
                 4.64585261);
             double blue = Polynomial(share, 0.33409981, 1.38459016, 0.09509516, -19.33244096, 56.69055260, -65.35303263,
                 26.31243525);
+            return Pack(ToByte(red), ToByte(green), ToByte(blue));
+        }
+
+        /// <summary>Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values (fit by R.
+        /// Du).</summary>
+        public static uint Turbo(double share)
+        {
+            double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943, 0);
+            double green = Polynomial(share, 0.09140261, 2.19418839, 4.84296658, -14.18503333, 4.27729857, 2.82956604, 0);
+            double blue = Polynomial(share, 0.10667330, 12.64194608, -60.58204836, 110.36276771, -89.90310912, 27.34824973, 0);
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 

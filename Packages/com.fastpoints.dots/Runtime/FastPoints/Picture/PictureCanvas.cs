@@ -56,9 +56,9 @@ namespace FastPoints.Picture
         public float LargestPx { get; private set; }
 
         /// <summary>Takes the colours of a mode. No drawing may be in flight.</summary>
-        public void UsePalette(ColorMode mode)
+        public void UsePalette(ColorMode mode, Gradient gradient = Gradient.Auto)
         {
-            using var palette = Palettes.Create(mode, Allocator.Temp);
+            using var palette = Palettes.Create(mode, Allocator.Temp, gradient);
             m_palette.CopyFrom(palette);
         }
 

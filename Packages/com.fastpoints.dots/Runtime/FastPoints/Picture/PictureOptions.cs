@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Gpu;
+using FastPoints.Streaming;
 
 namespace FastPoints.Picture
 {
@@ -23,6 +25,7 @@ namespace FastPoints.Picture
         public double FovDegrees = CameraFraming.DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
         public ColorMode Color = ColorMode.Auto;
+        public Gradient Gradient = Gradient.Auto;
 
         /// <summary>In pixels; 0: as large as it takes for surfaces to look closed.</summary>
         public float PointSizePx;
@@ -33,6 +36,15 @@ namespace FastPoints.Picture
 
         /// <summary>Whether sizes are chosen from what a picture of the points shows.</summary>
         public bool IsAutoSize => PointSizePx < 1 && SizeInWorld?.Mode != PointSizeMode.World;
+
+        /// <summary>Points of these classes are not drawn, of streamed clouds.</summary>
+        public ClassMask HiddenClasses;
+
+        /// <summary>What streamed clouds are clipped by, georeferenced.</summary>
+        public readonly List<ClipBox> ClipBoxes = new List<ClipBox>();
+
+        /// <summary>Whether not all points are drawn.</summary>
+        public bool IsFiltered => ClipBoxes.Count > 0 || !HiddenClasses.IsEmpty;
 
         /// <summary>Discs in place of squares.</summary>
         public bool RoundPoints;
@@ -49,8 +61,9 @@ namespace FastPoints.Picture
 
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
-            "color=auto|rgb|elevation|intensity|classification, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round, " +
-            "edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
+            "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
+            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round, " +
+            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
         /// <param name="error">What was wanted, or null.</param>
@@ -62,6 +75,8 @@ namespace FastPoints.Picture
             {
                 case "color":
                     return TryName(value, out Color, ref error);
+                case "gradient":
+                    return TryName(value, out Gradient, ref error);
                 case "up":
                     return TryName(value, out UpAxis, ref error);
                 case "size":
@@ -74,6 +89,10 @@ namespace FastPoints.Picture
                     if (value != "square" && value != "round")
                         error = "points: wanted square or round, got " + value;
                     RoundPoints = value == "round";
+                    break;
+                case "classes":
+                    if (!TryClasses(value))
+                        error = "classes: wanted numbers from 0 to 255 as in 2+6, got " + value;
                     break;
                 case "edl":
                     if (value == "auto" || value == "on" || value == "off")
@@ -123,6 +142,19 @@ namespace FastPoints.Picture
                 return false;
             SizeInWorld = inWorld;
             PointSizePx = inWorld.HasValue ? 0 : number;
+            return true;
+        }
+
+        bool TryClasses(string value)
+        {
+            var shown = new ClassMask();
+            foreach (string part in value.Split('+'))
+            {
+                if (!byte.TryParse(part, NumberStyles.None, CultureInfo.InvariantCulture, out byte c))
+                    return false;
+                shown.Add(c);
+            }
+            HiddenClasses = shown.Inverse;
             return true;
         }
 

@@ -37,6 +37,10 @@ namespace FastPoints.Picture
         public ColorMode Mode { get; }
 
         public float EdlStrength { get; }
+        public Gradient Gradient => m_options.Gradient;
+
+        /// <summary>Of a streamed cloud.</summary>
+        public ClassMask HiddenClasses => m_options.HiddenClasses;
 
         /// <summary>Size of a point in pixels; where it is chosen, that of the middle tile.</summary>
         public float SizePx { get; set; }

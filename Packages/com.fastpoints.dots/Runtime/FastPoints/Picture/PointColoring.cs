@@ -37,7 +37,10 @@ namespace FastPoints.Picture
         static void Lookup(double* values, int count, in ColorMapping mapping, uint* palette, uint* colors)
         {
             for (int i = 0; i < count; i++)
-                colors[i] = palette[ToIndex(values[i] * mapping.Scale + mapping.Bias)];
+            {
+                double entry = values[i] * mapping.Scale + mapping.Bias;
+                colors[i] = palette[mapping.Wraps ? (int)((long)entry & (Palettes.Length - 1)) : ToIndex(entry)];
+            }
         }
 
         static void AddChannel(byte* bytes, in ColorMapping mapping, PointColumn column, int first, int count, double* values,

@@ -18,6 +18,8 @@ namespace FastPoints.Picture
         readonly int m_cloud;
         readonly PicturePlan m_plan;
         readonly PointBatch m_block;
+        readonly PointColumn m_classes;
+        NativeList<LocalClip> m_clips;
         NativeList<BlockRun> m_runs;
         NativeList<PlaneView> m_planes;
         NativeArray<StoredColumn> m_columns;
@@ -58,11 +60,20 @@ namespace FastPoints.Picture
             m_targets = new NativeArray<PointColumn>(columns.Count, Allocator.Persistent);
             for (int c = 0; c < columns.Count; c++)
                 m_targets[c] = m_block.Column(3 + c);
+            if (!plan.HiddenClasses.IsEmpty && m_block.Schema.Has(AttributeNames.Classification))
+            {
+                HiddenClasses = plan.HiddenClasses;
+                m_classes = m_block.Column(m_block.Schema.IndexOf(AttributeNames.Classification));
+            }
+            m_clips = new NativeList<LocalClip>(Allocator.Persistent);
             m_runs = new NativeList<BlockRun>(Allocator.Persistent);
             m_planes = new NativeList<PlaneView>(Allocator.Persistent);
         }
 
         public StreamContext Stream => m_stream;
+
+        /// <summary>Their points are not drawn; the source streams the classification.</summary>
+        public ClassMask HiddenClasses { get; }
 
         /// <summary>How the cloud's points are drawn for a camera in the world that the stream's placements lead to.</summary>
         public PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
@@ -97,6 +108,9 @@ namespace FastPoints.Picture
             int planes = cloud.Source.Planes.Length;
             m_runs.Clear();
             m_planes.Clear();
+            m_clips.Clear();
+            foreach (var box in m_stream.ClipBoxes)
+                m_clips.Add(InSteps(new LocalClip(box, cloud.Placement), step));
             for (int i = 0; i < m_stream.Drawn.Length; i++)
             {
                 var drawn = m_stream.Drawn[i];
@@ -130,6 +144,9 @@ namespace FastPoints.Picture
                 Palette = canvas.Palette,
                 SizeOfTile = canvas.SizeOfTile,
                 SizeNodes = sizes.Nodes,
+                Clips = m_clips.AsArray(),
+                Classes = m_classes,
+                HiddenClasses = HiddenClasses,
                 Drawing = drawing,
                 Pixels = canvas.Pixels,
             }.ScheduleParallel(m_runs.Length, 1, inputDeps);
@@ -141,9 +158,16 @@ namespace FastPoints.Picture
                 return;
             m_block.Dispose();
             m_runs.Dispose();
+            m_clips.Dispose();
             m_planes.Dispose();
             m_columns.Dispose();
             m_targets.Dispose();
+        }
+
+        static LocalClip InSteps(LocalClip clip, double3 step)
+        {
+            clip.ToBox = new double3x3(clip.ToBox.c0 * step.x, clip.ToBox.c1 * step.y, clip.ToBox.c2 * step.z);
+            return clip;
         }
 
         static double3 Turned(in Camera camera, double3 world) =>

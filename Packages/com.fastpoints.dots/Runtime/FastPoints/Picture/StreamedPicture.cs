@@ -31,7 +31,7 @@ namespace FastPoints.Picture
             m_clouds.Add(blocks);
             m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
             if (m_clouds.Count == 1 || mode != ColorMode.Rgb)
-                m_canvas.UsePalette(mode);
+                m_canvas.UsePalette(mode, m_options.Gradient);
         }
 
         /// <summary>What the stream's last frame listed, as a camera sees it.</summary>

@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
             long start = Stopwatch.GetTimestamp();
             var selector = stream.Selector;
             var settings = stream.Settings;
-            selector.Begin();
+            selector.Begin(stream.ClipBoxes.AsArray());
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];

@@ -11,6 +11,8 @@ namespace FastPoints.Streaming
         NativeList<SelectionCloud> m_clouds;
         NativeList<CloudPlacement> m_placements;
         NativeList<CloudView> m_views;
+        NativeList<LocalClip> m_clips;
+        NativeArray<ClipBox> m_clipBoxes;
         NativeList<SelectedNode> m_selected;
         NativeList<SelectedNode> m_forecast;
         NativeList<MissingPage> m_missing;
@@ -24,6 +26,7 @@ namespace FastPoints.Streaming
             m_clouds = new NativeList<SelectionCloud>(Allocator.Persistent);
             m_placements = new NativeList<CloudPlacement>(Allocator.Persistent);
             m_views = new NativeList<CloudView>(Allocator.Persistent);
+            m_clips = new NativeList<LocalClip>(Allocator.Persistent);
             m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
             m_forecast = new NativeList<SelectedNode>(256, Allocator.Persistent);
             m_missing = new NativeList<MissingPage>(Allocator.Persistent);
@@ -49,9 +52,11 @@ namespace FastPoints.Streaming
         public long Points => m_points.Value;
 
         /// <summary>A new frame, without clouds.</summary>
-        public void Begin()
+        /// <param name="clipBoxes">Of all clouds; they stay as they are until the frame's last selection.</param>
+        public void Begin(NativeArray<ClipBox> clipBoxes = default)
         {
             Frame++;
+            m_clipBoxes = clipBoxes;
             m_clouds.Clear();
             m_placements.Clear();
             m_forecast.Clear();
@@ -100,6 +105,7 @@ namespace FastPoints.Streaming
             m_clouds.Dispose();
             m_placements.Dispose();
             m_views.Dispose();
+            m_clips.Dispose();
             m_selected.Dispose();
             m_forecast.Dispose();
             m_missing.Dispose();
@@ -112,14 +118,21 @@ namespace FastPoints.Streaming
         SelectNodesJob JobFor(NativeArray<StreamView> views, in SelectionSettings settings)
         {
             m_views.Clear();
+            m_clips.Clear();
             for (int c = 0; c < m_clouds.Length; c++)
+            {
                 for (int v = 0; v < views.Length; v++)
                     m_views.Add(new CloudView(views[v], m_placements[c]));
+                for (int b = 0; b < m_clipBoxes.Length; b++)
+                    m_clips.Add(new LocalClip(m_clipBoxes[b], m_placements[c]));
+            }
             return new SelectNodesJob
             {
                 Clouds = m_clouds.AsArray(),
                 Views = m_views.AsArray(),
                 ViewCount = views.Length,
+                Clips = m_clips.AsArray(),
+                ClipCount = m_clipBoxes.Length,
                 Settings = settings,
                 Frame = Frame,
                 Heap = m_heap,

@@ -19,6 +19,10 @@ namespace FastPoints.Streaming
         /// <summary>By cloud times <see cref="ViewCount"/>, plus view.</summary>
         [ReadOnly] public NativeArray<CloudView> Views;
         public int ViewCount;
+
+        /// <summary>By cloud times <see cref="ClipCount"/>, plus clip box.</summary>
+        [ReadOnly] public NativeArray<LocalClip> Clips;
+        public int ClipCount;
         public SelectionSettings Settings;
 
         /// <summary>See <see cref="NodeSelector.Frame"/>.</summary>
@@ -140,6 +144,9 @@ namespace FastPoints.Streaming
         bool IsInView(int cloud, double3 center, double3 half, float spacing, out float spacingPx)
         {
             spacingPx = 0;
+            if (ClipCount > 0 &&
+                !LocalClip.Leave((LocalClip*)Clips.GetUnsafeReadOnlyPtr() + cloud * ClipCount, ClipCount, center, half))
+                return false;
             var views = (CloudView*)Views.GetUnsafeReadOnlyPtr() + cloud * ViewCount;
             for (int v = 0; v < ViewCount; v++)
             {

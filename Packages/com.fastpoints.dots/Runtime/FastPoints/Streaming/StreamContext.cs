@@ -32,6 +32,7 @@ namespace FastPoints.Streaming
             Pool = pool;
             Reads = new NodeReads(this);
             Uploads = new NodeUploads(this);
+            ClipBoxes = new NativeList<ClipBox>(Allocator.Persistent);
             Drawn = new NativeList<DrawnNode>(1024, Allocator.Persistent);
             DrawnOfSelected = new NativeList<int>(1024, Allocator.Persistent);
         }
@@ -46,6 +47,10 @@ namespace FastPoints.Streaming
 
         /// <summary>By number; null where a cloud is gone.</summary>
         public IReadOnlyList<StreamedCloud> Clouds => m_clouds;
+
+        /// <summary>What all clouds are clipped by: nothing outside is selected, loaded or drawn. May be changed from frame to
+        /// frame.</summary>
+        public NativeList<ClipBox> ClipBoxes { get; }
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
@@ -71,6 +76,14 @@ namespace FastPoints.Streaming
                         return true;
                 return false;
             }
+        }
+
+        /// <summary>Replaces <see cref="ClipBoxes"/>.</summary>
+        public void SetClipBoxes(List<ClipBox> boxes)
+        {
+            ClipBoxes.Clear();
+            foreach (var box in boxes)
+                ClipBoxes.Add(box);
         }
 
         /// <param name="source">Becomes this context's.</param>
@@ -211,6 +224,7 @@ namespace FastPoints.Streaming
             Selector.Dispose();
             Cache.Dispose();
             Pool.Dispose();
+            ClipBoxes.Dispose();
             Drawn.Dispose();
             DrawnOfSelected.Dispose();
         }

@@ -1,0 +1,46 @@
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Clouds are clipped by the boxes that entities are.</summary>
+    [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
+    [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
+    [UpdateAfter(typeof(AddCloudsSystem))]
+    public partial class ClipCloudsSystem : StreamSystem
+    {
+        EntityQuery m_clips;
+
+        /// <summary>Boxes that others than entities gave the stream are left alone.</summary>
+        bool m_hasClips;
+
+        protected override void OnCreate()
+        {
+            base.OnCreate();
+            m_clips = GetEntityQuery(ComponentType.ReadOnly<PointCloudClip>(), ComponentType.ReadOnly<LocalToWorld>());
+        }
+
+        protected override void OnUpdate()
+        {
+            if (m_clips.IsEmpty && !m_hasClips)
+                return;
+            m_hasClips = !m_clips.IsEmpty;
+            var boxes = Group.Stream.ClipBoxes;
+            boxes.Clear();
+            using (var clips = m_clips.ToComponentDataArray<PointCloudClip>(Allocator.Temp))
+            using (var places = m_clips.ToComponentDataArray<LocalToWorld>(Allocator.Temp))
+                for (int i = 0; i < clips.Length; i++)
+                    boxes.Add(BoxOf(places[i].Value, clips[i].Cuts));
+        }
+
+        static ClipBox BoxOf(float4x4 place, bool cuts) => new ClipBox
+        {
+            CenterWorld = new double3(place.c3.xyz),
+            EdgesWorld = new double3x3(new double3(place.c0.xyz), new double3(place.c1.xyz), new double3(place.c2.xyz)),
+            Cuts = cuts,
+        };
+    }
+}

@@ -1,0 +1,46 @@
+// Points that are not drawn: clipped away, or of a class that is hidden.
+#ifndef FASTPOINTS_POINT_FILTERS_INCLUDED
+#define FASTPOINTS_POINT_FILTERS_INCLUDED
+
+#include "PointBlocks.hlsl"
+#include "Generated/GpuClipBox.hlsl"
+#include "Generated/GpuCloud.hlsl"
+
+#if defined(FASTPOINTS_CLIPPED)
+StructuredBuffer<GpuClipBox> _FastPointsClipBoxes;
+uint _FastPointsClipBoxCount;
+
+// Boxes that cut take away what is in them; of the others, what is in any is left.
+// seen: from the camera, along the world's axes.
+bool FastPointsIsLeftByClips(float3 seen)
+{
+    bool isKept = false, doesAnyKeep = false, isCut = false;
+    for (uint i = 0u; i < _FastPointsClipBoxCount; i++)
+    {
+        GpuClipBox box = _FastPointsClipBoxes[i];
+        float4 place = float4(seen, 1.0);
+        float3 inBox = abs(float3(dot(box.RowX, place), dot(box.RowY, place), dot(box.RowZ, place)));
+        bool isIn = max(inBox.x, max(inBox.y, inBox.z)) <= 0.5;
+        isCut = isCut || (isIn && box.Cuts != 0u);
+        isKept = isKept || (isIn && box.Cuts == 0u);
+        doesAnyKeep = doesAnyKeep || box.Cuts == 0u;
+    }
+    return !isCut && (isKept || !doesAnyKeep);
+}
+#endif
+
+#if defined(FASTPOINTS_FILTERED)
+bool FastPointsIsHidden(GpuCloud cloud, uint classWord, uint blockIndex, uint index)
+{
+    if (cloud.ClassDivisor == 0u)
+        return false;
+    // A plane of one column: two words and its minimum.
+    FastPointsBlock block = FastPointsOpenBlock(classWord, 3u, blockIndex);
+    uint minimum = _FastPointsBank.Load((block.Descriptor + 2u) * 4u);
+    uint number = (minimum + FastPointsOffset(block.Packed, FastPointsWidthOf(block, 0u), index)) * cloud.ClassDivisor & 0xFFu;
+    uint4 hidden = number < 128u ? cloud.HiddenLow : cloud.HiddenHigh;
+    return (hidden[number >> 5 & 3u] >> (number & 31u) & 1u) != 0u;
+}
+#endif
+
+#endif
