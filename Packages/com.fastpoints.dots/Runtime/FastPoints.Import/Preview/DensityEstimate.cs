@@ -30,10 +30,14 @@ namespace FastPoints.Preview
         readonly double3 m_corner;
         readonly double m_edge;
         readonly int m_leastStretches;
+        readonly double m_share;
+        readonly bool m_isOfBlockBeginnings;
 
-        DensityEstimate(DensityTree tree, int leastStretches, double3 corner, double edge)
+        DensityEstimate(DensityTree tree, PreviewSample sample, double share, int leastStretches, double3 corner, double edge)
         {
             m_tree = tree;
+            m_share = share;
+            m_isOfBlockBeginnings = sample.IsOfBlockBeginnings;
             m_leastStretches = leastStretches;
             m_corner = corner;
             m_edge = edge;
@@ -84,7 +88,7 @@ namespace FastPoints.Preview
                 int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
                 int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
                 using (var counting = DensityTree.Count(codes, sample.Runs, all / inSample, inSample / all, least, 0,
-                    tree => take(new DensityEstimate(tree, least, bounds.Min, edge))))
+                    tree => take(new DensityEstimate(tree, sample, inSample / all, least, bounds.Min, edge))))
                     while (counting.MoveNext())
                         yield return counting.Current;
             }
@@ -112,6 +116,22 @@ namespace FastPoints.Preview
                 for (int octant = 7; octant >= 0; octant--)
                     open.Push((parts + octant, min + edge / 2 * new double3(octant & 1, octant >> 1 & 1, octant >> 2), edge / 2));
             }
+        }
+
+        /// <summary>
+        /// How many points of the cloud, by estimate, lie in cells that no sampled point lies in: as many as lie in cells that a
+        /// single stretch has points in (I. J. Good, "The population frequencies of species", 1953). NaN of beginnings of
+        /// blocks: what their ends hold cannot be told from them.
+        /// </summary>
+        public double EstimateUnseen()
+        {
+            if (m_isOfBlockBeginnings)
+                return double.NaN;
+            double single = 0;
+            foreach (var leaf in Leaves())
+                if (leaf.Cell.Stretches == 1)
+                    single += leaf.Cell.Points;
+            return single * Math.Max(0, 1 - m_share);
         }
 
         public void Dispose() => m_tree.Dispose();

@@ -123,6 +123,9 @@ namespace FastPoints.Preview
                 if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)
                     pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
             double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
+            // Where an end is not looked at because another place was chosen by chance, that is no beginning.
+            bool isSpread = Reader.BeginningsAreSpread && !Reader.BlocksAreKnown;
+            bool isOfBeginnings = false;
             runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
             int stretch = 0;
             for (int first = 0, end; first < m_taken.Count; first = end, stretch++)
@@ -130,6 +133,7 @@ namespace FastPoints.Preview
                 int block = m_taken[first].Block, taken = 0;
                 for (end = first; end < m_taken.Count && m_taken[end].Block == block; end++)
                     taken += m_taken[end].Count;
+                isOfBeginnings |= !isSpread && taken < Reader.PointsInBlock(block);
                 for (int i = first; i < end; i++)
                     runs.Add(new SampleRun
                     {
@@ -139,6 +143,7 @@ namespace FastPoints.Preview
                         Weight = scale * Reader.PointsInBlock(block) / taken,
                     });
             }
+            Sample.IsOfBlockBeginnings = isOfBeginnings;
             yield break;
         }
 

@@ -58,6 +58,10 @@ namespace FastPoints.Preview
         /// alone, and of points that were chosen without regard to the file's order.</summary>
         public bool StandsForStretches { get; internal set; }
 
+        /// <summary>Whether the points of its stretches are the first ones of blocks that were not read to their ends (LAZ): what
+        /// the ends hold, and where, they do not tell.</summary>
+        public bool IsOfBlockBeginnings { get; internal set; }
+
         /// <summary>The points that lie together in the file, in its order, substitutes apart; empty where each stands for a
         /// stretch of its own.</summary>
         public NativeArray<SampleRun> Runs => RunList.AsArray();

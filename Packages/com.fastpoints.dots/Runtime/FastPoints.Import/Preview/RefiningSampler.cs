@@ -272,6 +272,7 @@ namespace FastPoints.Preview
                     while (moving.MoveNext())
                         yield return moving.Current;
                 m_sample.StandsForStretches = true;
+                m_sample.IsOfBlockBeginnings = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
                 m_sample.Substitutes = others.Value.Points;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
