@@ -23,7 +23,8 @@ namespace FastPoints.HostTests.Editor
         [TestCase("NUL .x", "_NUL .x")]
         [TestCase("console", "console")]
         [TestCase("\uD83D\uDE00", "\uD83D\uDE00")]
-        public void Safe_AnyName_IsOneForEverySystem(string name, string wanted) => Assert.That(AssetNaming.Safe(name), Is.EqualTo(wanted));
+        public void Safe_AnyName_IsOneForEverySystem(string name, string wanted) =>
+            Assert.That(AssetNaming.Safe(name), Is.EqualTo(wanted));
 
         /// <summary>As far as the runtime composes: without its tables of cultures it leaves text as it is.</summary>
         [Test]

@@ -42,7 +42,8 @@ namespace FastPoints.HostTests.Editor
         {
             m_catalog.Refresh();
             Assert.That(m_catalog.Clouds, Is.Empty);
-            Assert.That(m_catalog.Find(Handle(Path.Combine(m_paths.Clouds, "a.fastpoints")), out _), Is.EqualTo(CatalogMatch.None));
+            var handle = Handle(Path.Combine(m_paths.Clouds, "a.fastpoints"));
+            Assert.That(m_catalog.Find(handle, out _), Is.EqualTo(CatalogMatch.None));
         }
 
         [Test]
@@ -105,7 +106,8 @@ namespace FastPoints.HostTests.Editor
                 Is.EqualTo(Path.Combine(m_paths.Clouds, "scan 3.fastpoints")));
 
             Directory.Move(taken, taken + StoreFormat.PartSuffix);
-            Assert.That(m_catalog.NewTarget("/elsewhere/scan.laz", _ => false), Does.EndWith("scan 2.fastpoints"), "one in the making");
+            Assert.That(m_catalog.NewTarget("/elsewhere/scan.laz", _ => false), Does.EndWith("scan 2.fastpoints"),
+                "one in the making");
         }
 
         [Test]
@@ -139,7 +141,8 @@ namespace FastPoints.HostTests.Editor
         {
             string from = Convert("one", 2000), to = Convert("two", 3000);
 
-            Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(), Throws.TypeOf<PointCloudException>().With.Message.Contains("is there already"));
+            Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(),
+                Throws.TypeOf<PointCloudException>().With.Message.Contains("is there already"));
             Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
             Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));

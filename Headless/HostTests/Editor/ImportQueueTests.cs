@@ -152,7 +152,7 @@ namespace FastPoints.HostTests.Editor
             UpdateUntil(queue, () => m_ended.Count == 2);
 
             Assert.That(m_ended, Is.EqualTo(new[] { "asset of gone: Failed", "asset of two: Done" }));
-            Assert.That(queue.Requests.Single().Failure, Does.EndWith("no such file"));
+            Assert.That(queue.Requests.Single().Failure, Does.EndWith("no such file or folder"));
             queue.Cancel(gone);
             queue.Tick(1, DateTime.UtcNow);
             Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Has.Length.EqualTo(1));

@@ -71,6 +71,31 @@ namespace FastPoints.HostTests.Editor
         }
 
         [Test]
+        public void TryTake_LeftByScriptsOfThisProcessThatWereLoadedBefore_IsTakenOver()
+        {
+            ProjectLock.TryTake(m_path, out _);
+            string[] lines = File.ReadAllText(m_path).Split('\n');
+            lines[3] = "another load";
+            File.WriteAllText(m_path, string.Join("\n", lines));
+
+            Assert.That(ProjectLock.TryTake(m_path, out var next), Is.Null);
+            next.Dispose();
+        }
+
+        [Test]
+        public void Renew_FileThatCannotBeRead_IsKeptAndOneThatIsGoneIsNot()
+        {
+            ProjectLock.TryTake(m_path, out var held);
+            File.Delete(m_path);
+            Assert.That(held.Renew(DateTime.UtcNow + ProjectLock.RenewAfter), Is.False);
+
+            ProjectLock.TryTake(m_path, out held);
+            using (new FileStream(m_path, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
+                Assert.That(held.Renew(DateTime.UtcNow + ProjectLock.RenewAfter), Is.True);
+            held.Dispose();
+        }
+
+        [Test]
         public void TryTake_OwnerOnAnotherMachine_IsTakenOverWhenItIsSilent()
         {
             ProjectLock.TryTake(m_path, "far", (7, 1), out var far);

@@ -29,6 +29,7 @@ namespace FastPoints.RepoTools.Api
             }
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Tests", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Editor", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Urp", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Hdrp", generation));
             foreach (string folder in NetStandardFolders())

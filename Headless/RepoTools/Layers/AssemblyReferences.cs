@@ -26,7 +26,9 @@ namespace FastPoints.RepoTools.Layers
             ["FastPoints.Rendering.Hdrp"] = s_drawing
                 .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
-            ["FastPoints.Editor"] = s_shared,
+            ["FastPoints.Editor"] = s_shared
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "Unity.Entities", "Unity.Entities.Hybrid" })
+                .ToArray(),
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
                 .Concat(new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" }).ToArray(),
@@ -51,8 +53,8 @@ namespace FastPoints.RepoTools.Layers
         }
 
         /// <summary>
-        /// What the asmdef and the csproj of an assembly reference differently. The engine's core module needs no line in an
-        /// asmdef, and Unity's test runner has no stand-in.
+        /// What the asmdef and the csproj of an assembly reference differently. Modules of the engine and the editor need no line
+        /// in an asmdef, and Unity's test runner has no stand-in.
         /// </summary>
         public static IEnumerable<string> CheckProject(Asmdef asmdef, string project)
         {
@@ -61,8 +63,12 @@ namespace FastPoints.RepoTools.Layers
             List<string> wanted = asmdef.References.Where(r => !r.EndsWith(".TestRunner", System.StringComparison.Ordinal)).ToList();
             foreach (string missing in wanted.Except(inProject))
                 yield return $"{asmdef.Name}.csproj does not reference {missing}, the asmdef does";
-            foreach (string extra in inProject.Except(wanted).Where(r => r != "UnityEngine.CoreModule"))
+            foreach (string extra in inProject.Except(wanted).Where(r => !IsEngineModule(r)))
                 yield return $"{asmdef.Name}.csproj references {extra}, the asmdef does not";
         }
+
+        private static bool IsEngineModule(string assembly) => assembly.EndsWith("Module", System.StringComparison.Ordinal) &&
+            (assembly.StartsWith("UnityEngine.", System.StringComparison.Ordinal) ||
+                assembly.StartsWith("UnityEditor.", System.StringComparison.Ordinal));
     }
 }

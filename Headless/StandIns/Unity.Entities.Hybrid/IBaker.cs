@@ -7,6 +7,9 @@ namespace Unity.Entities
 
         public Entity GetEntity(TransformUsageFlags flags) => Primary;
 
+        /// <summary>Everything is baked once: nothing follows from it here.</summary>
+        public T DependsOn<T>(T dependency) where T : UnityEngine.Object => dependency;
+
         public void AddComponent<T>(Entity entity, in T component) where T : unmanaged, IComponentData =>
             Entities.AddComponentData(entity, component);
 

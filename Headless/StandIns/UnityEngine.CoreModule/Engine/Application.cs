@@ -7,6 +7,13 @@ namespace UnityEngine
         /// <summary>The host is as an editor that does not play: what is destroyed is destroyed at once.</summary>
         public static bool isPlaying => false;
 
+        public static bool isEditor => true;
+
+        /// <summary>Of a project that a test has made.</summary>
+        internal static string AssetsPath;
+
+        public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
+
         public static string streamingAssetsPath => AppContext.BaseDirectory + "StreamingAssets";
     }
 }

@@ -20,6 +20,15 @@ namespace StandIns.Scene
         /// <summary>As if somebody had moved it.</summary>
         public static void Place(Transform transform, Matrix4x4 localToWorld) => transform.localToWorldMatrix = localToWorld;
 
+        internal static T[] Find<T>() where T : Object
+        {
+            var found = new List<T>();
+            foreach (var behaviour in s_told)
+                if (behaviour is T wanted)
+                    found.Add(wanted);
+            return found.ToArray();
+        }
+
         internal static void Refresh(Behaviour behaviour)
         {
             bool isOn = behaviour.isActiveAndEnabled;

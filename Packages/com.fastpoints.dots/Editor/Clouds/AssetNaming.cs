@@ -15,12 +15,12 @@ namespace FastPoints.Editor
 
         static readonly string[] s_devices =
         {
-            "CON", "PRN", "AUX", "NUL", "CVS", "COM0", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8", "COM9", "LPT0",
-            "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
+            "CON", "PRN", "AUX", "NUL", "CVS", "COM0", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8", "COM9",
+            "LPT0", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
         };
 
-        /// <summary>A name as near to this one as may be: composed characters, none that a system forbids, no point, blank or tilde
-        /// at an end, no device's name, at most <see cref="MostBytes"/>.</summary>
+        /// <summary>A name as near to this one as may be: composed characters, none that a system forbids, no point, blank or
+        /// tilde at an end, no device's name, at most <see cref="MostBytes"/>.</summary>
         public static string Safe(string name)
         {
             var text = new StringBuilder(name.Length);
@@ -30,14 +30,15 @@ namespace FastPoints.Editor
                 if (isPair)
                     text.Append(name[i++]).Append(name[i]);
                 else
-                    text.Append(char.IsControl(name[i]) || char.IsSurrogate(name[i]) || NotAllowed.IndexOf(name[i]) >= 0 ? '_' : name[i]);
+                    text.Append(IsAllowed(name[i]) ? name[i] : '_');
             }
             string safe = Trim(Shorten(text.ToString().Normalize(NormalizationForm.FormC)));
             if (safe.Length == 0)
                 return Empty;
             int stem = safe.IndexOf('.');
             string device = stem < 0 ? safe : safe.Substring(0, stem);
-            return Array.Exists(s_devices, d => d.Equals(device.TrimEnd(), StringComparison.OrdinalIgnoreCase)) ? "_" + safe : safe;
+            bool isDevice = Array.Exists(s_devices, d => d.Equals(device.TrimEnd(), StringComparison.OrdinalIgnoreCase));
+            return isDevice ? "_" + safe : safe;
         }
 
         /// <summary>The name made safe; with a number behind it where that is taken.</summary>
@@ -52,7 +53,10 @@ namespace FastPoints.Editor
 
         /// <summary>Unity does not see files that begin with a point or end with a tilde; Windows drops points and blanks at the
         /// end.</summary>
-        static string Trim(string name) => name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
+        static string Trim(string name) =>
+            name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
+
+        static bool IsAllowed(char c) => !char.IsControl(c) && !char.IsSurrogate(c) && NotAllowed.IndexOf(c) < 0;
 
         static string Shorten(string name)
         {

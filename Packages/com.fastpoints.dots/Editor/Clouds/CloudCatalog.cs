@@ -7,8 +7,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id that
-    /// their content gives them.</summary>
+    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
+    /// that their content gives them.</summary>
     public sealed class CloudCatalog
     {
         struct Seen
@@ -39,7 +39,8 @@ namespace FastPoints.Editor
                 bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
                 string path = isPart ? folder.Substring(0, folder.Length - StoreFormat.PartSuffix.Length) : folder;
                 // While a cloud is made anew the old one is there.
-                if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) && !(isPart && Directory.Exists(path)))
+                if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
+                    !(isPart && Directory.Exists(path)))
                     m_clouds.Add(Look(path, folder, seen));
             }
             m_seen = seen;
@@ -80,7 +81,8 @@ namespace FastPoints.Editor
             return PathOf(name);
         }
 
-        /// <summary>Deletes a converted cloud: first its name, so that a half deleted one is never taken for a whole one.</summary>
+        /// <summary>Deletes a converted cloud: first its name, so that a half deleted one is never taken for a whole
+        /// one.</summary>
         /// <exception cref="PointCloudException">It cannot be deleted: somebody has its files open, or may not.</exception>
         public static void Delete(string path)
         {
@@ -112,7 +114,8 @@ namespace FastPoints.Editor
                 seen[folder] = before;
                 return before.Cloud;
             }
-            var cloud = new CatalogCloud { Path = path, IsBuilding = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal) };
+            bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
+            var cloud = new CatalogCloud { Path = path, IsBuilding = isPart };
             try
             {
                 cloud.Manifest = CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest);

@@ -83,7 +83,8 @@ namespace FastPoints.Editor
         }
 
         /// <param name="path">For messages.</param>
-        /// <exception cref="PointCloudException">It is no handle, of another version, or a member is missing or senseless.</exception>
+        /// <exception cref="PointCloudException">It is no handle, of another version, or a member is missing or
+        /// senseless.</exception>
         public static CloudHandle FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);

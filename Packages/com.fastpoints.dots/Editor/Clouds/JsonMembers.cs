@@ -4,8 +4,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Members of a JSON object, each as what it must be. What is missing or of another kind is told with its name and the
-    /// file's.</summary>
+    /// <summary>Members of a JSON object, each as what it must be. What is missing or of another kind is told with its name and
+    /// the file's.</summary>
     sealed class JsonMembers
     {
         readonly Dictionary<string, object> m_members;
@@ -31,14 +31,17 @@ namespace FastPoints.Editor
         public string Text(string name) => Member(name, v => v as string ?? throw new FormatException("wanted a string"));
 
         /// <summary>A string, or null where it is null or not there.</summary>
-        public string TextOrNull(string name) => m_members.TryGetValue(name, out object value) && value != null ? Text(name) : null;
+        public string TextOrNull(string name) =>
+            m_members.TryGetValue(name, out object value) && value != null ? Text(name) : null;
 
         public List<string> Texts(string name) =>
             Items(name).ConvertAll(i => i as string ?? throw Wrong(name, m_path, "wanted strings", null));
 
-        public List<double> Doubles(string name) => Items(name).ConvertAll(i => Guarded(name, m_path, () => JsonReader.ToDouble(i)));
+        public List<double> Doubles(string name) =>
+            Items(name).ConvertAll(i => Guarded(name, m_path, () => JsonReader.ToDouble(i)));
 
-        public List<JsonMembers> Objects(string name) => Items(name).ConvertAll(i => Guarded(name, m_path, () => new JsonMembers(i, m_path)));
+        public List<JsonMembers> Objects(string name) =>
+            Items(name).ConvertAll(i => Guarded(name, m_path, () => new JsonMembers(i, m_path)));
 
         /// <summary>An object, or null where it is null or not there.</summary>
         public JsonMembers ObjectOrNull(string name) => m_members.TryGetValue(name, out object value) && value != null

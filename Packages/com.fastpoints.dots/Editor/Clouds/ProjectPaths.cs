@@ -3,8 +3,8 @@ using System.IO;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Where a project and its converted clouds are. What lies in the project is written down relative to it with '/', so
-    /// that it is found after the project has moved; anything else by its whole path.</summary>
+    /// <summary>Where a project and its converted clouds are. What lies in the project is written down relative to it with '/',
+    /// so that it is found after the project has moved; anything else by its whole path.</summary>
     public sealed class ProjectPaths
     {
         public const string DefaultClouds = "PointClouds";

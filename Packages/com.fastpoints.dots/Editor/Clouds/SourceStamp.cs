@@ -10,9 +10,9 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Tells a source from a changed one without reading it whole: bytes, time, and where the time is another, hashes of its first
-    /// and last 64 KiB. Of a folder, the files that lie in it directly; of several, all names and sizes, the first one's beginning
-    /// and the last one's end.
+    /// Tells a source from a changed one without reading it whole: bytes, time, and where the time is another, hashes of its
+    /// first and last 64 KiB. Of a folder, the files that lie in it directly; of several, all names and sizes, the first one's
+    /// beginning and the last one's end.
     /// </summary>
     /// <remarks>A change in the middle that keeps the size is seen by its time alone, and where that was put back, not at
     /// all.</remarks>
@@ -20,6 +20,8 @@ namespace FastPoints.Editor
     {
         /// <summary>Bytes at each end that are hashed.</summary>
         public const int EdgeBytes = 64 << 10;
+
+        static readonly Comparer<FileInfo> s_byName = Comparer<FileInfo>.Create((a, b) => string.CompareOrdinal(a.Name, b.Name));
 
         SourceStamp()
         {
@@ -57,7 +59,7 @@ namespace FastPoints.Editor
                 if (now.WrittenTicks == WrittenTicks)
                     return SourceChange.None;
                 now.HashEdges(files);
-                return now.HeadHash == HeadHash && now.TailHash == TailHash ? SourceChange.None : SourceChange.Changed;
+                return HasBytesOf(now) ? SourceChange.None : SourceChange.Changed;
             }
             catch (PointCloudException)
             {
@@ -65,8 +67,13 @@ namespace FastPoints.Editor
             }
         }
 
-        public void Write(JsonWriter json, string name) => json.BeginObject(name).Add("bytes", Bytes).Add("writtenTicks", WrittenTicks)
-            .AddHex("names", NamesHash).AddHex("head", HeadHash).AddHex("tail", TailHash).EndObject();
+        /// <summary>Whether two stamps differ in time alone.</summary>
+        public bool HasBytesOf(SourceStamp other) => Bytes == other.Bytes && NamesHash == other.NamesHash &&
+            HeadHash == other.HeadHash && TailHash == other.TailHash;
+
+        public void Write(JsonWriter json, string name) => json.BeginObject(name).Add("bytes", Bytes)
+            .Add("writtenTicks", WrittenTicks).AddHex("names", NamesHash).AddHex("head", HeadHash).AddHex("tail", TailHash)
+            .EndObject();
 
         internal static SourceStamp Read(JsonMembers json) => new SourceStamp
         {
@@ -90,13 +97,14 @@ namespace FastPoints.Editor
                         files.AddRange(new DirectoryInfo(path).GetFiles());
                     else
                         files.Add(new FileInfo(path));
-                    files.Sort(first, files.Count - first, Comparer<FileInfo>.Create((a, b) => string.CompareOrdinal(a.Name, b.Name)));
+                    files.Sort(first, files.Count - first, s_byName);
                     for (int i = first; i < files.Count; i++)
                     {
                         // Throws where the file is not there.
                         Bytes += files[i].Length;
                         WrittenTicks = Math.Max(WrittenTicks, files[i].LastWriteTimeUtc.Ticks);
-                        names.Append(files[i].Name).Append('|').Append(files[i].Length.ToString(CultureInfo.InvariantCulture)).Append('\n');
+                        names.Append(files[i].Name).Append('|')
+                            .Append(files[i].Length.ToString(CultureInfo.InvariantCulture)).Append('\n');
                     }
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))

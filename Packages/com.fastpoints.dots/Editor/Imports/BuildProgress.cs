@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using FastPoints.Base;
 
 namespace FastPoints.Editor
@@ -12,8 +13,8 @@ namespace FastPoints.Editor
             public double Share;
         }
 
-        /// <summary>Share of the time by stage: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, two cores. A bar, not a
-        /// promise: points that go to files and other samplers shift it.</summary>
+        /// <summary>Share of the time by stage: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, two cores. A bar,
+        /// not a promise: points that go to files and other samplers shift it.</summary>
         static readonly Weight[] s_weights =
         {
             new Weight { Stage = "sample", Share = 0.08 },
@@ -27,7 +28,8 @@ namespace FastPoints.Editor
         /// <summary>Share of the whole build that is done, 0 to 1; never falls while a build goes on.</summary>
         public static double ShareOf(StageProgress progress)
         {
-            string stage = progress.Current ?? (progress.Finished.Count > 0 ? progress.Finished[progress.Finished.Count - 1].Name : null);
+            int finished = progress.Finished.Count;
+            string stage = progress.Current ?? (finished > 0 ? progress.Finished[finished - 1].Name : null);
             double before = 0;
             foreach (var weight in s_weights)
             {
@@ -36,6 +38,16 @@ namespace FastPoints.Editor
                 before += weight.Share;
             }
             return 0;
+        }
+
+        /// <summary>The stage and its speed, for people.</summary>
+        public static string Describe(StageProgress progress)
+        {
+            if (progress.Current == null)
+                return "opening";
+            double speed = progress.PointsPerSecond;
+            return speed <= 0 ? progress.Current : string.Format(CultureInfo.InvariantCulture, speed < 1e6
+                ? "{0}: {1:0} thousand points/s" : "{0}: {2:0.0} million points/s", progress.Current, speed * 1e-3, speed * 1e-6);
         }
     }
 }

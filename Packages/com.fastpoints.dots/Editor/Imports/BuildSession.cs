@@ -13,8 +13,8 @@ namespace FastPoints.Editor
     /// One conversion beside an editor that goes on: opens the sources on a thread of the pool, then steps the work a few
     /// milliseconds an update. It can be paused, ended for good, or suspended for a later session to continue.
     /// </summary>
-    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what cannot be left alone: a header
-    /// that is being read, slices that are running, the writer.</remarks>
+    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what cannot be left alone: a
+    /// header that is being read, slices that are running, the writer.</remarks>
     public sealed class BuildSession : IDisposable
     {
         readonly string m_target;
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
             m_target = target;
             m_settings = settings;
             m_settings.KeepUnfinished = true;
-            m_opening = Task.Run(() => PointReaders.Open(sources));
+            m_opening = Task.Run(() => Open(sources));
         }
 
         public BuildState State { get; private set; } = BuildState.Opening;
@@ -41,6 +41,9 @@ namespace FastPoints.Editor
 
         /// <summary>What the source's header says; null until it is open.</summary>
         public SourceInfo Source { get; private set; }
+
+        /// <summary>The source's, from before it was opened; null until it is open.</summary>
+        public SourceStamp Stamp { get; private set; }
 
         /// <summary>When done.</summary>
         public ConvertResult Result { get; private set; }
@@ -127,6 +130,14 @@ namespace FastPoints.Editor
             m_pump = new WorkPump(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
             State = BuildState.Building;
             m_watch.Start();
+        }
+
+        PointReader Open(IReadOnlyList<string> sources)
+        {
+            var stamp = SourceStamp.Of(sources);
+            var reader = PointReaders.Open(sources);
+            Stamp = stamp;
+            return reader;
         }
 
         PointReader Opened()

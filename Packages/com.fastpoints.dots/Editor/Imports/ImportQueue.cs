@@ -9,8 +9,8 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Clouds that are to be converted, one after the other, and the one that is. Every change is on disk before the work goes on:
-    /// after a reload of scripts, a crash or a loss of power the same clouds are converted, from where they were.
+    /// Clouds that are to be converted, one after the other, and the one that is. Every change is on disk before the work goes
+    /// on: after a reload of scripts, a crash or a loss of power the same clouds are converted, from where they were.
     /// </summary>
     /// <remarks>Main thread. Neither its file nor its lock is there while there is nothing to do.</remarks>
     public sealed class ImportQueue : IDisposable
@@ -49,8 +49,8 @@ namespace FastPoints.Editor
         /// <summary>What it is of, or null.</summary>
         public ImportRequest Running => m_running;
 
-        /// <summary>Why nothing is converted or kept, in one line: another editor, a folder that cannot be written. Null where all is
-        /// well.</summary>
+        /// <summary>Why nothing is converted or kept, in one line: another editor, a folder that cannot be written. Null where
+        /// all is well.</summary>
         public string Problem { get; private set; }
 
         /// <summary>A conversion has ended, well or not; the session tells.</summary>
@@ -120,10 +120,14 @@ namespace FastPoints.Editor
             {
                 Session.Cancel();
                 End();
-                return;
             }
-            CloudFolderWriter.DeleteUnfinished(m_paths.Absolute(request.Cloud));
-            Save();
+            else
+            {
+                CloudFolderWriter.DeleteUnfinished(m_paths.Absolute(request.Cloud));
+                Save();
+            }
+            if (m_requests.Count == 0)
+                GiveBack();
         }
 
         /// <summary>Before scripts are reloaded or the editor quits: ends what runs, for the next queue of this folder to
@@ -235,8 +239,8 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>A file that is damaged is put aside: its clouds are imported when somebody asks for them again. One of a later
-        /// version is left to who wrote it.</summary>
+        /// <summary>A file that is damaged is put aside: its clouds are imported when somebody asks for them again. One of a
+        /// later version is left to who wrote it.</summary>
         List<ImportRequest> Read()
         {
             try

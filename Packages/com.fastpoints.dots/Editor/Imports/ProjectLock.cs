@@ -24,6 +24,9 @@ namespace FastPoints.Editor
 
         const string GuardSuffix = ".taking";
 
+        /// <summary>Of the scripts as they are loaded: one process loads them many times.</summary>
+        static readonly string s_load = Guid.NewGuid().ToString("N");
+
         readonly string m_path;
         readonly string m_owner;
         DateTime m_renewed;
@@ -40,7 +43,8 @@ namespace FastPoints.Editor
         /// <param name="taken">The lock, or null.</param>
         /// <returns>Who has it, for people; null where it was taken.</returns>
         /// <exception cref="PointCloudException">The folder cannot be written.</exception>
-        public static string TryTake(string path, out ProjectLock taken) => TryTake(path, Environment.MachineName, Self(), out taken);
+        public static string TryTake(string path, out ProjectLock taken) =>
+            TryTake(path, Environment.MachineName, Self(), out taken);
 
         /// <summary>As for another process or machine.</summary>
         /// <param name="process">Its number, and when it began: ticks of UTC.</param>
@@ -64,9 +68,9 @@ namespace FastPoints.Editor
                 taken = new ProjectLock(path, owner);
                 return null;
             }
-            catch (PointCloudException e) when (e.Code == FailureCode.NotFound)
+            catch (PointCloudException e) when (e.Code == FailureCode.NotFound || e.Code == FailureCode.ReadFailed)
             {
-                // Given back between two looks: the next try tells.
+                // Given back between two looks, or being written: the next try tells.
                 return "another editor";
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -90,9 +94,14 @@ namespace FastPoints.Editor
                 File.SetLastWriteTimeUtc(m_path, nowUtc);
                 return true;
             }
-            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
+            catch (PointCloudException e)
             {
-                return false;
+                // A disk that cannot be reached for a while takes it from nobody.
+                return e.Code != FailureCode.NotFound;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return true;
             }
         }
 
@@ -126,13 +135,15 @@ namespace FastPoints.Editor
                     writer.Write(owner);
                 return true;
             }
-            catch (IOException) when (File.Exists(path))
+            catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
             {
+                // Somebody has it, or had it a moment ago.
                 return false;
             }
         }
 
-        /// <summary>Only one of several who found it stale takes it over: a file beside it keeps the others off meanwhile.</summary>
+        /// <summary>Only one of several who found it stale takes it over: a file beside it keeps the others off
+        /// meanwhile.</summary>
         static bool TryTakeOver(string path, string machine, string owner)
         {
             string guard = path + GuardSuffix;
@@ -167,6 +178,9 @@ namespace FastPoints.Editor
             }
             if (lines[0] != machine)
                 return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > GoneAfter;
+            var self = Self();
+            if (id == self.Id && Math.Abs(began - self.Began) <= TimeSpan.TicksPerSecond)
+                return lines.Length < 4 || lines[3] != s_load;
             try
             {
                 using (var process = Process.GetProcessById(id))
@@ -184,7 +198,7 @@ namespace FastPoints.Editor
         }
 
         static string Describe(string machine, (int Id, long Began) process) => string.Format(CultureInfo.InvariantCulture,
-            "{0}\n{1}\n{2}\n", machine, process.Id, process.Began);
+            "{0}\n{1}\n{2}\n{3}\n", machine, process.Id, process.Began, s_load);
 
         static string ForPeople(string owner)
         {

@@ -14,7 +14,11 @@ namespace FastPoints.Entities
     public sealed class PointCloud : MonoBehaviour
     {
         [SerializeField]
-        [Tooltip("The .fastpoints folder: absolute, or below StreamingAssets.")]
+        [Tooltip("The cloud: what the editor makes of a file that is dropped into the project.")]
+        PointCloudAsset m_cloud;
+
+        [SerializeField]
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets.")]
         string m_path;
 
         [SerializeField]
@@ -31,7 +35,20 @@ namespace FastPoints.Entities
 
         World m_world;
 
-        /// <summary>The <c>.fastpoints</c> folder: absolute, or below StreamingAssets.</summary>
+        /// <summary>Null where <see cref="Path"/> says which.</summary>
+        public PointCloudAsset Cloud
+        {
+            get => m_cloud;
+            set
+            {
+                if (m_cloud == value)
+                    return;
+                m_cloud = value;
+                Reopen();
+            }
+        }
+
+        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets.</summary>
         public string Path
         {
             get => m_path;
@@ -84,6 +101,16 @@ namespace FastPoints.Entities
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity { get; private set; }
 
+        /// <summary>Opens the folder anew: it was not there, or is another now, or other planes may have to be
+        /// streamed.</summary>
+        public void Reopen()
+        {
+            if (!isActiveAndEnabled)
+                return;
+            Remove();
+            Add();
+        }
+
         void OnEnable() => Add();
 
         void OnDisable() => Remove();
@@ -94,32 +121,21 @@ namespace FastPoints.Entities
                 m_world.EntityManager.SetComponentData(Entity, TransformMatrix.Of(transform));
         }
 
-        /// <summary>Other planes may have to be streamed.</summary>
-        void Reopen()
-        {
-            if (!isActiveAndEnabled)
-                return;
-            Remove();
-            Add();
-        }
-
         void Add()
         {
             // In edit mode nobody else may have made the world yet.
             DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = World.DefaultGameObjectInjectionWorld;
-            if (m_world == null || string.IsNullOrEmpty(m_path))
+            if (m_world == null || (m_cloud == null && string.IsNullOrEmpty(m_path)))
                 return;
             var entities = m_world.EntityManager;
             Entity = entities.CreateEntity();
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
-            entities.AddComponentObject(Entity, new PointCloudFile
-            {
-                Path = m_path,
-                Color = m_color,
-                Gradient = m_gradient,
-                HiddenClasses = ClassMask.Of(m_hiddenClasses),
-            });
+            var file = m_cloud != null ? m_cloud.File() : new PointCloudFile { Path = m_path };
+            file.Color = m_color;
+            file.Gradient = m_gradient;
+            file.HiddenClasses = ClassMask.Of(m_hiddenClasses);
+            entities.AddComponentObject(Entity, file);
         }
 
         void Remove()

@@ -9,7 +9,10 @@ namespace FastPoints.Entities
     [AddComponentMenu("FastPoints/Point Cloud Authoring")]
     public sealed class PointCloudAuthoring : MonoBehaviour
     {
-        [Tooltip("The .fastpoints folder: absolute, or below StreamingAssets.")]
+        [Tooltip("The cloud: what the editor makes of a file that is dropped into the project.")]
+        public PointCloudAsset Cloud;
+
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets.")]
         public string Path;
 
         [Tooltip("What points are coloured by; another where the cloud has nothing for it.")]

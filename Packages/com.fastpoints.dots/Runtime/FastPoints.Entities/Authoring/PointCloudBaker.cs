@@ -9,13 +9,12 @@ namespace FastPoints.Entities
         public override void Bake(PointCloudAuthoring authoring)
         {
             var entity = GetEntity(TransformUsageFlags.Dynamic);
-            AddComponentObject(entity, new PointCloudFile
-            {
-                Path = authoring.Path,
-                Color = authoring.Color,
-                Gradient = authoring.Gradient,
-                HiddenClasses = ClassMask.Of(authoring.HiddenClasses),
-            });
+            var cloud = DependsOn(authoring.Cloud);
+            var file = cloud != null ? cloud.File() : new PointCloudFile { Path = authoring.Path };
+            file.Color = authoring.Color;
+            file.Gradient = authoring.Gradient;
+            file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
+            AddComponentObject(entity, file);
         }
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Threading.Tasks;
 using FastPoints.Picture;
 using FastPoints.Rendering;
@@ -8,7 +7,6 @@ using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
-using UnityEngine;
 
 namespace FastPoints.Entities
 {
@@ -53,7 +51,7 @@ namespace FastPoints.Entities
                     var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
                     if (file.Error != null || string.IsNullOrEmpty(file.Path) || m_opening.ContainsKey(entity))
                         continue;
-                    string path = Path.Combine(Application.streamingAssetsPath, file.Path);
+                    string path = file.FullPath;
                     m_opening.Add(entity, Task.Run(() => CloudFolder.Open(path)));
                 }
         }
@@ -102,7 +100,7 @@ namespace FastPoints.Entities
                 return;
             var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
             file.Error = failure.Message;
-            Group.Stream.Report(new StreamFailure(file.Path, -1, "cannot be opened: " + failure.Message));
+            Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Message));
         }
     }
 }

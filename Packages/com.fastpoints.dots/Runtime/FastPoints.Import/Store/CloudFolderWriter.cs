@@ -15,8 +15,8 @@ namespace FastPoints.Store
     /// Writes a cloud's folder under a temporary name, and gives it its own when everything is there. Each file is complete or
     /// absent: written under another name, flushed, renamed. One thread writes; callers never wait for a disk.
     /// </summary>
-    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing, or what <see cref="Keep"/> keeps. A lock file keeps a second build of the same target
-    /// out.</remarks>
+    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing, or what <see cref="Keep"/> keeps. A lock file keeps a
+    /// second build of the same target out.</remarks>
     public sealed unsafe class CloudFolderWriter : IDisposable
     {
         const int PieceBytes = 1 << 20;
@@ -306,7 +306,8 @@ namespace FastPoints.Store
                 return;
             try
             {
-                using (new FileStream(Path.Combine(part.FullName, LockName), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None))
+                string held = Path.Combine(part.FullName, LockName);
+                using (new FileStream(held, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None))
                 {
                     // Nobody has it.
                 }

@@ -1,0 +1,125 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Editor
+{
+    public sealed class DropTests
+    {
+        EditorProject m_project;
+
+        [SetUp]
+        public void OpenProject() => m_project = new EditorProject();
+
+        [TearDown]
+        public void CloseProject() => m_project.Dispose();
+
+        string Made(string name, int bytes = 10)
+        {
+            string path = m_project.Scratch[name];
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            File.WriteAllBytes(path, new byte[bytes]);
+            return path;
+        }
+
+        DropKind Of(params string[] paths) => CloudSources.Of(paths, m_project.Paths, 100);
+
+        [Test]
+        public void Of_DroppedFiles_DecidesByKindAndSize()
+        {
+            string small = Made("a.las"), large = Made("b.LAZ", 101), scan = Made("c.e57"), text = Made("d.txt");
+            Assert.That(Of(small), Is.EqualTo(DropKind.Copy));
+            Assert.That(Of(large), Is.EqualTo(DropKind.Handle));
+            Assert.That(Of(small, large), Is.EqualTo(DropKind.Handle));
+            Assert.That(Of(scan), Is.EqualTo(DropKind.Handle), "no importer takes it");
+            Assert.That(Of(small, text), Is.EqualTo(DropKind.NotOurs));
+            Assert.That(Of(), Is.EqualTo(DropKind.NotOurs));
+            Assert.That(Of(Made("project/Assets/e.las")), Is.EqualTo(DropKind.NotOurs), "it is in the project");
+        }
+
+        [Test]
+        public void Of_DroppedFolders_TakesOctreesAndNoOthers()
+        {
+            Made("potree/metadata.json");
+            Assert.That(Of(m_project.Scratch["potree"]), Is.EqualTo(DropKind.NotOurs), "any folder may have one");
+            Made("potree/octree.bin");
+            Made("ept/ept.json");
+            Made("models/mesh.fbx");
+            Made("done.fastpoints/cloud.json");
+            Assert.That(Of(m_project.Scratch["potree"], m_project.Scratch["ept"], m_project.Scratch["done.fastpoints"]),
+                Is.EqualTo(DropKind.Handle));
+            Assert.That(Of(m_project.Scratch["models"]), Is.EqualTo(DropKind.NotOurs));
+        }
+
+        [Test]
+        public void Handlers_OfAllThreeWindows_AreThere()
+        {
+            System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
+            Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name).Distinct(), Is.EquivalentTo(new[]
+            {
+                "ProjectBrowserDropHandler", "HierarchyDropHandler", "SceneDropHandler",
+            }));
+        }
+
+        [Test]
+        public void OnScene_AssetOfTheProject_BecomesAGameObject()
+        {
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.name = "scan";
+            DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
+            Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.Copy));
+            Selection.activeObject = null;
+
+            PointCloudDrops.OnScene(new Vector3(4, 5, 6), null, true);
+
+            var scene = (GameObject)Selection.activeObject;
+            Assert.That(scene.name, Is.EqualTo("scan"));
+            Assert.That(scene.transform.position.y, Is.EqualTo(5));
+            Assert.That(scene.GetComponent<FastPoints.Entities.PointCloud>().Cloud, Is.SameAs(asset));
+            UnityEngine.Object.DestroyImmediate(scene);
+        }
+
+        [Test]
+        public void OnScene_SomethingElse_IsLeftToOthers()
+        {
+            DragAndDrop.paths = new[] { Made("picture.png") };
+            Assert.That(PointCloudDrops.OnScene(null, null, false), Is.EqualTo(DragAndDropVisualMode.None));
+        }
+
+        [Test]
+        public void Postprocessor_FileThatNobodyClaims_GetsTheImporter()
+        {
+            AssetDatabase.Importers["Assets/theirs.ply"] = typeof(ClaimingImporter);
+            Postprocess("Assets/a.las", "Assets/b.LAZ", "Assets/theirs.ply", "Assets/c.txt", "Packages/x/d.las");
+            Assert.That(AssetDatabase.Overrides.Keys, Is.EquivalentTo(new[] { "Assets/a.las", "Assets/b.LAZ" }));
+            Assert.That(AssetDatabase.Overrides.Values, Is.All.EqualTo(typeof(PointFileImporter)));
+        }
+
+        /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
+        [Test]
+        public void PointFileImporter_ClaimsNoExtensionAndOffersItselfForAll()
+        {
+            var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
+            Assert.That(attribute.fileExtensions, Is.Null);
+            Assert.That(attribute.overrideFileExtensions, Is.EqualTo(CloudSources.ImportedExtensions));
+        }
+
+        static void Postprocess(params string[] imported) => typeof(PointFilePostprocessor)
+            .GetMethod("OnPostprocessAllAssets", BindingFlags.Static | BindingFlags.NonPublic)
+            .Invoke(null, new object[] { imported, Array.Empty<string>(), Array.Empty<string>(), Array.Empty<string>() });
+
+        sealed class ClaimingImporter : ScriptedImporter
+        {
+            public override void OnImportAsset(AssetImportContext ctx)
+            {
+            }
+        }
+    }
+}

@@ -1,0 +1,200 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using FastPoints.Cli;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using FastPoints.HostTests.Cli;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Entities;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Editor
+{
+    /// <summary>From a file that is taken into a project to a cloud in its scene.</summary>
+    public sealed class EditorImportsTests
+    {
+        EditorProject m_project;
+        readonly List<string> m_logged = new List<string>();
+
+        [SetUp]
+        public void OpenProject()
+        {
+            m_project = new EditorProject();
+            m_logged.Clear();
+            UnityEngine.Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
+        }
+
+        [TearDown]
+        public void CloseProject()
+        {
+            UnityEngine.Debug.s_sink = null;
+            FastPointsSettings.instance.ConvertAtOnce = true;
+            m_project.Dispose();
+        }
+
+        string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
+
+        [Test]
+        public void Take_LargeFile_BecomesAHandleThatKnowsItsCloudWhenItIsConverted()
+        {
+            string source = m_project.Scratch.Demo("scan.las", 20_000);
+
+            var asset = m_project.Imports.Take(source, "Assets");
+
+            Assert.That(m_logged, Is.Empty);
+            Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+            Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+            Assert.That(asset.Points, Is.EqualTo(-1), "nobody has counted them");
+            Assert.That(new FileInfo(HandlePath("scan.pointcloud")).Length, Is.LessThan(2000));
+
+            m_project.UpdateToTheEnd();
+
+            Assert.That(asset.Points, Is.EqualTo(20_000));
+            var handle = HandleFile.Read(HandlePath("scan.pointcloud"));
+            Assert.That(handle.CloudId, Is.Not.Zero);
+            Assert.That(handle.Stamp.Compare(new[] { source }), Is.EqualTo(SourceChange.None));
+            Assert.That(Progress.Entries.Single().Status, Is.EqualTo(Progress.Status.Succeeded));
+            var verified = CliCall.Of("verify", m_project.Paths.Absolute(handle.CloudPath), "--against", source, "--quiet");
+            Assert.That(verified.Status, Is.EqualTo(ExitStatus.Done), verified.Error);
+        }
+
+        [Test]
+        public void Take_TwoFilesOfOneName_AreTwoClouds()
+        {
+            Directory.CreateDirectory(m_project.Scratch["other"]);
+            string one = m_project.Scratch.Demo("scan.las", 3000), two = m_project.Scratch.Demo("other/scan.las", 4000);
+            var first = m_project.Imports.Take(one, "Assets");
+            var second = m_project.Imports.Take(two, "Assets");
+            Assert.That(second.ProjectPath, Is.EqualTo("PointClouds/scan 2.fastpoints"));
+
+            m_project.UpdateToTheEnd();
+
+            Assert.That((first.Points, second.Points), Is.EqualTo((3000L, 4000L)));
+        }
+
+        [Test]
+        public void Take_ConvertedFolder_IsReferredToAsItIs()
+        {
+            string folder = m_project.Scratch["far.fastpoints"];
+            Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", folder, "--quiet").Status, Is.Zero);
+
+            var asset = m_project.Imports.Take(folder, "Assets");
+
+            Assert.That(asset.Points, Is.EqualTo(3000));
+            Assert.That(asset.File().FullPath, Is.EqualTo(folder));
+            Assert.That(asset.PlayerPath, Does.Match("^PointClouds/far-[0-9a-f]{8}\\.fastpoints$"));
+            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+        }
+
+        [Test]
+        public void Take_SourceThatIsGone_SaysSoAndCanBeTriedAgain()
+        {
+            string source = m_project.Scratch.Demo("scan.las", 3000);
+            m_project.Imports.Take(source, "Assets");
+            File.Move(source, source + ".away");
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => m_logged.Count > 0);
+            Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: ").And.EndsWith("no such file or folder"));
+
+            File.Move(source + ".away", source);
+            m_project.Imports.Queue.Resume(m_project.Imports.RequestOf("Assets/scan.pointcloud"));
+            m_project.UpdateToTheEnd();
+            Assert.That(m_project.Asset("Assets/scan.pointcloud").Points, Is.EqualTo(3000));
+        }
+
+        [Test]
+        public void Suspend_InTheMiddle_IsFinishedAfterTheReload()
+        {
+            string source = m_project.Scratch.Demo("scan.las", 100_000);
+            m_project.Imports.Take(source, "Assets");
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+                () => m_project.Imports.Queue.Session?.Progress.Current == "read");
+            m_project.Imports.Suspend();
+
+            using var reloaded = new EditorImports(m_project.Paths, FastPointsSettings.instance);
+            var asset = m_project.Asset("Assets/scan.pointcloud");
+            ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
+            Assert.That(asset.Points, Is.EqualTo(100_000));
+        }
+
+        [Test]
+        public void ProgressButtons_PauseAndCancelTheConversion()
+        {
+            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
+            var shown = Progress.Entries[0];
+            Assert.That(shown.Name, Is.EqualTo("Convert scan.pointcloud"));
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
+                () => m_project.Imports.Queue.Session.State == BuildState.Building);
+
+            Assert.That(shown.Pause(true), Is.True);
+            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
+            Assert.That(shown.Pause(false), Is.True);
+            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));
+            Assert.That(shown.Cancel(), Is.True);
+            Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
+            m_project.UpdateToTheEnd();
+            Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);
+            Assert.That(m_logged, Is.Empty);
+        }
+
+        [Test]
+        public void PointFile_InAssets_IsImportedByItsHeaderAndConverted()
+        {
+            m_project.Scratch.Demo("project/Assets/scan.las", 5000);
+            m_project.Import("Assets/scan.las");
+            var asset = m_project.Asset("Assets/scan.las");
+            Assert.That(m_project.LastImport.Errors, Is.Empty);
+            Assert.That(asset.Points, Is.EqualTo(5000));
+            Assert.That(asset.ProjectPath, Does.Match("^PointClouds/[0-9a-f]{32}\\.fastpoints$"));
+
+            m_project.Imports.TakePointFile("Assets/scan.las");
+            m_project.UpdateToTheEnd();
+            Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.las"), out var cloud),
+                Is.EqualTo(CatalogMatch.InPlace));
+            Assert.That(cloud.Manifest.Points, Is.EqualTo(5000));
+
+            m_project.Imports.TakePointFile("Assets/scan.las");
+            Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
+        }
+
+        [TestCase("Assets/x.pointcloud", "{}")]
+        [TestCase("Assets/x.las", "LASF")]
+        public void Import_DamagedFile_IsAnEmptyAssetAndAnError(string path, string content)
+        {
+            File.WriteAllText(Path.Combine(m_project.Paths.Project, path), content);
+            m_project.Import(path);
+            Assert.That(m_project.LastImport.Errors.Single(), Does.StartWith(path + ": "));
+            Assert.That(m_project.Asset(path).Points, Is.EqualTo(-1));
+        }
+
+        /// <summary>A component in the scene streams the cloud as soon as there is something of it.</summary>
+        [Test]
+        public void PointCloud_OfACloudThatIsBeingConverted_ShowsItWhenItIsThere()
+        {
+            using var world = new World("default");
+            World.DefaultGameObjectInjectionWorld = world;
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
+                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem));
+            world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
+            for (int frame = 0; frame < 1000 && m_logged.Count == 0; frame++)
+            {
+                world.Update();
+                Thread.Yield();
+            }
+            Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.False);
+
+            m_project.UpdateToTheEnd();
+
+            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+            Assert.That(cloud.transform.position.z, Is.EqualTo(3));
+            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.IO;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using FastPoints.HostTests.Cli;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Editor
+{
+    /// <summary>A project's folder as an editor has it open: it is the current one, and files in <c>Assets</c> are imported by
+    /// the package's importers.</summary>
+    sealed class EditorProject : IDisposable
+    {
+        readonly string m_before = Environment.CurrentDirectory;
+
+        public EditorProject()
+        {
+            Directory.CreateDirectory(Scratch["project/Assets"]);
+            Environment.CurrentDirectory = Scratch["project"];
+            Application.AssetsPath = Scratch["project/Assets"];
+            AssetDatabase.Importing = Import;
+            Paths = new ProjectPaths(Scratch["project"]);
+            Imports = new EditorImports(Paths, FastPointsSettings.instance);
+        }
+
+        public ScratchFolder Scratch { get; } = new ScratchFolder();
+        public ProjectPaths Paths { get; }
+        public EditorImports Imports { get; private set; }
+
+        /// <summary>What the last import said.</summary>
+        public AssetImportContext LastImport { get; private set; }
+
+        public PointCloudAsset Asset(string path) => AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+
+        /// <summary>Updates of the editor until nothing is to be converted.</summary>
+        public void UpdateToTheEnd()
+        {
+            var now = DateTime.UtcNow;
+            ImportProject.Updates(() =>
+            {
+                now = now.AddSeconds(0.3);
+                Imports.Update(now);
+            }, () => Imports.Queue.Requests.Count == 0);
+        }
+
+        public void Import(string path)
+        {
+            CloudImporter importer = path.EndsWith(CloudHandle.Extension) ? new HandleImporter() : new PointFileImporter();
+            LastImport = new AssetImportContext(path);
+            importer.OnImportAsset(LastImport);
+            var made = (PointCloudAsset)LastImport.mainObject;
+            if (Asset(path) is { } before)
+                // Who refers to it goes on doing so.
+                (before.ProjectPath, before.PlayerPath, before.Points, before.BoundsMin, before.BoundsMax, before.Crs) =
+                    (made.ProjectPath, made.PlayerPath, made.Points, made.BoundsMin, made.BoundsMax, made.Crs);
+            else
+                AssetDatabase.Assets[path] = made;
+        }
+
+        public void Dispose()
+        {
+            Imports.Dispose();
+            // What PointCloudImports holds is this project's.
+            AssemblyReloadEvents.Reload();
+            AssetDatabase.Assets.Clear();
+            AssetDatabase.Overrides.Clear();
+            AssetDatabase.Importers.Clear();
+            AssetDatabase.Dependencies.Clear();
+            AssetDatabase.Importing = null;
+            Progress.Entries.Clear();
+            DragAndDrop.paths = Array.Empty<string>();
+            DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
+            Application.AssetsPath = null;
+            Environment.CurrentDirectory = m_before;
+            Scratch.Dispose();
+        }
+    }
+}

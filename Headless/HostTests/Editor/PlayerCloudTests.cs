@@ -1,0 +1,109 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using FastPoints.Store;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.Build;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Editor
+{
+    /// <summary>What of a project's clouds goes into a player.</summary>
+    public sealed class PlayerCloudTests
+    {
+        EditorProject m_project;
+        readonly List<string> m_logged = new List<string>();
+
+        [SetUp]
+        public void OpenProject()
+        {
+            m_project = new EditorProject();
+            m_logged.Clear();
+            Debug.s_sink = (_, text) => m_logged.Add(text);
+            AssetDatabase.Dependencies["Assets/main.unity"] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+        }
+
+        [TearDown]
+        public void CloseProject()
+        {
+            Debug.s_sink = null;
+            m_project.Dispose();
+        }
+
+        void Take(params string[] names)
+        {
+            for (int i = 0; i < names.Length; i++)
+                m_project.Imports.Take(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
+        }
+
+        BuildPlayerContext Build()
+        {
+            var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = new[] { "Assets/main.unity" } });
+            new PlayerCloudProcessor().PrepareForBuild(context);
+            return context;
+        }
+
+        [Test]
+        public void Build_CloudsThatScenesUse_AndNoOthers_AreAdded()
+        {
+            Take("a", "b");
+            m_project.UpdateToTheEnd();
+
+            var added = Build().FolderOfPlayerPath;
+
+            Assert.That(added.Single().Key, Is.EqualTo("PointClouds/a.fastpoints"));
+            Assert.That(added.Single().Value, Is.EqualTo(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")));
+            Assert.That(m_logged.Single(), Does.StartWith("1 point clouds in the player, 0.")
+                .And.Contains("2,000 points  PointClouds/a.fastpoints"));
+        }
+
+        [Test]
+        public void Build_CloudThatIsNotConverted_EndsTheBuild()
+        {
+            Take("a");
+            Assert.That(Build,
+                Throws.TypeOf<BuildFailedException>().With.Message.StartsWith("Assets/a.pointcloud: is not converted"));
+
+            m_project.UpdateToTheEnd();
+            string folder = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
+            Directory.Move(folder, folder + StoreFormat.PartSuffix);
+            Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.EndsWith("got one in the making"));
+        }
+
+        [Test]
+        public void Build_ResourcesAreAddedWithoutAScene()
+        {
+            Take("a", "b");
+            m_project.UpdateToTheEnd();
+            AssetDatabase.Assets["Assets/Resources/b.pointcloud"] = m_project.Asset("Assets/b.pointcloud");
+
+            Assert.That(Build().FolderOfPlayerPath.Keys,
+                Is.EquivalentTo(new[] { "PointClouds/a.fastpoints", "PointClouds/b.fastpoints" }));
+        }
+
+        [Test]
+        public void Build_NoClouds_SaysNothing()
+        {
+            Assert.That(Build().FolderOfPlayerPath, Is.Empty);
+            Assert.That(m_logged, Is.Empty);
+        }
+
+        [Test]
+        public void Add_OnePlaceForTwoClouds_IsToldWithTheAsset()
+        {
+            Take("a", "b");
+            m_project.UpdateToTheEnd();
+            string a = Path.Combine(m_project.Paths.Clouds, "a.fastpoints");
+            string b = Path.Combine(m_project.Paths.Clouds, "b.fastpoints");
+            var clouds = new PlayerClouds();
+            clouds.Add("Assets/a.pointcloud", a, "PointClouds/a.fastpoints");
+            clouds.Add("Assets/again.pointcloud", a, "PointClouds/a.fastpoints");
+            Assert.That(clouds.Entries, Has.Count.EqualTo(1));
+            Assert.That(() => clouds.Add("Assets/b.pointcloud", b, "pointclouds/A.fastpoints"),
+                Throws.TypeOf<FastPoints.Base.PointCloudException>().With.Message.StartsWith("Assets/b.pointcloud: "));
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor
+{
+    public enum DragAndDropVisualMode
+    {
+        None = 0,
+        Copy = 1,
+        Link = 2,
+        Generic = 4,
+        Move = 16,
+        Rejected = 32,
+    }
+
+    [Flags]
+    public enum HierarchyDropFlags
+    {
+        None = 0,
+        DropUpon = 1,
+        DropBetween = 2,
+        DropAfterParent = 4,
+        SearchActive = 8,
+        DropAbove = 16,
+    }
+
+    /// <summary>Keeps the handlers for a test to call.</summary>
+    public class DragAndDrop
+    {
+        internal static readonly List<Delegate> Handlers = new List<Delegate>();
+
+        public delegate DragAndDropVisualMode ProjectBrowserDropHandler(int dragInstanceID, string dropUponPath, bool perform);
+
+        public delegate DragAndDropVisualMode ProjectBrowserDropHandlerV2(EntityId dragEntityId, string dropUponPath,
+            bool perform);
+
+        public delegate DragAndDropVisualMode SceneDropHandler(Object dropUpon, Vector3 worldPosition, Vector2 viewportPosition,
+            Transform parentForDraggedObjects, bool perform);
+
+        public delegate DragAndDropVisualMode HierarchyDropHandler(int dropTargetInstanceID, HierarchyDropFlags dropMode,
+            Transform parentForDraggedObjects, bool perform);
+
+        public delegate DragAndDropVisualMode HierarchyDropHandlerV2(EntityId dropTargetEntityId, HierarchyDropFlags dropMode,
+            Transform parentForDraggedObjects, bool perform);
+
+        public static string[] paths { get; set; } = new string[0];
+
+        public static Object[] objectReferences { get; set; } = new Object[0];
+
+        public static void AcceptDrag()
+        {
+        }
+
+        public static void AddDropHandler(ProjectBrowserDropHandler handler) => Handlers.Add(handler);
+
+        public static void AddDropHandler(SceneDropHandler handler) => Handlers.Add(handler);
+
+        public static void AddDropHandler(HierarchyDropHandler handler) => Handlers.Add(handler);
+
+        public static void AddDropHandlerV2(ProjectBrowserDropHandlerV2 handler) => Handlers.Add(handler);
+
+        public static void AddDropHandlerV2(SceneDropHandler handler) => Handlers.Add(handler);
+
+        public static void AddDropHandlerV2(HierarchyDropHandlerV2 handler) => Handlers.Add(handler);
+    }
+}

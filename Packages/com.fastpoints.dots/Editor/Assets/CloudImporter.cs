@@ -1,0 +1,51 @@
+using FastPoints.Entities;
+using FastPoints.Points;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>What the importers of handles and of point cloud files have in common. They read headers and nothing else, and
+    /// nothing but the asset's own file, so that they run in import workers and their results may come from a cache.</summary>
+    public abstract class CloudImporter : ScriptedImporter
+    {
+        /// <summary>Raised where the asset comes out otherwise.</summary>
+        protected const int Version = 1;
+
+        /// <summary>Reads the asset's file.</summary>
+        /// <param name="guid">The asset's.</param>
+        /// <exception cref="Base.PointCloudException">It is not what its name says.</exception>
+        protected abstract CloudHandle Describe(AssetImportContext context, string guid);
+
+        public override void OnImportAsset(AssetImportContext ctx)
+        {
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            try
+            {
+                string guid = AssetDatabase.AssetPathToGUID(ctx.assetPath);
+                Fill(asset, Describe(ctx, guid), guid);
+            }
+            catch (Base.PointCloudException e)
+            {
+                // The asset is there all the same: what refers to it goes on referring to it.
+                ctx.LogImportError(e.Message);
+            }
+            ctx.AddObjectToAsset("cloud", asset);
+            ctx.SetMainObject(asset);
+        }
+
+        static void Fill(PointCloudAsset asset, CloudHandle handle, string guid)
+        {
+            asset.ProjectPath = handle.CloudPath;
+            asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
+            asset.Points = handle.Points;
+            // Infinity is no number that Unity's text files keep.
+            var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;
+            asset.BoundsMin = bounds.Min;
+            asset.BoundsMax = bounds.Max;
+            asset.Crs = handle.Crs ?? "";
+            asset.MetresPerUnit = handle.MetresPerUnit;
+        }
+    }
+}

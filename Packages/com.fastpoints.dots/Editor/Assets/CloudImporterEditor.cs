@@ -1,0 +1,153 @@
+using System.Globalization;
+using FastPoints.Base;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The inspector of a cloud's asset: what it is, how far it is converted, and what can be done with it.</summary>
+    [CustomEditor(typeof(CloudImporter), true)]
+    public sealed class CloudImporterEditor : ScriptedImporterEditor
+    {
+        CloudHandle m_handle;
+        CatalogCloud m_cloud;
+        CatalogMatch m_match;
+        bool m_wasInQueue;
+        string m_message;
+
+        public override bool showImportedObject => false;
+
+        protected override bool needsApplyRevert => false;
+
+        string Asset => ((AssetImporter)target).assetPath;
+
+        public override void OnEnable()
+        {
+            base.OnEnable();
+            Look();
+        }
+
+        public override void OnInspectorGUI()
+        {
+            var imports = PointCloudImports.Current;
+            var request = imports.RequestOf(Asset);
+            if (m_wasInQueue && request == null)
+                Look();
+            m_wasInQueue = request != null;
+            if (m_handle != null)
+            {
+                Draw(m_handle, m_cloud);
+                if (request != null)
+                    DrawRequest(imports.Queue, request);
+                else
+                    DrawConverted(imports);
+            }
+            if (m_message != null)
+                EditorGUILayout.HelpBox(m_message, MessageType.Warning);
+        }
+
+        /// <summary>Reads what is drawn: not at every repaint.</summary>
+        void Look()
+        {
+            m_handle = null;
+            m_message = null;
+            try
+            {
+                var catalog = PointCloudImports.Current.Catalog;
+                catalog.Refresh();
+                m_handle = PointCloudImports.Current.HandleOf(Asset);
+                m_match = catalog.Find(m_handle, out m_cloud);
+            }
+            catch (PointCloudException e)
+            {
+                m_message = e.Message;
+            }
+        }
+
+        static void Draw(CloudHandle handle, CatalogCloud cloud)
+        {
+            long points = cloud?.Manifest?.Points ?? handle.Points;
+            EditorGUILayout.LabelField("Points", points < 0 ? "not counted yet"
+                : points.ToString("N0", CultureInfo.InvariantCulture));
+            EditorGUILayout.LabelField("Coordinates", cloud?.Manifest?.CrsName ?? handle.Crs ?? "not known");
+            var bounds = cloud?.Manifest?.BoundsGeo ?? handle.BoundsGeo;
+            if (!bounds.IsEmpty)
+            {
+                var size = bounds.Size;
+                EditorGUILayout.LabelField("Size (CRS units)",
+                    string.Format(CultureInfo.InvariantCulture, "{0:0.###} x {1:0.###} x {2:0.###}", size.x, size.y, size.z));
+            }
+            foreach (string source in handle.Sources)
+                EditorGUILayout.LabelField("Source", source);
+            EditorGUILayout.LabelField("Converted", handle.CloudPath);
+            if (cloud?.Manifest?.Attributes == null)
+                return;
+            for (int i = 0; i < cloud.Manifest.Attributes.Count; i++)
+            {
+                var range = cloud.Manifest.Ranges[i];
+                EditorGUILayout.LabelField(cloud.Manifest.Attributes[i].Name,
+                    string.Format(CultureInfo.InvariantCulture, "{0:R} to {1:R}", range.Min, range.Max));
+            }
+        }
+
+        static void DrawRequest(ImportQueue queue, ImportRequest request)
+        {
+            bool isPaused = request.State == ImportState.Paused ||
+                (request == queue.Running && queue.Session.State == BuildState.Paused);
+            if (request.State == ImportState.Failed)
+                EditorGUILayout.HelpBox(request.Failure, MessageType.Error);
+            else
+                EditorGUILayout.LabelField("Import", isPaused ? "paused" : request.State == ImportState.Waiting ? "waiting"
+                    : BuildProgress.Describe(queue.Session.Progress));
+            if (request.State == ImportState.Failed || isPaused)
+            {
+                if (GUILayout.Button(isPaused ? "Go on" : "Try again"))
+                    queue.Resume(request);
+            }
+            else if (GUILayout.Button("Pause"))
+            {
+                queue.Pause(request);
+            }
+            if (GUILayout.Button("Cancel"))
+                queue.Cancel(request);
+        }
+
+        void DrawConverted(EditorImports imports)
+        {
+            bool isThere = m_match == CatalogMatch.InPlace, hasSource = m_handle.Sources.Count > 0;
+            if (m_match == CatalogMatch.Moved)
+                EditorGUILayout.HelpBox("The converted cloud is in " + imports.Paths.Stored(m_cloud.Path) +
+                    ": give the folder its name, " + m_handle.CloudPath + ", again.", MessageType.Warning);
+            if (m_match == CatalogMatch.Another)
+                EditorGUILayout.HelpBox(m_cloud.Problem ?? "There is another cloud in this folder.", MessageType.Warning);
+            if (hasSource && GUILayout.Button(isThere ? "Convert again" : "Convert"))
+                imports.Convert(Asset);
+            if (m_handle.Stamp != null && GUILayout.Button("Look whether the source has changed"))
+                Tell(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
+            if (!isThere)
+                return;
+            if (GUILayout.Button("Show the folder"))
+                EditorUtility.RevealInFinder(m_cloud.Path);
+            if (hasSource && GUILayout.Button("Delete converted data") &&
+                EditorUtility.DisplayDialog("Delete converted data", m_cloud.Path, "Delete", "Cancel"))
+                Delete();
+        }
+
+        void Delete()
+        {
+            try
+            {
+                CloudCatalog.Delete(m_cloud.Path);
+                Look();
+            }
+            catch (PointCloudException e)
+            {
+                m_message = e.Message;
+            }
+        }
+
+        void Tell(SourceChange change) => m_message = change == SourceChange.None ? "The source is as it was converted."
+            : change == SourceChange.Missing ? "The source is not there." : "The source has changed since it was converted.";
+    }
+}

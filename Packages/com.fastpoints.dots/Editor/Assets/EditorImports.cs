@@ -1,0 +1,218 @@
+using System;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Entities;
+using FastPoints.Store;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Between the assets of a project and its queue of imports: makes handles, asks for conversions, shows how far they
+    /// are, and tells assets and scenes what has come of them.</summary>
+    public sealed class EditorImports : IDisposable
+    {
+        static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
+
+        readonly FastPointsSettings m_settings;
+        DateTime m_nextReport;
+        BuildSession m_reported;
+        int m_progress;
+        bool m_isShown;
+        string m_problem;
+
+        public EditorImports(ProjectPaths paths, FastPointsSettings settings)
+        {
+            Paths = paths;
+            m_settings = settings;
+            Queue = new ImportQueue(paths, settings.ForConversion);
+            Queue.Ended += End;
+            Catalog = new CloudCatalog(paths);
+        }
+
+        public ProjectPaths Paths { get; }
+        public ImportQueue Queue { get; }
+        public CloudCatalog Catalog { get; }
+
+        /// <summary>Bytes of a file that may be copied into the project.</summary>
+        public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
+
+        /// <summary>Once an update of the editor.</summary>
+        public void Update(DateTime nowUtc)
+        {
+            Queue.Tick(m_settings.UpdateMs, nowUtc);
+            if (nowUtc < m_nextReport)
+                return;
+            m_nextReport = nowUtc + s_reportAfter;
+            if (Queue.Problem != m_problem && Queue.Problem != null)
+                Debug.LogWarning("FastPoints: " + Queue.Problem);
+            m_problem = Queue.Problem;
+            if (Queue.Session != null)
+                Report();
+        }
+
+        /// <summary>Makes a handle for a file or folder that stays where it is.</summary>
+        /// <param name="source">One cloud.</param>
+        /// <param name="folder">Of the handle: in <c>Assets</c>.</param>
+        /// <returns>The asset; null where it could not be made, which is logged.</returns>
+        public PointCloudAsset Take(string source, string folder)
+        {
+            try
+            {
+                string path = HandleFile.Create(source, Paths.Absolute(folder), Paths,
+                    s => Catalog.NewTarget(s, Queue.IsPromised), out var handle);
+                string asset = Paths.Stored(path);
+                AssetDatabase.ImportAsset(asset);
+                if (handle.Sources.Count > 0 && m_settings.ConvertAtOnce)
+                    Convert(asset, handle);
+                return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                return null;
+            }
+        }
+
+        /// <summary>A point cloud file in <c>Assets</c> was imported.</summary>
+        public void TakePointFile(string asset)
+        {
+            var handle = OfPointFile(asset);
+            if (m_settings.ConvertAtOnce && !CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
+                Convert(asset, handle);
+        }
+
+        /// <summary>Has an asset's cloud converted, for the first time or again.</summary>
+        public void Convert(string asset) => Convert(asset, HandleOf(asset));
+
+        /// <summary>What an asset says of its cloud.</summary>
+        /// <exception cref="PointCloudException">The handle cannot be read.</exception>
+        public CloudHandle HandleOf(string asset) => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase)
+            ? HandleFile.Read(Paths.Absolute(asset))
+            : OfPointFile(asset);
+
+        /// <summary>An asset's request in the queue, or null.</summary>
+        public ImportRequest RequestOf(string asset)
+        {
+            string guid = AssetDatabase.AssetPathToGUID(asset);
+            foreach (var request in Queue.Requests)
+                if (request.Asset == guid)
+                    return request;
+            return null;
+        }
+
+        /// <summary>Before scripts are reloaded or the editor quits.</summary>
+        public void Suspend()
+        {
+            if (m_reported != null)
+                Progress.Finish(m_progress, Progress.Status.Canceled);
+            m_reported = null;
+            Queue.Suspend();
+        }
+
+        public void Dispose() => Suspend();
+
+        void Convert(string asset, CloudHandle handle)
+        {
+            var request = new ImportRequest
+            {
+                Asset = AssetDatabase.AssetPathToGUID(asset),
+                Cloud = handle.CloudPath,
+                Sampler = m_settings.Sampler,
+            };
+            request.Sources.AddRange(handle.Sources);
+            Queue.Add(request);
+        }
+
+        static CloudHandle OfPointFile(string asset)
+        {
+            var handle = new CloudHandle { CloudPath = PointFileImporter.CloudPath(AssetDatabase.AssetPathToGUID(asset)) };
+            handle.Sources.Add(asset);
+            return handle;
+        }
+
+        void Report()
+        {
+            var session = Queue.Session;
+            if (m_reported != session)
+                Begin(session);
+            Progress.Report(m_progress, (float)session.Share, BuildProgress.Describe(session.Progress));
+            if (session.SecondsLeft < int.MaxValue)
+                Progress.SetRemainingTime(m_progress, (long)session.SecondsLeft);
+            if (m_isShown || !CloudFolder.IsCloud(Paths.Absolute(Queue.Running.Cloud)))
+                return;
+            m_isShown = true;
+            Reopen(Queue.Running.Asset);
+        }
+
+        void Begin(BuildSession session)
+        {
+            var request = Queue.Running;
+            m_reported = session;
+            m_isShown = false;
+            m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
+                Progress.Options.Managed);
+            Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
+            Progress.RegisterCancelCallback(m_progress, () =>
+            {
+                Queue.Cancel(request);
+                return true;
+            });
+            Progress.RegisterPauseCallback(m_progress, isPaused =>
+            {
+                if (isPaused)
+                    Queue.Pause(request);
+                else
+                    Queue.Resume(request);
+                return true;
+            });
+        }
+
+        void End(ImportRequest request, BuildSession session)
+        {
+            string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
+            if (m_reported == session)
+            {
+                Progress.Finish(m_progress, session.State == BuildState.Done ? Progress.Status.Succeeded
+                    : session.State == BuildState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
+            }
+            m_reported = null;
+            if (session.Failure is PointCloudException known)
+                Debug.LogError("FastPoints: " + known.Message);
+            else if (session.Failure != null)
+                Debug.LogException(session.Failure);
+            if (session.State != BuildState.Done)
+                return;
+            foreach (var warning in session.Source.Warnings)
+                Debug.LogWarning("FastPoints: " + warning);
+            if (asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
+                Update(asset, session);
+            Reopen(request.Asset);
+        }
+
+        void Update(string asset, BuildSession session)
+        {
+            try
+            {
+                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp);
+                AssetDatabase.ImportAsset(asset);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+            }
+        }
+
+        /// <summary>Has the scenes' clouds of an asset look for its folder again.</summary>
+        static void Reopen(string guid)
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(guid));
+            if (asset == null)
+                return;
+            foreach (var cloud in Resources.FindObjectsOfTypeAll<PointCloud>())
+                if (cloud.Cloud == asset)
+                    cloud.Reopen();
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using FastPoints.Octree;
+using FastPoints.Pipeline;
+using UnityEditor;
+
+namespace FastPoints.Editor
+{
+    /// <summary>What a project says of its imports: in <c>ProjectSettings/FastPoints.asset</c>, for version control.</summary>
+    [FilePath("ProjectSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
+    public sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
+    {
+        public Sampler Sampler = Sampler.Random;
+
+        /// <summary>For all of a conversion that grows with the number of points; what does not fit goes to files.</summary>
+        public int MemoryMiB = 1024;
+
+        /// <summary>Time of the main thread that an update of the editor gives to a conversion.</summary>
+        public int UpdateMs = 4;
+
+        /// <summary>Larger files are not copied into the project when they are dropped: they get a handle.</summary>
+        public int CopiedMiB = 64;
+
+        /// <summary>Whether what is imported is converted at once, or when somebody asks for it.</summary>
+        public bool ConvertAtOnce = true;
+
+        /// <summary>Keeps what was changed.</summary>
+        public void Save() => Save(true);
+
+        public ConvertSettings ForConversion(ImportRequest request) => new ConvertSettings
+        {
+            Sampler = request.Sampler,
+            MemoryBytes = (long)MemoryMiB << 20,
+        };
+    }
+}

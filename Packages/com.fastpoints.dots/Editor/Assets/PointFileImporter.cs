@@ -1,0 +1,29 @@
+using FastPoints.Files;
+using FastPoints.Store;
+using UnityEditor.AssetImporters;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Imports LAS, LAZ and PLY files that lie in <c>Assets</c>, by their headers. Never chosen by Unity: two importers
+    /// that claim one extension lock each other out, and others claim these (<see cref="PointFilePostprocessor"/> chooses
+    /// it).</summary>
+    [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" })]
+    public sealed class PointFileImporter : CloudImporter
+    {
+        protected override CloudHandle Describe(AssetImportContext context, string guid)
+        {
+            using (var reader = PointReaders.Open(context.assetPath))
+            {
+                var handle = new CloudHandle { CloudPath = CloudPath(guid) };
+                handle.Sources.Add(context.assetPath);
+                handle.Describe(reader.Info);
+                foreach (var warning in reader.Info.Warnings)
+                    context.LogImportWarning(warning.ToString());
+                return handle;
+            }
+        }
+
+        /// <summary>By the asset's number, which stays when the file is renamed.</summary>
+        public static string CloudPath(string guid) => ProjectPaths.DefaultClouds + "/" + guid + StoreFormat.FolderExtension;
+    }
+}

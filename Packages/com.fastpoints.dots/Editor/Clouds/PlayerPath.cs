@@ -1,0 +1,23 @@
+using System;
+using System.IO;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Where a cloud is in a player: below its streaming assets.</summary>
+    public static class PlayerPath
+    {
+        /// <summary>As in the project, where the cloud is in the place of converted clouds; else by its name and its
+        /// asset.</summary>
+        /// <param name="cloudPath">As a handle says it.</param>
+        /// <param name="asset">The asset's number: no two clouds of one name meet.</param>
+        public static string Of(string cloudPath, string asset)
+        {
+            const string place = ProjectPaths.DefaultClouds + "/";
+            if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
+                return cloudPath;
+            string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));
+            return place + name + "-" + asset.Substring(0, Math.Min(8, asset.Length)) + StoreFormat.FolderExtension;
+        }
+    }
+}

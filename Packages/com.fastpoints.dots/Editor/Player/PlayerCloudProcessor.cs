@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Entities;
+using UnityEditor;
+using UnityEditor.Build;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Adds the converted clouds that a player's scenes and resources refer to to its streaming assets, and tells their
+    /// sizes. A cloud that is not converted ends the build: without it the player would show nothing.</summary>
+    public sealed class PlayerCloudProcessor : BuildPlayerProcessor
+    {
+        public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
+        {
+            var paths = PointCloudImports.Current.Paths;
+            var clouds = new PlayerClouds();
+            try
+            {
+                foreach (string path in AssetsOf(buildPlayerContext.BuildPlayerOptions.scenes))
+                {
+                    var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+                    if (asset != null)
+                        clouds.Add(path, paths.Absolute(asset.ProjectPath ?? ""), asset.PlayerPath);
+                }
+            }
+            catch (PointCloudException e)
+            {
+                throw new BuildFailedException(e.Message);
+            }
+            foreach (var entry in clouds.Entries)
+                buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.Folder, entry.PlayerPath);
+            if (clouds.Entries.Count > 0)
+                Debug.Log(clouds.Report());
+        }
+
+        /// <summary>What scenes refer to, and what Unity adds to any player.</summary>
+        static HashSet<string> AssetsOf(string[] scenes)
+        {
+            var roots = new List<string>(scenes ?? Array.Empty<string>());
+            foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
+            {
+                string path = AssetDatabase.GUIDToAssetPath(guid);
+                if (path.IndexOf("/Resources/", StringComparison.Ordinal) >= 0)
+                    roots.Add(path);
+            }
+            return new HashSet<string>(AssetDatabase.GetDependencies(roots.ToArray(), true));
+        }
+    }
+}

@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using FastPoints.Base;
+using FastPoints.Store;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The converted clouds that go into a player, and how large they are.</summary>
+    public sealed class PlayerClouds
+    {
+        /// <summary>A cloud's folder and its place.</summary>
+        public struct Entry
+        {
+            public string Folder;
+
+            /// <summary>Below the player's streaming assets.</summary>
+            public string PlayerPath;
+            public long Points;
+            public long Bytes;
+        }
+
+        readonly List<Entry> m_entries = new List<Entry>();
+
+        public IReadOnlyList<Entry> Entries => m_entries;
+
+        /// <summary>Adds a cloud; once where several assets say the same.</summary>
+        /// <param name="asset">Whose cloud it is, for messages.</param>
+        /// <exception cref="PointCloudException">It is not converted, or still in the making; or another cloud has its
+        /// place.</exception>
+        public void Add(string asset, string folder, string playerPath)
+        {
+            var known = m_entries.FindIndex(e => string.Equals(e.PlayerPath, playerPath, StringComparison.OrdinalIgnoreCase));
+            if (known >= 0)
+            {
+                if (m_entries[known].Folder != folder)
+                    throw PointCloudException.Wanted(FailureCode.WriteFailed, asset, -1, "place in the player " + playerPath,
+                        folder, m_entries[known].Folder);
+                return;
+            }
+            string manifestPath = Path.Combine(folder, StoreFormat.ManifestName);
+            if (!File.Exists(manifestPath))
+                throw new PointCloudException(FailureCode.NotFound, asset, -1, "is not converted: wanted a cloud in " + folder +
+                    (CloudFolder.IsCloud(folder) ? ", got one in the making" : ""));
+            var entry = new Entry
+            {
+                Folder = folder,
+                PlayerPath = playerPath,
+                Points = CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath).Points,
+            };
+            foreach (var file in new DirectoryInfo(folder).GetFiles("*", SearchOption.AllDirectories))
+                entry.Bytes += file.Length;
+            m_entries.Add(entry);
+        }
+
+        /// <summary>A line a cloud, the largest first, and their sum.</summary>
+        public string Report()
+        {
+            var sorted = new List<Entry>(m_entries);
+            sorted.Sort((a, b) => b.Bytes.CompareTo(a.Bytes));
+            var text = new StringBuilder();
+            long bytes = 0;
+            foreach (var entry in sorted)
+            {
+                text.AppendFormat(CultureInfo.InvariantCulture, "\n{0,10:0.0} MB  {1,15:N0} points  {2}", entry.Bytes * 1e-6,
+                    entry.Points, entry.PlayerPath);
+                bytes += entry.Bytes;
+            }
+            return string.Format(CultureInfo.InvariantCulture, "{0} point clouds in the player, {1:0.0} MB", sorted.Count,
+                bytes * 1e-6) + text;
+        }
+    }
+}

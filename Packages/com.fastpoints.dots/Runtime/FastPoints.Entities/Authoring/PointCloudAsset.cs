@@ -1,0 +1,32 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Entities
+{
+    /// <summary>A cloud that scenes refer to: where its converted folder is, and what is known of it. Of the points there is
+    /// nothing in it. The editor makes it, of a <c>.pointcloud</c> handle or of a file in <c>Assets</c>.</summary>
+    public sealed class PointCloudAsset : ScriptableObject
+    {
+        /// <summary>The folder in an editor: in the project, with '/', or absolute.</summary>
+        public string ProjectPath;
+
+        /// <summary>The folder below a player's streaming assets.</summary>
+        public string PlayerPath;
+
+        /// <summary>-1 where nobody has counted them.</summary>
+        public long Points = -1;
+
+        /// <summary>Georeferenced, in CRS units. The minimum exceeds the maximum where they are not known.</summary>
+        public double3 BoundsMin;
+        public double3 BoundsMax;
+
+        /// <summary>One line; empty where it is not known.</summary>
+        public string Crs;
+
+        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        public double MetresPerUnit;
+
+        /// <summary>What an entity says to have the cloud streamed.</summary>
+        public PointCloudFile File() => new PointCloudFile { Path = PlayerPath, ProjectPath = ProjectPath };
+    }
+}
