@@ -90,6 +90,7 @@ namespace FastPoints.Cli
                 Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel : options.RoundPoints ? PointShape.Disc : PointShape.Square,
                 Size = size,
                 EdlStrength = edlStrength,
+                FillsHoles = options.FillsHoles,
             };
         }
 

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using FastPoints.Files;
+using FastPoints.Headless.Graphics;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
 using FastPoints.Store;
@@ -115,12 +116,18 @@ namespace FastPoints.Cli.Verbs
         {
             const int PreviewPoints = 1_000_000;
 
+            /// <summary>Streamed to the card: few enough for a processor that stands in for it.</summary>
+            const int GpuPoints = 1_000_000;
+
             public required string File { get; init; }
             public required string Page { get; init; }
             public required SourceFacts Facts { get; init; }
             public required PreviewStep Preview { get; init; }
             public required ConvertStep Convert { get; init; }
             public required DrawStep Picture { get; init; }
+
+            /// <summary>Null where there is no graphics card, and nothing that stands in for one.</summary>
+            public required DrawStep? Gpu { get; init; }
 
             public static Report Make(string[] files, ReadOptions source, string folder, CliRun run)
             {
@@ -150,11 +157,16 @@ namespace FastPoints.Cli.Verbs
                 run.Out.Flush();
                 run.Progress.Group = "picture";
                 var drawn = DrawStep.RunStored(cloudPath, picture, 0, run);
-                run.Progress.Group = null;
                 OutputFile.Write(picturePath, drawn.Png);
                 run.Out.WriteLine("  picture  " + drawn.Describe());
                 foreach (string assumption in drawn.Assumptions)
                     run.Out.WriteLine("           " + assumption);
+                run.Progress.Group = "gpu";
+                var gpu = HeadlessGraphics.IsAvailable ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
+                run.Progress.Group = null;
+                if (gpu != null)
+                    OutputFile.Write(Path.Combine(folder, "gpu.png"), gpu.Png);
+                run.Out.WriteLine("  gpu      " + (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
                 run.Out.WriteLine();
 
                 var page = new ReportPage(files.Length > 1 ? reader.Info.Path : Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file));
@@ -166,6 +178,11 @@ namespace FastPoints.Cli.Verbs
                 page.Heading("From the octree");
                 page.Paragraph(convert.Describe() + ": " + cloudPath);
                 page.Picture(drawn.Png, string.Join("; ", drawn.Assumptions.Prepend(drawn.Describe())));
+                if (gpu != null)
+                {
+                    page.Heading("Streamed, and drawn as a game would draw it");
+                    page.Picture(gpu.Png, gpu.Describe() + ", " + gpu.Device);
+                }
                 page.Heading("Attributes");
                 page.Table(facts.Attributes());
                 if (reader.Info.Facts.Count > 0)
@@ -178,7 +195,7 @@ namespace FastPoints.Cli.Verbs
                 page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
                 string pagePath = Path.Combine(folder, "report.html");
                 OutputFile.Write(pagePath, page.ToBytes());
-                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Convert = convert, Picture = drawn };
+                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Convert = convert, Picture = drawn, Gpu = gpu };
             }
 
             public void WriteKeys(Utf8JsonWriter json)
@@ -196,6 +213,13 @@ namespace FastPoints.Cli.Verbs
                 Picture.WriteKeys(json);
                 json.WriteReal("seconds", Picture.Seconds);
                 json.WriteEndObject();
+                if (Gpu != null)
+                {
+                    json.WriteStartObject("gpu");
+                    Gpu.WriteKeys(json);
+                    json.WriteReal("seconds", Gpu.Seconds);
+                    json.WriteEndObject();
+                }
                 json.WriteString("report", Page);
             }
         }

@@ -118,6 +118,28 @@ namespace FastPoints.HostTests.Gpu
                 streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
         }
 
+        [TestCase(0)]
+        [TestCase(0.4f)]
+        public void Draw_HolesFilled_IsThatOfTheSoftwareRasterizer(float edlStrength)
+        {
+            var options = Options(2, true);
+            options.EdlStrength = edlStrength;
+            using var open = new TwinStreams(m_demo, options, Points);
+            var holes = open.Draw(open.Plan.Camera).Cpu;
+            options.FillsHoles = true;
+            using var streams = new TwinStreams(m_demo, options, Points);
+            Compare(streams, streams.Plan.Camera, "holes-" + edlStrength);
+            var filled = streams.Draw(streams.Plan.Camera).Cpu;
+            int more = 0;
+            for (int i = 0; i < 320 * 180; i++)
+            {
+                bool wasCovered = holes[i % 320, i / 320] != options.Background;
+                more += !wasCovered && filled[i % 320, i / 320] != options.Background ? 1 : 0;
+                Assert.That(!wasCovered || filled[i % 320, i / 320] != options.Background);
+            }
+            Assert.That(more, Is.InRange(20, 2000));
+        }
+
         /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing outside is
         /// drawn.</summary>
         [TestCase(false, false)]

@@ -137,8 +137,12 @@ namespace FastPoints.HostTests.Gpu
         [TestCase(nameof(BuiltInHost), true)]
         [TestCase(nameof(UrpHost), false)]
         [TestCase(nameof(HdrpHost), false)]
-        public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline, bool isOrthographic)
+        [TestCase(nameof(BuiltInHost), false, 0.3f)]
+        [TestCase(nameof(UrpHost), true, 0.3f)]
+        [TestCase(nameof(HdrpHost), false, 0.3f)]
+        public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline, bool isOrthographic, float edlStrength = 0)
         {
+            m_scene.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = edlStrength };
             m_pipeline = PipelineHost.Make(pipeline);
             var options = new PictureOptions
             {
@@ -146,7 +150,7 @@ namespace FastPoints.HostTests.Gpu
                 HeightPx = HeightPx,
                 PointSizePx = 3,
                 RoundPoints = true,
-                EdlStrength = 0,
+                EdlStrength = edlStrength,
                 Color = ColorMode.Rgb,
             };
             using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
@@ -179,7 +183,7 @@ namespace FastPoints.HostTests.Gpu
                     covered += wanted[x, y] != options.Background ? 1 : 0;
                     differ += wanted[x, y] != drawn[x, y] ? 1 : 0;
                 }
-            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, pipeline + (isOrthographic ? "-flat" : "") + ".png");
+            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, pipeline + (isOrthographic ? "-flat" : "") + (edlStrength > 0 ? "-edl" : "") + ".png");
             File.WriteAllBytes(output, Png.Encode(drawn));
             Assert.That(covered, Is.GreaterThan(2000));
             Assert.That(differ / (double)covered, Is.LessThan(0.003), output);

@@ -49,8 +49,9 @@ namespace FastPoints.HostTests.Gpu
 
         /// <summary>Of a picture's covered pixels those that may differ. A card rounds the corners of squares, and points, to
         /// 1/256 pixel (subPixelPrecisionBits of 8): one of about 500 falls into the pixel beside by that, which changes two,
-        /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that.</summary>
-        public double MostThatDiffer => m_options.RoundPoints ? 0.001 : 0.015;
+        /// and more where the edges of large squares do. Discs are cut out pixel by pixel, without that. With eye-dome lighting a
+        /// pixel that differs changes the shade of those around it.</summary>
+        public double MostThatDiffer => !m_options.RoundPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
         public PicturePlan Plan { get; }
         public DisplayRanges Ranges { get; }

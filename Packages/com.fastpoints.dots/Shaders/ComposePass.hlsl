@@ -20,6 +20,9 @@ float2 _FastPointsScreenPx;
 // 0: none.
 float _FastPointsEdlStrength;
 
+// 1: a pixel without a point gets the mean of those around it, where most of these have one.
+uint _FastPointsFillsHoles;
+
 // x: pixels of a world unit at a depth of one; at any depth where y is 1 (orthographic).
 float2 _FastPointsScalePx;
 
@@ -59,13 +62,46 @@ float FastPointsBeforePx(int2 pixel, float depth, int radius)
     return before;
 }
 
+// ResolvePictureJob.LeastAroundHole.
+#define FASTPOINTS_LEAST_AROUND_HOLE 6.0
+
+// The mean of the points around a pixel, as a point of one pixel; alpha is 0 where there are too few.
+void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
+{
+    float count = 0.0;
+    color = float4(0.0, 0.0, 0.0, 0.0);
+    depth = float2(0.0, 0.0);
+    for (int y = -1; y <= 1; y++)
+    {
+        for (int x = -1; x <= 1; x++)
+        {
+            int2 beside = pixel + int2(x, y);
+            if (beside.x < 0 || beside.y < 0 || beside.x >= int(_FastPointsScreenPx.x) || beside.y >= int(_FastPointsScreenPx.y))
+                continue;
+            float4 there = _FastPointsLayerColor.Load(int3(beside, 0));
+            if (there.w == 0.0)
+                continue;
+            count += 1.0;
+            color.xyz += floor(there.xyz * 255.0 + 0.5);
+            depth += _FastPointsLayerDepth.Load(int3(beside, 0));
+        }
+    }
+    if (count < FASTPOINTS_LEAST_AROUND_HOLE)
+        return;
+    // In whole 255ths, as colours are.
+    color = float4(floor((color.xyz + floor(count * 0.5)) / count), 1.0) / 255.0;
+    depth /= count;
+}
+
 FastPointsComposed FastPointsComposeFragment(float4 position : SV_POSITION)
 {
     int2 pixel = int2(position.xy);
     float4 color = _FastPointsLayerColor.Load(int3(pixel, 0));
+    float2 depth = _FastPointsLayerDepth.Load(int3(pixel, 0));
+    if (color.w == 0.0 && _FastPointsFillsHoles != 0u)
+        FastPointsFill(pixel, color, depth);
     if (color.w == 0.0)
         discard;
-    float2 depth = _FastPointsLayerDepth.Load(int3(pixel, 0));
     float before = FastPointsBeforePx(pixel, depth.x, int(color.w * 255.0 + 0.5));
     color.xyz *= exp(-_FastPointsEdlStrength * before / 8.0);
     FastPointsComposed composed;

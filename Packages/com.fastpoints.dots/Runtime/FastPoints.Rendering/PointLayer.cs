@@ -29,6 +29,7 @@ namespace FastPoints.Rendering
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
             m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
+            m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);

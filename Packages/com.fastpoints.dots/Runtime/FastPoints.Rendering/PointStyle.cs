@@ -14,8 +14,11 @@ namespace FastPoints.Rendering
         /// picture's size, 12 bytes a pixel and their depth, and one pass over them.</summary>
         public float EdlStrength;
 
+        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean. It takes the same layer.</summary>
+        public bool FillsHoles;
+
         /// <summary>Whether points are drawn into a layer of their own first.</summary>
-        internal readonly bool IsLayered => EdlStrength > 0;
+        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles;
 
         /// <summary>Whether sizes are looked up.</summary>
         internal readonly bool IsAdaptive => Shape != PointShape.Pixel && Size.Mode == PointSizeMode.Adaptive;

@@ -11,6 +11,7 @@ namespace FastPoints.Rendering
         public static readonly int ClipBoxes = Shader.PropertyToID("_FastPointsClipBoxes");
         public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
+        public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
         public static readonly int Forward = Shader.PropertyToID("_FastPointsForward");

@@ -30,8 +30,10 @@ namespace StandIns.Graphics
         }
 
         /// <param name="before">What the engine itself does first, with the target that it leaves set; null for nothing.</param>
-        internal void Run(CommandBuffer buffer, CommandBuffer before = null)
+        /// <param name="cameraTarget">Of the camera that draws; null for none.</param>
+        internal void Run(CommandBuffer buffer, CommandBuffer before = null, RenderTexture cameraTarget = null)
         {
+            m_temporaries.CameraTarget = cameraTarget;
             m_targets.Reset();
             m_recording = m_device.Queue.Open();
             try

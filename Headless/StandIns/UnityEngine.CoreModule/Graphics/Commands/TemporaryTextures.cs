@@ -11,6 +11,9 @@ namespace StandIns.Graphics
         readonly Dictionary<int, RenderTexture> m_byName = new Dictionary<int, RenderTexture>();
         readonly List<RenderTexture> m_idle = new List<RenderTexture>();
 
+        /// <summary>Of the camera whose command buffers are executed; null where none draws.</summary>
+        internal RenderTexture CameraTarget { get; set; }
+
         internal RenderTexture Get(int name, in RenderTextureDescriptor descriptor, FilterMode filter)
         {
             Release(name);
@@ -40,6 +43,8 @@ namespace StandIns.Graphics
         {
             if (target.IsNone)
                 return null;
+            if (target.IsCameraTarget)
+                return CameraTarget ?? throw new InvalidOperationException($"{target}: no camera draws");
             if (target.NameId < 0)
                 return target.Texture ?? throw new InvalidOperationException($"{target}: there is no such texture (any more)");
             if (m_byName.TryGetValue(target.NameId, out RenderTexture texture))

@@ -41,7 +41,7 @@ namespace UnityEngine
                 target.Clear();
                 target.SetRenderTarget(targetTexture);
                 foreach (var (_, commands) in m_commands)
-                    Graphics.Execute(target, commands);
+                    Graphics.Execute(target, commands, targetTexture);
             }
         }
 

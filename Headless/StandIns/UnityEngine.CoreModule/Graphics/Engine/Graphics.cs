@@ -13,13 +13,13 @@ namespace UnityEngine
         public static void ExecuteCommandBuffer(CommandBuffer buffer) => Execute(null, buffer);
 
         /// <summary>Executes a camera's command buffer where the camera draws.</summary>
-        internal static void Execute(CommandBuffer before, CommandBuffer buffer)
+        internal static void Execute(CommandBuffer before, CommandBuffer buffer, RenderTexture cameraTarget = null)
         {
             if (buffer == null)
                 throw new ArgumentNullException(nameof(buffer));
             buffer.CheckReleased();
             s_replay ??= new CommandReplay(GpuDevice.Current);
-            s_replay.Run(buffer, before);
+            s_replay.Run(buffer, before, cameraTarget);
         }
 
         /// <summary>Has passed when the device has done all that was asked of it until now.</summary>

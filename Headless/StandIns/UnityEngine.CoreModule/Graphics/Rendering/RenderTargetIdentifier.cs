@@ -59,6 +59,8 @@ namespace UnityEngine.Rendering
 
         internal readonly bool IsNone => m_type == BuiltinRenderTextureType.None;
 
+        internal readonly bool IsCameraTarget => m_type == BuiltinRenderTextureType.CameraTarget;
+
         /// <summary>The name, or -1.</summary>
         internal readonly int NameId => m_type == BuiltinRenderTextureType.PropertyName ? m_id : -1;
 

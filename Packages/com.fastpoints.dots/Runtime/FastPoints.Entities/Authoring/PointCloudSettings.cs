@@ -46,12 +46,16 @@ namespace FastPoints.Entities
         [Tooltip("Eye-dome lighting: shades points by how far their neighbours lie before them. 0 for none, 0.25 is usual.")]
         public float EyeDomeLighting;
 
+        [Tooltip("Fills single pixels that points leave open in a surface.")]
+        public bool FillHoles;
+
         /// <summary>What points look like.</summary>
         public PointStyle Style => new PointStyle
         {
             Shape = Shape,
             Size = new PointSize { Mode = SizeMode, Value = Size, MinPx = 1, MaxPx = MaxSizePx },
             EdlStrength = EyeDomeLighting,
+            FillsHoles = FillHoles,
         };
 
         World m_world;

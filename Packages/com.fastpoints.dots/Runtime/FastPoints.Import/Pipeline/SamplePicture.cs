@@ -99,7 +99,8 @@ namespace FastPoints.Pipeline
         /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
         public static IEnumerator<JobHandle> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
-            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default);
+            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
+                plan.FillsHoles);
             try
             {
                 yield return resolved;

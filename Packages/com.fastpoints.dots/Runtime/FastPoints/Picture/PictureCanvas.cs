@@ -109,7 +109,9 @@ namespace FastPoints.Picture
         /// <summary>Makes the colours that <see cref="ToImage"/> takes; after all drawing.</summary>
         /// <param name="background">Red, green, blue, alpha from the lowest byte.</param>
         /// <param name="edlStrength">0 for no eye-dome lighting; 0.25 is usual.</param>
-        public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps)
+        /// <param name="fillsHoles">See <see cref="ResolvePictureJob.FillsHoles"/>.</param>
+        public JobHandle ScheduleResolve(in PointDrawing drawing, uint background, float edlStrength, JobHandle inputDeps,
+            bool fillsHoles = false)
         {
             return new ResolvePictureJob
             {
@@ -117,6 +119,7 @@ namespace FastPoints.Picture
                 Projection = drawing.Projection,
                 Background = background,
                 EdlStrength = edlStrength,
+                FillsHoles = fillsHoles,
                 Colors = m_colors,
             }.ScheduleParallel(HeightPx, 16, inputDeps);
         }

@@ -59,11 +59,14 @@ namespace FastPoints.Picture
         public float EdlFor(ColorMode mode) =>
             EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
 
+        /// <summary>See <see cref="ResolvePictureJob.FillsHoles"/>.</summary>
+        public bool FillsHoles;
+
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
             "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
             "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round, " +
-            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, background=RRGGBB[AA], up=x|y|z";
+            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
         /// <param name="error">What was wanted, or null.</param>
@@ -101,6 +104,11 @@ namespace FastPoints.Picture
                         EdlStrength = number;
                     else
                         error = "edl: wanted auto, on, off or a strength, got " + value;
+                    break;
+                case "holes":
+                    if (value != "fill" && value != "keep")
+                        error = "holes: wanted fill or keep, got " + value;
+                    FillsHoles = value == "fill";
                     break;
                 case "background":
                     if (!TryColor(value, out Background))

@@ -37,6 +37,7 @@ namespace FastPoints.Picture
         public ColorMode Mode { get; }
 
         public float EdlStrength { get; }
+        public bool FillsHoles => m_options.FillsHoles;
         public Gradient Gradient => m_options.Gradient;
 
         /// <summary>Of a streamed cloud.</summary>

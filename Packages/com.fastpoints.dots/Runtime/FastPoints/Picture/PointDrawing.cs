@@ -121,8 +121,9 @@ namespace FastPoints.Picture
             }
         }
 
+        /// <summary>A pixel that a point was drawn to.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static ulong KeyOf(float depth, uint radiusPx, uint color) =>
+        public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
             (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
         /// <summary>The smaller of two stays, whatever other threads do. Pixels only ever fall, so a value read too early costs

@@ -29,6 +29,14 @@ namespace FastPoints.Picture
         /// <summary>0: no eye-dome lighting.</summary>
         public float EdlStrength;
 
+        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean: a gap in a surface, not what lies
+        /// beside its edge.</summary>
+        public bool FillsHoles;
+
+        /// <summary>Of the eight around a hole, so many have points at least: at the edge of a surface there are three to
+        /// five.</summary>
+        public const int LeastAroundHole = 6;
+
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
 
         public void Execute(int index)
@@ -38,6 +46,8 @@ namespace FastPoints.Picture
             for (int x = 0; x < width; x++)
             {
                 ulong pixel = Pixels[row + x];
+                if (pixel == PointDrawing.EmptyPixel && FillsHoles)
+                    pixel = Fill(x, index);
                 if (pixel == PointDrawing.EmptyPixel)
                     Colors[row + x] = Background;
                 else if (EdlStrength <= 0)
@@ -45,6 +55,30 @@ namespace FastPoints.Picture
                 else
                     Colors[row + x] = Darken((uint)pixel, Shade(x, index, pixel));
             }
+        }
+
+        /// <summary>A pixel as if drawn with a point of one pixel, or an empty one.</summary>
+        ulong Fill(int x, int y)
+        {
+            int count = 0;
+            float depth = 0;
+            uint3 color = 0;
+            for (int ny = math.max(0, y - 1); ny <= math.min(Projection.HeightPx - 1, y + 1); ny++)
+            {
+                for (int nx = math.max(0, x - 1); nx <= math.min(Projection.WidthPx - 1, x + 1); nx++)
+                {
+                    ulong pixel = Pixels[ny * Projection.WidthPx + nx];
+                    if (pixel == PointDrawing.EmptyPixel)
+                        continue;
+                    count++;
+                    depth += PointProjection.DepthFromBits((uint)(pixel >> 32));
+                    color += new uint3((uint)pixel & 255, (uint)pixel >> 8 & 255, (uint)pixel >> 16 & 255);
+                }
+            }
+            if (count < LeastAroundHole)
+                return PointDrawing.EmptyPixel;
+            color = (color + (uint)count / 2) / (uint)count;
+            return PointDrawing.KeyOf(depth / count, 1, color.x | color.y << 8 | color.z << 16);
         }
 
         float Shade(int x, int y, ulong pixel)

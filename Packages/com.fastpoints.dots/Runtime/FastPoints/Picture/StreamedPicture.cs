@@ -54,7 +54,7 @@ namespace FastPoints.Picture
             {
                 Projection = new PointProjection(camera, PositionTransform.Identity, m_canvas.WidthPx, m_canvas.HeightPx),
             };
-            m_canvas.ScheduleResolve(projection, m_options.Background, m_edlStrength, drawn).Complete();
+            m_canvas.ScheduleResolve(projection, m_options.Background, m_edlStrength, drawn, m_options.FillsHoles).Complete();
             return m_canvas.ToImage();
         }
 

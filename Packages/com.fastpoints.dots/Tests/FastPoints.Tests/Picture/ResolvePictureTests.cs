@@ -53,6 +53,31 @@ namespace FastPoints.Tests.Picture
             Assert.That(colors[2], Is.EqualTo(White));
         }
 
+        /// <summary>3 by 3 pixels of depth 1, the middle empty, and as many more empty as told.</summary>
+        [TestCase(0, true)]
+        [TestCase(2, true)]
+        [TestCase(3, false)]
+        public void Resolve_PixelAmongOthers_IsFilledByTheirMeanIfMostAreThere(int empty, bool isFilled)
+        {
+            using var pixels = new NativeArray<ulong>(9, Allocator.Persistent);
+            using var colors = new NativeArray<uint>(9, Allocator.Persistent);
+            var keys = pixels;
+            for (int i = 0; i < 9; i++)
+                keys[i] = i < empty || i == 4 ? PointDrawing.EmptyPixel : PointDrawing.KeyOf(1, 1, i < 6 ? 0x000010u : 0x00FF20u);
+            new ResolvePictureJob
+            {
+                Pixels = pixels,
+                Projection = new PointProjection { WidthPx = 3, HeightPx = 3, IsOrthographic = true, ScalePx = 1 },
+                Background = 0x12345678,
+                FillsHoles = true,
+                Colors = colors,
+            }.Schedule(3, default).Complete();
+            // Three of the pixels have 0xFF, 0x20.
+            int count = 8 - empty;
+            uint green = (uint)((3 * 0xFF + count / 2) / count), red = (uint)((3 * 0x20 + (count - 3) * 0x10 + count / 2) / count);
+            Assert.That(colors[4], Is.EqualTo(isFilled ? 0xFF000000u | green << 8 | red : 0x12345678u));
+        }
+
         [Test]
         public void Resolve_NextToNothing_IsNotDarkened()
         {
