@@ -27,11 +27,12 @@ namespace FastPoints.Cli
         float m_edlStrength;
 
         /// <param name="stream">Its pool is one of the graphics card's.</param>
-        public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options)
+        /// <param name="canCompute">Points of one pixel by a compute shader; without, as point primitives.</param>
+        public GpuPicture(GpuShaders shaders, StreamContext stream, PictureOptions options, bool canCompute = true)
         {
             m_stream = stream;
             m_options = options;
-            m_materials = new PointMaterials(shaders.Points, shaders.Compose);
+            m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
             m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool);
             m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
                 GraphicsFormat.D32_SFloat);

@@ -20,12 +20,14 @@ namespace FastPoints.Cli
             string folder = FindFolder();
             Points = HeadlessShaders.Load(Path.Combine(folder, "Points.shader"));
             Compose = HeadlessShaders.Load(Path.Combine(folder, "Compose.shader"));
+            Raster = HeadlessShaders.LoadCompute(Path.Combine(folder, "RasterPoints.compute"));
             CopyPages = HeadlessShaders.LoadCompute(Path.Combine(folder, "CopyPages.compute"));
         }
 
         public Shader Points { get; }
         public Shader Compose { get; }
         public ComputeShader CopyPages { get; }
+        public ComputeShader Raster { get; }
 
         public NodePool CreatePool(long limitBytes, int bankBytes, int bytesPerUpload) =>
             new GraphicsNodePool(CopyPages, limitBytes, bankBytes, bytesPerUpload);

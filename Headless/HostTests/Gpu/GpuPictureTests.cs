@@ -64,13 +64,15 @@ namespace FastPoints.HostTests.Gpu
             Assert.That(share, Is.LessThan(streams.MostThatDiffer), output);
         }
 
+        /// <summary>Points of one pixel are drawn by a compute shader, or as point primitives.</summary>
         [TestCase(1, false)]
+        [TestCase(1, false, false)]
         [TestCase(3, false)]
         [TestCase(5, true)]
-        public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound)
+        public void Draw_Shapes_AreThoseOfTheSoftwareRasterizer(float sizePx, bool isRound, bool canCompute = true)
         {
-            using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points);
-            Compare(streams, streams.Plan.Camera, "shape-" + sizePx);
+            using var streams = new TwinStreams(m_demo, Options(sizePx, isRound), Points, canCompute: canCompute);
+            Compare(streams, streams.Plan.Camera, "shape-" + sizePx + (canCompute ? "" : "-primitives"));
         }
 
         [TestCase(ColorMode.Rgb)]
@@ -104,14 +106,15 @@ namespace FastPoints.HostTests.Gpu
         }
 
         [TestCase("1", false)]
+        [TestCase("1", false, false)]
         [TestCase("5", true)]
         [TestCase("adaptive", true)]
-        public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound)
+        public void Draw_EyeDomeLighting_IsThatOfTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
         {
             var options = Options(0, isRound, ColorMode.Elevation);
             options.EdlStrength = 0.4f;
             Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
-            using var streams = new TwinStreams(m_demo, options, Points / 2);
+            using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
             Compare(streams, streams.Plan.Camera, "edl-" + size);
             var center = streams.Ranges.Robust.Center;
             Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
@@ -145,9 +148,10 @@ namespace FastPoints.HostTests.Gpu
         [TestCase(false, false)]
         [TestCase(true, false)]
         [TestCase(true, true)]
-        public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts)
+        [TestCase(true, true, 1)]
+        public void Draw_Clipped_IsThatOfTheSoftwareRasterizer(bool keeps, bool cuts, float sizePx = 3)
         {
-            var options = Options(3, true);
+            var options = Options(sizePx, sizePx > 1);
             using var streams = new TwinStreams(m_demo, options, Points);
             var bounds = streams.Ranges.Robust;
             var all = streams.Draw(streams.Plan.Camera).Gpu;
@@ -160,7 +164,7 @@ namespace FastPoints.HostTests.Gpu
             if (cuts)
                 options.ClipBoxes.Add(turned);
             streams.Clip();
-            Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts);
+            Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts + sizePx);
             var left = streams.Draw(streams.Plan.Camera).Gpu;
             int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
             Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));

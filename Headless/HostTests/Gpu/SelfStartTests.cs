@@ -35,6 +35,7 @@ namespace FastPoints.HostTests.Gpu
             var resources = ScriptableObject.CreateInstance<PointCloudResources>();
             resources.Points = shaders.Points;
             resources.Compose = shaders.Compose;
+            resources.Raster = shaders.Raster;
             resources.CopyPages = shaders.CopyPages;
             Resources.Assets[PointCloudResources.Path] = resources;
             BuiltInPass.Begin();

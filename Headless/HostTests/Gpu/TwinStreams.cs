@@ -25,14 +25,16 @@ namespace FastPoints.HostTests.Gpu
         readonly PictureOptions m_options;
 
         /// <param name="place">From the cloud's own georeferenced placement to that in the test's world.</param>
-        public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null)
+        /// <param name="canCompute">See <see cref="GpuPicture"/>.</param>
+        public TwinStreams(string cloud, PictureOptions options, long budget, Func<CloudPlacement, CloudPlacement> place = null,
+            bool canCompute = true)
         {
             m_options = options;
             var shaders = new GpuShaders();
             m_cpu = new StreamContext(new MemoryNodePool(256 << 20, 8 << 20));
             m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20, 1 << 20));
             m_cpuPicture = new CpuPicture(m_cpu, options);
-            m_gpuPicture = new GpuPicture(shaders, m_gpu, options);
+            m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
             foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
             {
                 stream.Settings.Selection.PointBudget = budget;

@@ -8,14 +8,50 @@
 // ResolvePictureJob.MaxDifferencePx.
 #define FASTPOINTS_MOST_BEFORE_PX 12.0
 
-// sRGB; alpha: radius of the point in 255ths, 0 where there is none.
-Texture2D<float4> _FastPointsLayerColor;
-
-// Depth in world units along the view's direction, and the device's.
-Texture2D<float2> _FastPointsLayerDepth;
-
 // Width and height of the layer in pixels.
 float2 _FastPointsScreenPx;
+
+#if defined(FASTPOINTS_FROM_PIXELS)
+// What RasterPoints.hlsl made.
+ByteAddressBuffer _FastPointsPixels;
+
+// The device's depth is (x * depth + y) / (z * depth + w).
+float4 _FastPointsDeviceOfDepth;
+
+uint2 FastPointsPixelAt(int2 pixel)
+{
+    return _FastPointsPixels.Load2((uint(pixel.y) * uint(_FastPointsScreenPx.x) + uint(pixel.x)) * 8u);
+}
+
+float4 FastPointsColorAt(int2 pixel)
+{
+    uint2 found = FastPointsPixelAt(pixel);
+    return found.x == 0xFFFFFFFFu ? float4(0.0, 0.0, 0.0, 0.0) : float4(FastPointsUnpackColor(found.y), 1.0 / 255.0);
+}
+
+float2 FastPointsDepthAt(int2 pixel)
+{
+    uint bits = FastPointsPixelAt(pixel).x;
+    float depth = asfloat(bits & 0x80000000u ? bits & 0x7FFFFFFFu : ~bits);
+    float4 device = _FastPointsDeviceOfDepth;
+    return float2(depth, (device.x * depth + device.y) / (device.z * depth + device.w));
+}
+#else
+Texture2D<float4> _FastPointsLayerColor;
+Texture2D<float2> _FastPointsLayerDepth;
+
+// sRGB; alpha: radius of the point in 255ths, 0 where there is none.
+float4 FastPointsColorAt(int2 pixel)
+{
+    return _FastPointsLayerColor.Load(int3(pixel, 0));
+}
+
+// Depth in world units along the view's direction, and the device's.
+float2 FastPointsDepthAt(int2 pixel)
+{
+    return _FastPointsLayerDepth.Load(int3(pixel, 0));
+}
+#endif
 
 // 0: none.
 float _FastPointsEdlStrength;
@@ -53,9 +89,9 @@ float FastPointsBeforePx(int2 pixel, float depth, int radius)
             int2 beside = pixel + int2(x, y) * radius;
             if (beside.x < 0 || beside.y < 0 || beside.x >= int(_FastPointsScreenPx.x) || beside.y >= int(_FastPointsScreenPx.y))
                 continue;
-            if (_FastPointsLayerColor.Load(int3(beside, 0)).w == 0.0)
+            if (FastPointsColorAt(beside).w == 0.0)
                 continue;
-            float between = depth - _FastPointsLayerDepth.Load(int3(beside, 0)).x;
+            float between = depth - FastPointsDepthAt(beside).x;
             before += clamp(between * pixelsPerUnit, 0.0, FASTPOINTS_MOST_BEFORE_PX);
         }
     }
@@ -78,12 +114,12 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
             int2 beside = pixel + int2(x, y);
             if (beside.x < 0 || beside.y < 0 || beside.x >= int(_FastPointsScreenPx.x) || beside.y >= int(_FastPointsScreenPx.y))
                 continue;
-            float4 there = _FastPointsLayerColor.Load(int3(beside, 0));
+            float4 there = FastPointsColorAt(beside);
             if (there.w == 0.0)
                 continue;
             count += 1.0;
             color.xyz += floor(there.xyz * 255.0 + 0.5);
-            depth += _FastPointsLayerDepth.Load(int3(beside, 0));
+            depth += FastPointsDepthAt(beside);
         }
     }
     if (count < FASTPOINTS_LEAST_AROUND_HOLE)
@@ -96,8 +132,8 @@ void FastPointsFill(int2 pixel, out float4 color, out float2 depth)
 FastPointsComposed FastPointsComposeFragment(float4 position : SV_POSITION)
 {
     int2 pixel = int2(position.xy);
-    float4 color = _FastPointsLayerColor.Load(int3(pixel, 0));
-    float2 depth = _FastPointsLayerDepth.Load(int3(pixel, 0));
+    float4 color = FastPointsColorAt(pixel);
+    float2 depth = FastPointsDepthAt(pixel);
     if (color.w == 0.0 && _FastPointsFillsHoles != 0u)
         FastPointsFill(pixel, color, depth);
     if (color.w == 0.0)

@@ -11,6 +11,7 @@ namespace FastPoints.Rendering
         public Shader Points;
         public Shader Compose;
         public ComputeShader CopyPages;
+        public ComputeShader Raster;
 
         public static PointCloudResources Load() => Resources.Load<PointCloudResources>(Path);
     }

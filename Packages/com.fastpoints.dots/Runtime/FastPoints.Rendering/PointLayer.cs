@@ -24,6 +24,22 @@ namespace FastPoints.Rendering
         /// <summary>Draws the layer into the camera's picture, and gives it back.</summary>
         public void End(CommandBuffer commands, in RenderView view, Material compose)
         {
+            Compose(commands, view, compose);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerDepth);
+            commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
+        }
+
+        /// <summary>Draws what a <see cref="ComputeRaster"/> made into the camera's picture.</summary>
+        public void Compose(CommandBuffer commands, in RenderView view, Material compose, ComputeRaster raster)
+        {
+            m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
+            m_properties.SetVector(ShaderNames.DeviceOfDepth, ComputeRaster.DeviceOfDepth(view));
+            Compose(commands, view, compose);
+        }
+
+        void Compose(CommandBuffer commands, in RenderView view, Material compose)
+        {
             commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, -1);
             commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
@@ -32,9 +48,6 @@ namespace FastPoints.Rendering
             m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
-            commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
-            commands.ReleaseTemporaryRT(ShaderNames.LayerDepth);
-            commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
         }
 
         static RenderTextureDescriptor Describe(in RenderView view, GraphicsFormat color, GraphicsFormat depth) =>

@@ -15,15 +15,20 @@ namespace FastPoints.Rendering
         readonly Shader m_points;
         readonly Shader m_compose;
         readonly Material[] m_ofVariant = new Material[Shapes * Options];
-        Material m_composing;
+        Material m_composingLayer;
+        Material m_composingPixels;
 
         /// <param name="points">The package's Points.shader.</param>
         /// <param name="compose">The package's Compose.shader.</param>
-        public PointMaterials(Shader points, Shader compose)
+        /// <param name="raster">The package's RasterPoints.compute; null for none.</param>
+        public PointMaterials(Shader points, Shader compose, ComputeShader raster = null)
         {
             m_points = points;
             m_compose = compose;
+            Raster = raster;
         }
+
+        internal ComputeShader Raster { get; }
 
         /// <summary>Draws points of a style.</summary>
         /// <param name="isClipped">There are clip boxes.</param>
@@ -46,13 +51,19 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>Draws a layer of points into a camera's picture.</summary>
-        internal Material Compose
+        internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
+
+        /// <summary>Draws what a compute shader made into a camera's picture.</summary>
+        internal Material ComposePixels
         {
             get
             {
-                if (m_composing == null)
-                    m_composing = Make(m_compose);
-                return m_composing;
+                if (m_composingPixels == null)
+                {
+                    m_composingPixels = Make(m_compose);
+                    m_composingPixels.EnableKeyword(ShaderNames.FromPixelsKeyword);
+                }
+                return m_composingPixels;
             }
         }
 
@@ -60,7 +71,8 @@ namespace FastPoints.Rendering
         {
             for (int variant = 0; variant < m_ofVariant.Length; variant++)
                 Destroy(ref m_ofVariant[variant]);
-            Destroy(ref m_composing);
+            Destroy(ref m_composingLayer);
+            Destroy(ref m_composingPixels);
         }
 
         static Material Make(Shader shader) => new Material(shader) { hideFlags = HideFlags.HideAndDontSave };

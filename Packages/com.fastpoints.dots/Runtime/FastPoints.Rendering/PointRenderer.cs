@@ -30,6 +30,7 @@ namespace FastPoints.Rendering
         readonly GrowingBuffer m_sizeNodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
         readonly GrowingBuffer m_clipBoxes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
         readonly PointLayer m_layer = new PointLayer();
+        readonly ComputeRaster m_raster;
         readonly GrowingBuffer m_palette = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
         NativeArray<uint> m_colors;
@@ -41,6 +42,7 @@ namespace FastPoints.Rendering
         {
             m_pool = pool;
             m_materials = materials;
+            m_raster = materials.Raster != null ? new ComputeRaster(materials.Raster) : null;
             m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawArgs>(Allocator.Persistent);
             m_colors = new NativeArray<uint>(PaletteLength, Allocator.Persistent);
         }
@@ -70,13 +72,28 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             WriteBuffers(commands, view.Style);
+            if (view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view))
+            {
+                m_raster.Record(commands, view, List, Buffers, m_pool);
+                m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
+                return;
+            }
             Set(view);
             if (view.Style.IsLayered)
                 m_layer.Begin(commands, view);
             DrawBanks(commands, view.Style);
             if (view.Style.IsLayered)
-                m_layer.End(commands, view, m_materials.Compose);
+                m_layer.End(commands, view, m_materials.ComposeLayer);
         }
+
+        RasterBuffers Buffers => new RasterBuffers
+        {
+            Nodes = m_nodes.Buffer,
+            Clouds = m_clouds.Buffer,
+            NodeOfInstance = m_nodeOfInstance.Buffer,
+            Palette = m_palette.Buffer,
+            ClipBoxes = List.ClipBoxes.Length > 0 ? m_clipBoxes.Buffer : null,
+        };
 
         public void Dispose()
         {
@@ -89,6 +106,7 @@ namespace FastPoints.Rendering
             m_arguments.Dispose();
             m_palette.Dispose();
             m_sizeNodes.Dispose();
+            m_raster?.Dispose();
             m_clipBoxes.Dispose();
             m_drawArguments.Dispose();
             m_colors.Dispose();

@@ -36,11 +36,12 @@ namespace FastPoints.Rendering
         /// <param name="points">The package's Points.shader.</param>
         /// <param name="compose">The package's Compose.shader.</param>
         /// <param name="stream">Its pool is on the graphics card; not this scene's.</param>
-        public PointScene(Shader points, Shader compose, StreamContext stream)
+        /// <param name="raster">The package's RasterPoints.compute; null to do without.</param>
+        public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null)
         {
             Stream = stream;
             m_pool = (GraphicsNodePool)stream.Pool;
-            m_materials = new PointMaterials(points, compose);
+            m_materials = new PointMaterials(points, compose, raster);
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
             m_palette = new NativeArray<uint>(PointRenderer.PaletteLength, Allocator.Persistent);
         }

@@ -10,11 +10,14 @@ namespace FastPoints.Rendering
         public static readonly int ClipBoxCount = Shader.PropertyToID("_FastPointsClipBoxCount");
         public static readonly int ClipBoxes = Shader.PropertyToID("_FastPointsClipBoxes");
         public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
+        public static readonly int DeviceOfDepth = Shader.PropertyToID("_FastPointsDeviceOfDepth");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
         public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
         public static readonly int Forward = Shader.PropertyToID("_FastPointsForward");
+        public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
+        public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
@@ -23,6 +26,8 @@ namespace FastPoints.Rendering
         public static readonly int Nodes = Shader.PropertyToID("_FastPointsNodes");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
         public static readonly int Palette = Shader.PropertyToID("_FastPointsPalette");
+        public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
+        public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
         public static readonly int ScalePx = Shader.PropertyToID("_FastPointsScalePx");
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
         public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
@@ -32,9 +37,13 @@ namespace FastPoints.Rendering
         public static readonly int ViewProjection = Shader.PropertyToID("_FastPointsViewProjection");
 
         public const string CopyPagesKernel = "FastPointsCopyPages";
+        public const string ClearPixelsKernel = "FastPointsClearPixels";
+        public const string RasterDepthKernel = "FastPointsRasterDepth";
+        public const string RasterColorKernel = "FastPointsRasterColor";
         public const string AdaptiveKeyword = "FASTPOINTS_ADAPTIVE";
         public const string ClippedKeyword = "FASTPOINTS_CLIPPED";
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
+        public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";

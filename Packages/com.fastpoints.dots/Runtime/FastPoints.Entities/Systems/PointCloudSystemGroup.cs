@@ -100,7 +100,7 @@ namespace FastPoints.Entities
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
-            Scene = new PointScene(resources.Points, resources.Compose, Stream);
+            Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster);
             PointScene.Current = Scene;
             return true;
         }

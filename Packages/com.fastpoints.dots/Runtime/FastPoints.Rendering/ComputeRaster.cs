@@ -1,0 +1,110 @@
+using System;
+using FastPoints.Gpu;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>Draws points of one pixel by a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one
+    /// camera. Where it can be used, see <see cref="CanDraw"/>, it takes the place of point primitives.</summary>
+    sealed class ComputeRaster : IDisposable
+    {
+        const int BytesPerPixel = 8, ClearThreads = 64;
+
+        /// <summary>Groups along one axis of a dispatch.</summary>
+        const int MostGroups = 65535;
+
+        readonly ComputeShader m_shader;
+        readonly int[] m_kernels;
+        GraphicsBuffer m_noClips;
+
+        /// <param name="shader">The package's RasterPoints.compute.</param>
+        public ComputeRaster(ComputeShader shader)
+        {
+            m_shader = shader;
+            m_kernels = new[]
+            {
+                shader.FindKernel(ShaderNames.RasterDepthKernel), shader.FindKernel(ShaderNames.RasterColorKernel),
+                shader.FindKernel(ShaderNames.ClearPixelsKernel),
+            };
+        }
+
+        /// <summary>Depth and colour of each pixel.</summary>
+        public GraphicsBuffer Pixels { get; private set; }
+
+        /// <summary>Whether the device counts rows from the top and depth follows from the distance along the view alone, as it does
+        /// but for oblique projections.</summary>
+        public static bool CanDraw(in RenderView view)
+        {
+            var depth = (Vector3)view.ViewProjection.GetRow(2);
+            return SystemInfo.supportsComputeShaders && SystemInfo.graphicsUVStartsAtTop &&
+                Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
+        }
+
+        /// <summary>What the device makes of a distance d along the view: (x d + y) / (z d + w).</summary>
+        public static Vector4 DeviceOfDepth(in RenderView view)
+        {
+            var z = view.ViewProjection.GetRow(2);
+            var w = view.ViewProjection.GetRow(3);
+            return new Vector4(Vector3.Dot(z, view.Forward), z.w, Vector3.Dot(w, view.Forward), w.w);
+        }
+
+        /// <param name="buffers">What draws read; its bank is set here.</param>
+        public void Record(CommandBuffer commands, in RenderView view, DrawList list, in RasterBuffers buffers, GraphicsNodePool pool)
+        {
+            MakeBuffers(view);
+            commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            commands.SetComputeVectorParam(m_shader, ShaderNames.Forward, view.Forward);
+            commands.SetComputeMatrixParam(m_shader, ShaderNames.ViewProjection, view.ViewProjection);
+            commands.SetComputeIntParam(m_shader, ShaderNames.ClipBoxCount, list.ClipBoxes.Length);
+            commands.SetComputeIntParam(m_shader, ShaderNames.IsLinear, 0);
+            int clear = m_kernels[2];
+            commands.SetComputeBufferParam(m_shader, clear, ShaderNames.PixelsOut, Pixels);
+            commands.DispatchCompute(m_shader, clear, (view.WidthPx + ClearThreads - 1) / ClearThreads, view.HeightPx, 1);
+            for (int pass = 0; pass < 2; pass++)
+            {
+                int kernel = m_kernels[pass];
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.PixelsOut, Pixels);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Nodes, buffers.Nodes);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Clouds, buffers.Clouds);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.NodeOfInstance, buffers.NodeOfInstance);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Palette, buffers.Palette);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.ClipBoxes, buffers.ClipBoxes ?? m_noClips);
+                for (int i = 0; i < list.Draws.Length; i++)
+                    Dispatch(commands, kernel, list.Draws[i], pool);
+            }
+        }
+
+        public void Dispose()
+        {
+            Pixels?.Dispose();
+            Pixels = null;
+            m_noClips?.Dispose();
+            m_noClips = null;
+        }
+
+        void Dispatch(CommandBuffer commands, int kernel, in BankDraw draw, GraphicsNodePool pool)
+        {
+            int across = math.min(draw.InstanceCount, MostGroups);
+            commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Bank, pool.BufferOf(draw.Bank));
+            commands.SetComputeIntParam(m_shader, ShaderNames.FirstInstance, draw.FirstInstance);
+            commands.SetComputeIntParam(m_shader, ShaderNames.InstanceCount, draw.InstanceCount);
+            commands.SetComputeIntParam(m_shader, ShaderNames.GroupsPerRow, across);
+            commands.DispatchCompute(m_shader, kernel, across, (draw.InstanceCount + across - 1) / across, 1);
+        }
+
+        void MakeBuffers(in RenderView view)
+        {
+            int words = view.WidthPx * view.HeightPx * (BytesPerPixel / sizeof(uint));
+            if (Pixels == null || Pixels.count != words)
+            {
+                Pixels?.Dispose();
+                Pixels = new GraphicsBuffer(GraphicsBuffer.Target.Raw, words, sizeof(uint));
+            }
+            if (m_noClips == null)
+                m_noClips = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1,
+                    Unity.Collections.LowLevel.Unsafe.UnsafeUtility.SizeOf<GpuClipBox>());
+        }
+    }
+}

@@ -1,0 +1,16 @@
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>What a <see cref="ComputeRaster"/> reads of one camera's draws.</summary>
+    struct RasterBuffers
+    {
+        public GraphicsBuffer Nodes;
+        public GraphicsBuffer Clouds;
+        public GraphicsBuffer NodeOfInstance;
+        public GraphicsBuffer Palette;
+
+        /// <summary>Null where there are none.</summary>
+        public GraphicsBuffer ClipBoxes;
+    }
+}
