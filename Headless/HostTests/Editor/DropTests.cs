@@ -109,6 +109,7 @@ namespace FastPoints.HostTests.Editor
             var attribute = typeof(PointFileImporter).GetCustomAttribute<ScriptedImporterAttribute>();
             Assert.That(attribute.fileExtensions, Is.Null);
             Assert.That(attribute.overrideFileExtensions, Is.EqualTo(CloudSources.ImportedExtensions));
+            Assert.That(attribute.AllowCaching, Is.True);
         }
 
         static void Postprocess(params string[] imported) => typeof(PointFilePostprocessor)

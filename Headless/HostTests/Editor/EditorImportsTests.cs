@@ -131,11 +131,11 @@ namespace FastPoints.HostTests.Editor
             ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
                 () => m_project.Imports.Queue.Session.State == BuildState.Building);
 
-            Assert.That(shown.Pause(true), Is.True);
+            Assert.That(Progress.Pause(0), Is.True);
             Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
-            Assert.That(shown.Pause(false), Is.True);
+            Assert.That(Progress.Resume(0), Is.True);
             Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));
-            Assert.That(shown.Cancel(), Is.True);
+            Assert.That(Progress.Cancel(0), Is.True);
             Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
             m_project.UpdateToTheEnd();
             Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);

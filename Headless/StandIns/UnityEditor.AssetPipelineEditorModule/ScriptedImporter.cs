@@ -17,6 +17,8 @@ namespace UnityEditor.AssetImporters
             overrideFileExtensions = overrideExts;
         }
 
+        public bool AllowCaching;
+
         public int version { get; }
 
         public string[] fileExtensions { get; }

@@ -59,6 +59,18 @@ namespace UnityEditor
 
         public static void Finish(int id, Status status = Status.Succeeded) => Entries[id].Status = status;
 
+        public static bool Cancel(int id)
+        {
+            if (Entries[id].Cancel?.Invoke() != true)
+                return false;
+            Entries[id].Status = Status.Canceled;
+            return true;
+        }
+
+        public static bool Pause(int id) => Entries[id].Pause?.Invoke(true) == true;
+
+        public static bool Resume(int id) => Entries[id].Pause?.Invoke(false) == true;
+
         public static void SetTimeDisplayMode(int id, TimeDisplayMode displayMode)
         {
         }

@@ -155,6 +155,8 @@ namespace FastPoints.Editor
             Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
             Progress.RegisterCancelCallback(m_progress, () =>
             {
+                // Unity itself ends what was cancelled in its window.
+                m_reported = null;
                 Queue.Cancel(request);
                 return true;
             });

@@ -7,7 +7,7 @@ namespace FastPoints.Editor
     /// <summary>Imports LAS, LAZ and PLY files that lie in <c>Assets</c>, by their headers. Never chosen by Unity: two importers
     /// that claim one extension lock each other out, and others claim these (<see cref="PointFilePostprocessor"/> chooses
     /// it).</summary>
-    [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" })]
+    [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
     public sealed class PointFileImporter : CloudImporter
     {
         protected override CloudHandle Describe(AssetImportContext context, string guid)

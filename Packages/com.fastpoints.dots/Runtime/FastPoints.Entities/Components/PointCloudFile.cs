@@ -30,6 +30,6 @@ namespace FastPoints.Entities
         /// <summary>The folder's whole path.</summary>
         public string FullPath => Application.isEditor && !string.IsNullOrEmpty(ProjectPath)
             ? System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), ProjectPath)
-            : System.IO.Path.Combine(Application.streamingAssetsPath, Path);
+            : System.IO.Path.Combine(Application.streamingAssetsPath, Path ?? "");
     }
 }
