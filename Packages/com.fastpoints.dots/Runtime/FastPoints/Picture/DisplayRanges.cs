@@ -44,6 +44,9 @@ namespace FastPoints.Picture
 
         bool m_hasFar;
 
+        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.</summary>
+        double m_shareFramed = 1;
+
         /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>
         public bool IsInDegrees;
 
@@ -179,7 +182,10 @@ namespace FastPoints.Picture
                 FindCategories(points.Schema);
                 SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
                 Outline = OutlineOf(points, transform);
-                if (m_hasFar && Outline.Length > 0)
+                var part = LargestPart.Of(Outline);
+                m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
+                Outline = part;
+                if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
                     FrameOutline();
                 if (!Full.IsEmpty)
                     TellFar();
@@ -277,10 +283,12 @@ namespace FastPoints.Picture
 
         void TellFar()
         {
-            if (math.cmax(Full.Size) > FarTold * math.cmax(Robust.Size) && math.cmax(Robust.Size) > 0)
-                Assumptions.Add("points lie as far as " + math.cmax(Full.Size).ToString("G3", CultureInfo.InvariantCulture)
-                    + " apart, most within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
-                    + ": these are framed");
+            if (math.cmax(Full.Size) <= FarTold * math.cmax(Robust.Size) || math.cmax(Robust.Size) <= 0)
+                return;
+            string most = m_shareFramed < 1 ? (100 * m_shareFramed).ToString("F0", CultureInfo.InvariantCulture) + " %" : "most";
+            Assumptions.Add("points lie as far as " + math.cmax(Full.Size).ToString("G3", CultureInfo.InvariantCulture)
+                + " apart, " + most + " within " + math.cmax(Robust.Size).ToString("G3", CultureInfo.InvariantCulture)
+                + ": these are framed");
         }
 
         /// <summary>A degree of longitude is shorter by the cosine of the latitude; to whole degrees, so that another sample of

@@ -108,6 +108,41 @@ namespace FastPoints.Tests.Pipeline
             Assert.That(preview.Plan.Assumptions, Has.Some.Contains("these are framed"));
         }
 
+        /// <param name="parts">Squares of equal size, so many edges apart.</param>
+        /// <param name="ofLast">Of ten points, so many are in the last part, the others equally in those before.</param>
+        [TestCase(2, 5, 100, "50 %")]
+        [TestCase(2, 5, 1e6, "50 %")]
+        [TestCase(2, 3, 40, "70 %")]
+        [TestCase(2, 9, 40, "most")]
+        [TestCase(3, 4, 300, "40 %")]
+        public void Picture_OfPartsFarApart_FramesTheLargestAndSaysSo(int parts, int ofLast, double edges, string share)
+        {
+            var positions = Square(new double3(4e5, 5e6, 100), 1);
+            double edge = positions.Max(p => p.x) - positions.Min(p => p.x);
+            for (int i = 0; i < positions.Length; i++)
+            {
+                int part = i % 10 >= 10 - ofLast ? parts - 1 : i % 10 % (parts - 1);
+                positions[i] += new double3(part, part % 2, 0) * edges * edge;
+            }
+            using var batch = TestBatches.OfPositions(positions);
+            using var preview = Draw(batch);
+            // Of each part columns of the square are missing. All parts together would be a few hundred pixels.
+            Assert.That(LitPx(preview), Is.GreaterThan(AFifthOfThePicture / 4));
+            Assert.That(preview.Plan.Assumptions, Has.Some.Contains(share + " within").And.Contains("these are framed"));
+        }
+
+        [Test]
+        public void Picture_OfPartsThatAreNotSoFarApart_FramesAll()
+        {
+            var positions = Square(new double3(4e5, 5e6, 100), 1);
+            double edge = positions.Max(p => p.x) - positions.Min(p => p.x);
+            for (int i = 0; i < positions.Length; i += 2)
+                positions[i].x += 5 * edge;
+            using var batch = TestBatches.OfPositions(positions);
+            using var preview = Draw(batch);
+            Assert.That(preview.Ranges.Robust.Size.x, Is.GreaterThan(5 * edge));
+        }
+
         [TestCase(0u, "black")]
         [TestCase(0x060504u, "black or nearly so")]
         public void Picture_OfBlackColours_IsColouredByHeightAndSaysSo(uint color, string expected)
