@@ -88,7 +88,7 @@ namespace FastPoints.Cli
             var size = options.SizeInWorld ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
             return new PointStyle
             {
-                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel : options.RoundPoints ? PointShape.Disc : PointShape.Square,
+                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel : options.DomedPoints ? PointShape.Paraboloid : options.RoundPoints ? PointShape.Disc : PointShape.Square,
                 Size = size,
                 EdlStrength = edlStrength,
                 FillsHoles = options.FillsHoles,

@@ -143,6 +143,23 @@ namespace FastPoints.HostTests.Gpu
             Assert.That(more, Is.InRange(20, 2000));
         }
 
+        [TestCase("7", 0)]
+        [TestCase("adaptive", 0)]
+        [TestCase("adaptive", 0.4f)]
+        public void Draw_Paraboloids_AreThoseOfTheSoftwareRasterizer(string size, float edlStrength)
+        {
+            var options = Options(0);
+            options.EdlStrength = edlStrength;
+            Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", "paraboloid", out error),
+                Is.True, error);
+            using var streams = new TwinStreams(m_demo, options, Points / 2);
+            string name = "paraboloid-" + size + "-" + edlStrength;
+            Compare(streams, streams.Plan.Camera, name);
+            var center = streams.Ranges.Robust.Center;
+            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+                streams.Ranges.Robust.Size.y), name + "-flat");
+        }
+
         /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing outside is
         /// drawn.</summary>
         [TestCase(false, false)]

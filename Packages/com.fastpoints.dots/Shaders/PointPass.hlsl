@@ -1,8 +1,15 @@
-// Vertex and fragment stages that draw points as pixels, squares or discs.
+// Vertex and fragment stages that draw points as pixels, squares, discs or paraboloids.
 #ifndef FASTPOINTS_POINT_PASS_INCLUDED
 #define FASTPOINTS_POINT_PASS_INCLUDED
 
 #include "PointDrawing.hlsl"
+
+#if defined(FASTPOINTS_PARABOLOIDS)
+#define FASTPOINTS_DISCS
+
+// What the clip space's z and w become with one unit along the view's direction, in x and y; z: units of a pixel at a depth of one.
+float4 _FastPointsForwardClip;
+#endif
 
 #if defined(FASTPOINTS_SQUARES) || defined(FASTPOINTS_DISCS)
 #define FASTPOINTS_IS_QUAD
@@ -18,6 +25,10 @@ struct FastPointsVaryings
 #if defined(FASTPOINTS_DISCS)
     // From -1 to 1 over the square.
     float2 Corner : TEXCOORD1;
+#endif
+#if defined(FASTPOINTS_PARABOLOIDS)
+    // The middle's z and w in clip space, the radius in world units.
+    nointerpolation float3 Middle : TEXCOORD3;
 #endif
 #if defined(FASTPOINTS_LAYERED)
     // The radius in whole pixels, and the depth in world units.
@@ -45,6 +56,10 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #if defined(FASTPOINTS_DISCS)
     varyings.Corner = corner;
 #endif
+#if defined(FASTPOINTS_PARABOLOIDS)
+    varyings.Middle = float3(drawn.PositionClip.zw,
+        drawn.SizePx * 0.5 * _FastPointsForwardClip.z * (_FastPointsSize.z != 0.0 ? 1.0 : drawn.Depth));
+#endif
 #if defined(FASTPOINTS_LAYERED)
     varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
 #endif
@@ -61,6 +76,9 @@ struct FastPointsTargets
     // In world units, and the device's.
     float2 Depth : SV_Target1;
 #endif
+#if defined(FASTPOINTS_PARABOLOIDS)
+    float DeviceDepth : SV_Depth;
+#endif
 };
 
 FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
@@ -70,10 +88,17 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
         discard;
 #endif
     FastPointsTargets targets;
+    float behind = 0.0;
+    float deviceDepth = varyings.PositionClip.z;
+#if defined(FASTPOINTS_PARABOLOIDS)
+    behind = dot(varyings.Corner, varyings.Corner) * varyings.Middle.z;
+    deviceDepth = (varyings.Middle.x + behind * _FastPointsForwardClip.x) / (varyings.Middle.y + behind * _FastPointsForwardClip.y);
+    targets.DeviceDepth = deviceDepth;
+#endif
     targets.Color = float4(varyings.Color, 1.0);
 #if defined(FASTPOINTS_LAYERED)
     targets.Color.w = varyings.RadiusAndDepth.x / 255.0;
-    targets.Depth = float2(varyings.RadiusAndDepth.y, varyings.PositionClip.z);
+    targets.Depth = float2(varyings.RadiusAndDepth.y + behind, deviceDepth);
 #endif
     return targets;
 }

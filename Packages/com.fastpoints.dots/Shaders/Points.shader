@@ -13,7 +13,7 @@ Shader "Hidden/FastPoints/Points"
             #pragma target 4.5
             #pragma vertex FastPointsVertex
             #pragma fragment FastPointsFragment
-            #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS
+            #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS FASTPOINTS_PARABOLOIDS
             #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
             #pragma multi_compile_local _ FASTPOINTS_LAYERED
             #pragma multi_compile_local _ FASTPOINTS_CLIPPED

@@ -7,7 +7,7 @@ namespace FastPoints.Rendering
     /// are recorded, so that one material could not draw two looks in a frame. Made when they are first needed.</summary>
     public sealed class PointMaterials : IDisposable
     {
-        const int Shapes = 1 + (int)PointShape.Disc;
+        const int Shapes = 1 + (int)PointShape.Paraboloid;
 
         /// <summary>Bits above the shape: an option each.</summary>
         const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Options = 16;
@@ -43,6 +43,7 @@ namespace FastPoints.Rendering
             var material = Make(m_points);
             Enable(material, ShaderNames.SquaresKeyword, style.Shape == PointShape.Square);
             Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc);
+            Enable(material, ShaderNames.ParaboloidsKeyword, style.Shape == PointShape.Paraboloid);
             Enable(material, ShaderNames.AdaptiveKeyword, style.IsAdaptive);
             Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
             Enable(material, ShaderNames.ClippedKeyword, isClipped);

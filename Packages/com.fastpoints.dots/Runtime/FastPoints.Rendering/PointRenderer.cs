@@ -128,12 +128,18 @@ namespace FastPoints.Rendering
             m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.Forward, view.Forward);
+            if (view.Style.Shape == PointShape.Paraboloid)
+                m_properties.SetVector(ShaderNames.ForwardClip, ForwardClip(view));
             m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
                 view.IsOrthographic ? 1 : 0, 0));
             m_properties.SetVector(ShaderNames.SizeLimitsPx, new Vector4(size.LimitsPx.x, size.LimitsPx.y, 0, 0));
             // A layer's colours become light when it is composed.
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear && !view.Style.IsLayered ? 1 : 0);
         }
+
+        static Vector4 ForwardClip(in RenderView view) => new Vector4(
+            Vector3.Dot(view.ViewProjection.GetRow(2), view.Forward), Vector3.Dot(view.ViewProjection.GetRow(3), view.Forward),
+            1 / view.ScalePx, 0);
 
         void DrawBanks(CommandBuffer commands, in PointStyle style)
         {

@@ -12,5 +12,9 @@ namespace FastPoints.Rendering
 
         /// <summary>A disc that faces the camera.</summary>
         Disc,
+
+        /// <summary>A disc that bulges towards the camera: points share a pixel by which of them is nearer to its centre, which keeps
+        /// detail that overlapping discs hide. The fragment's own depth costs the card its early test.</summary>
+        Paraboloid,
     }
 }

@@ -16,6 +16,7 @@ namespace FastPoints.Rendering
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
         public static readonly int Forward = Shader.PropertyToID("_FastPointsForward");
+        public static readonly int ForwardClip = Shader.PropertyToID("_FastPointsForwardClip");
         public static readonly int GroupsPerRow = Shader.PropertyToID("_FastPointsGroupsPerRow");
         public static readonly int InstanceCount = Shader.PropertyToID("_FastPointsInstanceCount");
         public static readonly int IsLinear = Shader.PropertyToID("_FastPointsIsLinear");
@@ -47,5 +48,6 @@ namespace FastPoints.Rendering
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";
+        public const string ParaboloidsKeyword = "FASTPOINTS_PARABOLOIDS";
     }
 }

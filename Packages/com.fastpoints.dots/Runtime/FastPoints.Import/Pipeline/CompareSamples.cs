@@ -350,6 +350,8 @@ namespace FastPoints.Pipeline
             Color = m_options.Color,
             PointSizePx = m_options.PointSizePx,
             RoundPoints = m_options.RoundPoints,
+            DomedPoints = m_options.DomedPoints,
+            FillsHoles = m_options.FillsHoles,
             Background = m_options.Background,
             EdlStrength = m_options.EdlStrength,
         };

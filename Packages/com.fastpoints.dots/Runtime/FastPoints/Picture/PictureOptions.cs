@@ -49,6 +49,9 @@ namespace FastPoints.Picture
         /// <summary>Discs in place of squares.</summary>
         public bool RoundPoints;
 
+        /// <summary>See <see cref="PointDrawing.IsDomed"/>.</summary>
+        public bool DomedPoints;
+
         /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
         public uint Background = Palettes.Pack(24, 26, 30);
 
@@ -65,7 +68,7 @@ namespace FastPoints.Picture
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
             "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
-            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round, " +
+            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round|paraboloid, " +
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
@@ -89,9 +92,10 @@ namespace FastPoints.Picture
                             "adaptive:1.2; got " + value;
                     break;
                 case "points":
-                    if (value != "square" && value != "round")
-                        error = "points: wanted square or round, got " + value;
+                    if (value != "square" && value != "round" && value != "paraboloid")
+                        error = "points: wanted square, round or paraboloid, got " + value;
                     RoundPoints = value == "round";
+                    DomedPoints = value == "paraboloid";
                     break;
                 case "classes":
                     if (!TryClasses(value))

@@ -69,6 +69,7 @@ namespace FastPoints.Picture
                 HasOwnSize = hasOwnSize,
                 Size = world,
                 IsRound = m_options.RoundPoints,
+                IsDomed = m_options.DomedPoints,
             };
         }
     }

@@ -37,6 +37,10 @@ namespace FastPoints.Picture
         /// <summary>Discs in place of squares.</summary>
         public bool IsRound;
 
+        /// <summary>Discs that bulge towards the camera: a paraboloid, whose rim is its radius farther away than its middle, which
+        /// has the point's own depth. So points share a pixel by which of them is nearer to its centre.</summary>
+        public bool IsDomed;
+
         /// <summary>Draws points <paramref name="first"/> and on. Any number of threads may draw at once.</summary>
         /// <param name="bytes">The batch's memory.</param>
         /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of
@@ -100,7 +104,10 @@ namespace FastPoints.Picture
                     size = sizeOfTile[tileY * tilesAcross + tileX];
                 }
                 double half = size * 0.5;
-                ulong key = KeyOf(depth, PointSizing.RadiusOf(size), colors[i]);
+                uint radiusPx = PointSizing.RadiusOf(size);
+                ulong key = KeyOf(depth, radiusPx, colors[i]);
+                // The radius in world units at the rim, the square of its pixels away.
+                double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
 
                 // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
                 int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
@@ -113,8 +120,11 @@ namespace FastPoints.Picture
                     for (int column = left; column <= right; column++)
                     {
                         double dx = column + 0.5 - xPx;
-                        if (IsRound && dx * dx + dy * dy > half * half)
+                        double distanceSq = dx * dx + dy * dy;
+                        if ((IsRound || IsDomed) && distanceSq > half * half)
                             continue;
+                        if (IsDomed)
+                            key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, colors[i]);
                         Lower(pixels + ((long)row * width + column), key);
                     }
                 }
