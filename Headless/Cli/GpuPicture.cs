@@ -85,10 +85,14 @@ namespace FastPoints.Cli
 
         static PointStyle StyleOf(PictureOptions options, float edlStrength)
         {
-            var size = options.SizeInWorld ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
+            var size = options.SizeInWorld
+                ?? (options.PointSizePx >= 1 ? PointSize.Pixels(options.PointSizePx) : PointSize.Adaptive());
             return new PointStyle
             {
-                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel : options.DomedPoints ? PointShape.Paraboloid : options.RoundPoints ? PointShape.Disc : PointShape.Square,
+                Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
+                    : options.DomedPoints ? PointShape.Paraboloid
+                    : options.RoundPoints ? PointShape.Disc
+                    : PointShape.Square,
                 Size = size,
                 EdlStrength = edlStrength,
                 FillsHoles = options.FillsHoles,
