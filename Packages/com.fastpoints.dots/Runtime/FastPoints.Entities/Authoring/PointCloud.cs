@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Picture;
 using Unity.Entities;
@@ -33,58 +34,34 @@ namespace FastPoints.Entities
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
         int[] m_hiddenClasses = new int[0];
 
-        World m_world;
+        OwnedEntity m_entity;
 
         /// <summary>Null where <see cref="Path"/> says which.</summary>
         public PointCloudAsset Cloud
         {
             get => m_cloud;
-            set
-            {
-                if (m_cloud == value)
-                    return;
-                m_cloud = value;
-                Reopen();
-            }
+            set => Set(ref m_cloud, value);
         }
 
         /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets.</summary>
         public string Path
         {
             get => m_path;
-            set
-            {
-                if (m_path == value)
-                    return;
-                m_path = value;
-                Reopen();
-            }
+            set => Set(ref m_path, value);
         }
 
         /// <summary>What points are coloured by; another where the cloud has nothing for it.</summary>
         public ColorMode Color
         {
             get => m_color;
-            set
-            {
-                if (m_color == value)
-                    return;
-                m_color = value;
-                Reopen();
-            }
+            set => Set(ref m_color, value);
         }
 
         /// <summary>Of elevation and intensity.</summary>
         public Gradient Gradient
         {
             get => m_gradient;
-            set
-            {
-                if (m_gradient == value)
-                    return;
-                m_gradient = value;
-                Reopen();
-            }
+            set => Set(ref m_gradient, value);
         }
 
         /// <summary>Classes, 0 to 255, whose points are not drawn. A copy.</summary>
@@ -99,7 +76,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Null while the component is disabled.</summary>
-        public Entity Entity { get; private set; }
+        public Entity Entity => m_entity.Value;
 
         /// <summary>Opens the folder anew: it was not there, or is another now, or other planes may have to be
         /// streamed.</summary>
@@ -107,42 +84,38 @@ namespace FastPoints.Entities
         {
             if (!isActiveAndEnabled)
                 return;
-            Remove();
+            m_entity.Destroy();
             Add();
         }
 
         void OnEnable() => Add();
 
-        void OnDisable() => Remove();
+        void OnDisable() => m_entity.Destroy();
 
         void Update()
         {
-            if (Entity != Entity.Null && m_world.IsCreated)
-                m_world.EntityManager.SetComponentData(Entity, TransformMatrix.Of(transform));
+            if (m_entity.TryGet(out var entities))
+                entities.SetComponentData(Entity, TransformMatrix.Of(transform));
+        }
+
+        void Set<T>(ref T field, T value)
+        {
+            if (EqualityComparer<T>.Default.Equals(field, value))
+                return;
+            field = value;
+            Reopen();
         }
 
         void Add()
         {
-            // In edit mode nobody else may have made the world yet.
-            DefaultWorldInitialization.DefaultLazyEditModeInitialize();
-            m_world = World.DefaultGameObjectInjectionWorld;
-            if (m_world == null || (m_cloud == null && string.IsNullOrEmpty(m_path)))
+            if ((m_cloud == null && string.IsNullOrEmpty(m_path)) || !m_entity.TryCreate(out var entities))
                 return;
-            var entities = m_world.EntityManager;
-            Entity = entities.CreateEntity();
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
             var file = m_cloud != null ? m_cloud.File() : new PointCloudFile { Path = m_path };
             file.Color = m_color;
             file.Gradient = m_gradient;
             file.HiddenClasses = ClassMask.Of(m_hiddenClasses);
             entities.AddComponentObject(Entity, file);
-        }
-
-        void Remove()
-        {
-            if (m_world != null && m_world.IsCreated && Entity != Entity.Null)
-                m_world.EntityManager.DestroyEntity(Entity);
-            Entity = Entity.Null;
         }
     }
 }

@@ -1,4 +1,3 @@
-using Unity.Entities;
 using Unity.Transforms;
 using UnityEngine;
 
@@ -14,33 +13,25 @@ namespace FastPoints.Entities
         [Tooltip("Takes away what is in the box. Otherwise only what is in it is drawn, or in another such box.")]
         public bool Cuts;
 
-        World m_world;
-        Entity m_entity;
+        OwnedEntity m_entity;
 
         void OnEnable()
         {
-            DefaultWorldInitialization.DefaultLazyEditModeInitialize();
-            m_world = World.DefaultGameObjectInjectionWorld;
-            if (m_world == null)
+            if (!m_entity.TryCreate(out var entities))
                 return;
-            m_entity = m_world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudClip>(),
-                ComponentType.ReadWrite<LocalToWorld>());
+            entities.AddComponentData(m_entity.Value, new PointCloudClip());
+            entities.AddComponentData(m_entity.Value, new LocalToWorld());
             Update();
         }
 
-        void OnDisable()
-        {
-            if (m_world != null && m_world.IsCreated && m_entity != Entity.Null)
-                m_world.EntityManager.DestroyEntity(m_entity);
-            m_entity = Entity.Null;
-        }
+        void OnDisable() => m_entity.Destroy();
 
         void Update()
         {
-            if (m_entity == Entity.Null || !m_world.IsCreated)
+            if (!m_entity.TryGet(out var entities))
                 return;
-            m_world.EntityManager.SetComponentData(m_entity, new PointCloudClip { Cuts = Cuts });
-            m_world.EntityManager.SetComponentData(m_entity, TransformMatrix.Of(transform));
+            entities.SetComponentData(m_entity.Value, new PointCloudClip { Cuts = Cuts });
+            entities.SetComponentData(m_entity.Value, TransformMatrix.Of(transform));
         }
 
         void OnDrawGizmosSelected()

@@ -1,6 +1,5 @@
 using FastPoints.Gpu;
 using FastPoints.Rendering;
-using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -58,39 +57,31 @@ namespace FastPoints.Entities
             FillsHoles = FillHoles,
         };
 
-        World m_world;
-        Entity m_entity;
+        OwnedEntity m_entity;
 
         void OnEnable()
         {
-            DefaultWorldInitialization.DefaultLazyEditModeInitialize();
-            m_world = World.DefaultGameObjectInjectionWorld;
-            if (m_world == null)
+            if (!m_entity.TryCreate(out var entities))
                 return;
-            m_entity = m_world.EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudBudget>(),
-                ComponentType.ReadWrite<PointCloudStyle>());
+            entities.AddComponentData(m_entity.Value, new PointCloudBudget());
+            entities.AddComponentData(m_entity.Value, new PointCloudStyle());
             Update();
         }
 
-        void OnDisable()
-        {
-            if (m_world != null && m_world.IsCreated && m_entity != Entity.Null)
-                m_world.EntityManager.DestroyEntity(m_entity);
-            m_entity = Entity.Null;
-        }
+        void OnDisable() => m_entity.Destroy();
 
         void Update()
         {
-            if (m_entity == Entity.Null || !m_world.IsCreated)
+            if (!m_entity.TryGet(out var entities))
                 return;
-            m_world.EntityManager.SetComponentData(m_entity, new PointCloudBudget
+            entities.SetComponentData(m_entity.Value, new PointCloudBudget
             {
                 Points = (long)math.round(MillionPoints * 1e6),
                 PoolBytes = (long)MemoryMiB << 20,
                 UploadBytesPerFrame = UploadMiBPerFrame << 20,
                 SmallestNodePx = SmallestNodePx,
             });
-            m_world.EntityManager.SetComponentData(m_entity, new PointCloudStyle { Value = Style });
+            entities.SetComponentData(m_entity.Value, new PointCloudStyle { Value = Style });
         }
     }
 }
