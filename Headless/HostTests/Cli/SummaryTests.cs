@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using FastPoints.Cli;
+using FastPoints.Headless.Graphics;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
@@ -244,8 +245,12 @@ namespace FastPoints.HostTests.Cli
             HasPictureKeys(json.GetProperty("picture"), JsonValueKind.Number);
             Assert.That(Directory.Exists(Path.Combine(folder, Path.GetFileNameWithoutExtension(m_demo) + ".fastpoints")), Is.True);
             Assert.That(json.GetProperty("report").GetString(), Is.EqualTo(Path.Combine(folder, "report.html")));
+            string[] always = ["report.html", "preview.png", "picture.png"];
             Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
-                Is.EquivalentTo(new[] { "report.html", "preview.png", "picture.png" }));
+                Is.EquivalentTo(HeadlessGraphics.IsAvailable ? always.Append("gpu.png") : always));
+            Assert.That(json.TryGetProperty("gpu", out var gpu), Is.EqualTo(HeadlessGraphics.IsAvailable));
+            if (HeadlessGraphics.IsAvailable)
+                HasPictureKeys(gpu, JsonValueKind.Number);
             Assert.That(File.ReadAllText(Path.Combine(folder, "report.html")), Does.Contain("data:image/png;base64,"));
         }
 

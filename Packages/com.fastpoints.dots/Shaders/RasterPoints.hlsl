@@ -12,6 +12,9 @@
 
 #define FASTPOINTS_CLEAR_THREADS 64
 
+// FASTPOINTS_POINTS_PER_BLOCK, as a plain number.
+#define FASTPOINTS_RASTER_THREADS 128
+
 // By pixel, row by row from the top: depth, ordered as unsigned numbers, and colour.
 RWByteAddressBuffer _FastPointsPixelsOut;
 
@@ -53,7 +56,7 @@ void FastPointsClearPixels(uint3 thread : SV_DispatchThreadID)
         _FastPointsPixelsOut.Store2((thread.y * uint(_FastPointsScreenPx.x) + thread.x) * 8u, uint2(0xFFFFFFFFu, 0xFFFFFFFFu));
 }
 
-[numthreads(FASTPOINTS_POINTS_PER_BLOCK, 1, 1)]
+[numthreads(FASTPOINTS_RASTER_THREADS, 1, 1)]
 void FastPointsRasterDepth(uint3 group : SV_GroupID, uint3 thread : SV_GroupThreadID)
 {
     uint address, depth, color;
@@ -61,7 +64,7 @@ void FastPointsRasterDepth(uint3 group : SV_GroupID, uint3 thread : SV_GroupThre
         _FastPointsPixelsOut.InterlockedMin(address, depth);
 }
 
-[numthreads(FASTPOINTS_POINTS_PER_BLOCK, 1, 1)]
+[numthreads(FASTPOINTS_RASTER_THREADS, 1, 1)]
 void FastPointsRasterColor(uint3 group : SV_GroupID, uint3 thread : SV_GroupThreadID)
 {
     uint address, depth, color;

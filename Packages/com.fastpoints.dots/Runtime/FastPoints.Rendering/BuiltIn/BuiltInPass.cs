@@ -14,6 +14,7 @@ namespace FastPoints.Rendering.BuiltIn
         static readonly List<CommandBuffer> s_commands = new List<CommandBuffer>();
 
         /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
         {

@@ -26,6 +26,7 @@ namespace FastPoints.Rendering.Urp
         UrpPass() => renderPassEvent = RenderPassEvent.AfterRenderingOpaques;
 
         /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
         {
