@@ -21,6 +21,41 @@ namespace FastPoints.Tests.Picture
             Assert.That(color >> 24, Is.EqualTo(255));
         }
 
+        /// <summary>Published values of turbo at its ends and in its middle.</summary>
+        [TestCase(0.0, 48, 18, 59)]
+        [TestCase(0.5, 164, 252, 60)]
+        [TestCase(1.0, 122, 4, 3)]
+        public void Turbo_KnownPlaces_AreWithinAnEighth(double share, int red, int green, int blue)
+        {
+            uint color = Palettes.Turbo(share);
+            Assert.That((int)(color & 255), Is.EqualTo(red).Within(32));
+            Assert.That((int)(color >> 8 & 255), Is.EqualTo(green).Within(32));
+            Assert.That((int)(color >> 16 & 255), Is.EqualTo(blue).Within(32));
+        }
+
+        /// <summary>Returns as sensors have them; flight lines of a survey, which are numbered one after the other.</summary>
+        [TestCase(ColorMode.ReturnNumber, 7)]
+        [TestCase(ColorMode.PointSource, 100)]
+        public void Create_Categories_HaveColoursOfTheirOwn(ColorMode mode, int count)
+        {
+            using var palette = Palettes.Create(mode, Allocator.Persistent);
+            for (int a = 1; a < count; a++)
+                for (int b = a + 1; b <= count; b++)
+                    Assert.That(palette[a], Is.Not.EqualTo(palette[b]), a + " and " + b);
+        }
+
+        [Test]
+        public void Create_Gradient_TakesThePlaceOfAnAmountsOwnAndNotOfACategorys()
+        {
+            using var turbo = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Turbo);
+            using var gray = Palettes.Create(ColorMode.Elevation, Allocator.Persistent, Gradient.Gray);
+            using var intensity = Palettes.Create(ColorMode.Intensity, Allocator.Persistent);
+            using var classes = Palettes.Create(ColorMode.Classification, Allocator.Persistent, Gradient.Turbo);
+            Assert.That(turbo[255], Is.EqualTo(Palettes.Turbo(1)));
+            Assert.That(gray.ToArray(), Is.EqualTo(intensity.ToArray()));
+            Assert.That(classes[2], Is.EqualTo(Palettes.Pack(165, 125, 80)));
+        }
+
         [TestCase(0.0, 0)]
         [TestCase(1.0, 255)]
         [TestCase(0.5, 188)]
