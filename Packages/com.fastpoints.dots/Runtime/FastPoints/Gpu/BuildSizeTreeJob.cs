@@ -8,8 +8,8 @@ using Unity.Mathematics;
 namespace FastPoints.Gpu
 {
     /// <summary>
-    /// From nodes to draw to a <see cref="SizeTree"/>. A node that is not one level below its parent (none had points in
-    /// between, or both have one cube) takes no octant: the parent's points at its place stay as large as they are elsewhere.
+    /// From nodes to draw to a <see cref="SizeTree"/>. Where a node is several levels below its parent, as none between had points,
+    /// the levels between get nodes of the parent's gap. A node of its parent's own cube takes no place below it.
     /// </summary>
     [BurstCompile]
     public unsafe struct BuildSizeTreeJob : IJob
@@ -20,57 +20,97 @@ namespace FastPoints.Gpu
         /// <summary>By number of the cloud.</summary>
         [ReadOnly] public NativeArray<SizeTreeCloud> Clouds;
 
-        /// <summary>Scratch, by drawn node.</summary>
+        /// <summary>Scratch; the first stands for nothing.</summary>
         public NativeList<SizeTreeLink> Links;
+
+        /// <summary>Scratch: links in the order of their nodes.</summary>
+        public NativeList<int> Order;
         public NativeList<GpuSizeNode> Nodes;
+
+        /// <summary>While the job works, the link.</summary>
         public NativeList<int> NodeOfDrawn;
 
         public void Execute()
         {
-            int count = Drawn.Length;
-            Links.ResizeUninitialized(count);
-            Nodes.ResizeUninitialized(count);
-            NodeOfDrawn.ResizeUninitialized(count);
-            int unlinked = 0;
-            for (int i = 0; i < count; i++)
-            {
-                int octant = OctantOf(i);
-                if (octant >= 0 && (Links[Drawn[i].Parent].Mask >> octant & 1) != 0)
-                    octant = -1;
-                Links[i] = new SizeTreeLink { Octant = octant };
-                if (octant < 0)
-                    NodeOfDrawn[i] = unlinked++;
-                else
-                    ((SizeTreeLink*)Links.GetUnsafePtr())[Drawn[i].Parent].Mask |= 1u << octant;
-            }
-            for (int i = 0, next = unlinked; i < count; i++)
-            {
-                var link = (SizeTreeLink*)Links.GetUnsafePtr() + i;
-                link->First = next;
-                next += math.countbits(link->Mask);
-                if (link->Octant >= 0)
-                {
-                    var parent = Links[Drawn[i].Parent];
-                    NodeOfDrawn[i] = parent.First + math.countbits(parent.Mask & ((1u << link->Octant) - 1));
-                }
-                Nodes[NodeOfDrawn[i]] = new GpuSizeNode { Children = (uint)link->First << 8 | link->Mask, Gap = GapOf(i) };
-            }
+            Links.Clear();
+            Links.Add(default);
+            NodeOfDrawn.ResizeUninitialized(Drawn.Length);
+            for (int i = 0; i < Drawn.Length; i++)
+                NodeOfDrawn[i] = Link(i);
+            Number();
+            for (int i = 0; i < Drawn.Length; i++)
+                NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
         }
 
-        int OctantOf(int i)
+        /// <summary>Finds, or makes, the place of a node below its parent's.</summary>
+        int Link(int i)
         {
             var drawn = Drawn[i];
+            var link = new SizeTreeLink { Gap = GapOf(i), IsDrawn = true };
             if (drawn.Parent < 0)
-                return -1;
+                return AddRoot(link);
             var above = Drawn[drawn.Parent];
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Places[drawn.Node].Level;
-            if (level != cloud->Pages[above.Page].Places[above.Node].Level + 1)
-                return -1;
-            var index = cloud->Cubes.IndexAt(cloud->Pages[drawn.Page].Nodes[drawn.Node].Center, level);
-            var indexAbove = cloud->Cubes.IndexAt(cloud->Pages[above.Page].Nodes[above.Node].Center, level - 1);
-            var octant = index - 2 * indexAbove;
-            return math.any(octant < 0) || math.any(octant > 1) ? -1 : (int)math.csum(octant * new double3(1, 2, 4));
+            int levelAbove = cloud->Pages[above.Page].Places[above.Node].Level;
+            var center = cloud->Pages[drawn.Page].Nodes[drawn.Node].Center;
+            var inAbove = cloud->Cubes.IndexAt(cloud->Pages[above.Page].Nodes[above.Node].Center, levelAbove);
+            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(center, levelAbove) != inAbove))
+                return AddRoot(link);
+            int at = NodeOfDrawn[drawn.Parent];
+            for (int between = levelAbove + 1; ; between++)
+            {
+                var octant = cloud->Cubes.IndexAt(center, between) - 2 * cloud->Cubes.IndexAt(center, between - 1);
+                int child = (int)math.csum(math.clamp(octant, 0, 1) * new double3(1, 2, 4));
+                int below = Links.GetUnsafePtr()[at].Children[child];
+                if (between == level && below != 0 && Links[below].IsDrawn)
+                    return AddRoot(link);
+                if (below == 0)
+                {
+                    below = Links.Length;
+                    Links.Add(between == level ? link : new SizeTreeLink { Gap = Links[at].Gap });
+                    Links.GetUnsafePtr()[at].Children[child] = below;
+                }
+                if (between == level)
+                {
+                    Links.GetUnsafePtr()[below].Gap = link.Gap;
+                    Links.GetUnsafePtr()[below].IsDrawn = true;
+                    return below;
+                }
+                at = below;
+            }
+        }
+
+        int AddRoot(SizeTreeLink link)
+        {
+            link.IsRoot = true;
+            Links.Add(link);
+            return Links.Length - 1;
+        }
+
+        /// <summary>In breadth, so that the children of a node follow one another.</summary>
+        void Number()
+        {
+            Order.Clear();
+            for (int i = 1; i < Links.Length; i++)
+                if (Links[i].IsRoot)
+                    Order.Add(i);
+            Nodes.ResizeUninitialized(Links.Length - 1);
+            for (int node = 0; node < Order.Length; node++)
+            {
+                var link = Links.GetUnsafePtr() + Order[node];
+                uint mask = 0;
+                int first = Order.Length;
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    if (link->Children[octant] == 0)
+                        continue;
+                    mask |= 1u << octant;
+                    Order.Add(link->Children[octant]);
+                }
+                link->Node = node;
+                Nodes[node] = new GpuSizeNode { Children = (uint)first << 8 | mask, Gap = link->Gap };
+            }
         }
 
         float GapOf(int i)

@@ -21,6 +21,7 @@ namespace FastPoints.Gpu
         NativeList<GpuSizeNode> m_nodes;
         NativeList<int> m_nodeOfDrawn;
         NativeList<SizeTreeLink> m_links;
+        NativeList<int> m_order;
 
         public SizeTree()
         {
@@ -28,6 +29,7 @@ namespace FastPoints.Gpu
             m_nodes = new NativeList<GpuSizeNode>(1024, Allocator.Persistent);
             m_nodeOfDrawn = new NativeList<int>(1024, Allocator.Persistent);
             m_links = new NativeList<SizeTreeLink>(1024, Allocator.Persistent);
+            m_order = new NativeList<int>(1024, Allocator.Persistent);
         }
 
         public NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
@@ -57,6 +59,7 @@ namespace FastPoints.Gpu
                 Drawn = stream.Drawn.AsArray(),
                 Clouds = m_clouds.AsArray(),
                 Links = m_links,
+                Order = m_order,
                 Nodes = m_nodes,
                 NodeOfDrawn = m_nodeOfDrawn,
             }.Run();
@@ -97,6 +100,7 @@ namespace FastPoints.Gpu
             m_nodes.Dispose();
             m_nodeOfDrawn.Dispose();
             m_links.Dispose();
+            m_order.Dispose();
         }
 
         static float LargestScale(double3x3 linear) =>

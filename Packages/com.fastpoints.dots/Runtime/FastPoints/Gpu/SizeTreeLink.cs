@@ -1,15 +1,21 @@
 namespace FastPoints.Gpu
 {
-    /// <summary>A drawn node while a <see cref="BuildSizeTreeJob"/> works.</summary>
-    public struct SizeTreeLink
+    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
+    public unsafe struct SizeTreeLink
     {
-        /// <summary>Octants that have nodes of their own.</summary>
-        public uint Mask;
+        /// <summary>By octant: the link below; 0 for none, as no link is below the first.</summary>
+        public fixed int Children[8];
 
-        /// <summary>In its parent; -1 where it does not take one of the parent's octants.</summary>
-        public int Octant;
+        /// <summary>Between points, in world units.</summary>
+        public float Gap;
 
-        /// <summary>Index of the first of its own children.</summary>
-        public int First;
+        /// <summary>Stands for a node that is drawn, and not only for a level between two of these.</summary>
+        public bool IsDrawn;
+
+        /// <summary>Nothing is above it.</summary>
+        public bool IsRoot;
+
+        /// <summary>Its place in the tree.</summary>
+        public int Node;
     }
 }
