@@ -53,14 +53,14 @@ namespace FastPoints.Gpu
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Places[drawn.Node].Level;
             int levelAbove = cloud->Pages[above.Page].Places[above.Node].Level;
-            var center = cloud->Pages[drawn.Page].Nodes[drawn.Node].Center;
-            var inAbove = cloud->Cubes.IndexAt(cloud->Pages[above.Page].Nodes[above.Node].Center, levelAbove);
-            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(center, levelAbove) != inAbove))
+            var place = cloud->Cubes.PlaceIn(cloud->Pages + drawn.Page, drawn.Node);
+            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PlaceIn(cloud->Pages + above.Page, above.Node), levelAbove);
+            if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(place, levelAbove) != inAbove))
                 return AddRoot(link);
             int at = NodeOfDrawn[drawn.Parent];
             for (int between = levelAbove + 1; ; between++)
             {
-                var octant = cloud->Cubes.IndexAt(center, between) - 2 * cloud->Cubes.IndexAt(center, between - 1);
+                var octant = cloud->Cubes.IndexAt(place, between) - 2 * cloud->Cubes.IndexAt(place, between - 1);
                 int child = (int)math.csum(math.clamp(octant, 0, 1) * new double3(1, 2, 4));
                 int below = Links.GetUnsafePtr()[at].Children[child];
                 if (between == level && below != 0 && Links[below].IsDrawn)

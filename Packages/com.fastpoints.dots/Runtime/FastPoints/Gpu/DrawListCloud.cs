@@ -29,7 +29,7 @@ namespace FastPoints.Gpu
             var corner = new double3(place.Corner.X, place.Corner.Y, place.Corner.Z);
             var anchor = AnchorOf(from->Nodes[node], corner, place.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
-            var cubeCorner = Cubes.CornerAt(from->Nodes[node].Center, place.Level);
+            var cubeCorner = Cubes.CornerAt(Cubes.PlaceIn(from, node), place.Level);
             var cubeSize = Cubes.SizeAt(place.Level);
             var fromEye = Placement.OriginWorld - EyeWorld;
             return new GpuNode

@@ -117,7 +117,7 @@ namespace FastPoints.Picture
                 if (drawn.Cloud != m_cloud)
                     continue;
                 var place = cloud.Pages[drawn.Page].Places[drawn.Node];
-                var center = cloud.Pages[drawn.Page].Nodes[drawn.Node].Center;
+                var inCube = cubes.PlaceIn(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Run);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 m_runs.Add(new BlockRun
@@ -125,7 +125,7 @@ namespace FastPoints.Picture
                     Corner = place.Corner,
                     BlockCount = blocks,
                     SizeNode = sizes.Nodes.Length > 0 ? sizes.NodeOfDrawn[i] : 0,
-                    CubeCorner = cubes.CornerAt(center, place.Level) / step,
+                    CubeCorner = cubes.CornerAt(inCube, place.Level) / step,
                     CubesPerStep = step / cubes.SizeAt(place.Level),
                 });
                 for (int p = 0; p < planes; p++)

@@ -45,7 +45,7 @@ namespace FastPoints.Streaming
         public override string Path => m_folder.FolderPath;
         public override CloudGrid Grid => m_folder.Manifest.Grid;
         public override GridCube Root => m_folder.Manifest.Root;
-        public override NodeCubes Cubes => new NodeCubes { Size = Root.Side * Grid.Step };
+        public override NodeCubes Cubes => new NodeCubes { Size = Root.Side * Grid.Step, Step = Grid.Step };
         public override StoreLayout Layout => m_folder.Layout;
         public override NativeArray<int> Planes => m_planes;
         public override NativeArray<PlaneShape> Shapes => m_shapes;

@@ -4,11 +4,22 @@ namespace FastPoints.Streaming
 {
     /// <summary>The cubes that a cloud's nodes divide among them: each level halves those of the one above. In CRS units from the
     /// corner of the cloud's root cube. Blittable.</summary>
-    public struct NodeCubes
+    public unsafe struct NodeCubes
     {
         /// <summary>Of level 0.</summary>
         public double3 Corner;
         public double3 Size;
+
+        /// <summary>CRS units of a grid step, where <see cref="NodePlace.Corner"/> is that of the node's cube; else 0, and the middle
+        /// of a node's box lies in its cube.</summary>
+        public double3 Step;
+
+        /// <summary>Some place in a node's cube.</summary>
+        public double3 PlaceIn(HierarchyPage* page, int node)
+        {
+            var corner = page->Places[node].Corner;
+            return Step.x > 0 ? (new double3(corner.X, corner.Y, corner.Z) + 0.5) * Step : page->Nodes[node].Center;
+        }
 
         public double3 SizeAt(int level) => Size * math.pow(0.5, level);
 

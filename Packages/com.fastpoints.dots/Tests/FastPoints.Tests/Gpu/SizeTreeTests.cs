@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Streaming;
+using FastPoints.Tests.Octree;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
 using Unity.Collections;
@@ -70,43 +71,78 @@ namespace FastPoints.Tests.Gpu
                 stream.Settings.Selection.PointBudget = budget;
                 StreamedTestCloud.Settle(stream, StreamedTestCloud.Near(60, 60, 0.6));
                 sizes.Build(stream);
-                Assert.That(sizes.Nodes.Length, Is.GreaterThanOrEqualTo(stream.Drawn.Length));
-                Assert.That(stream.Drawn.Length, Is.GreaterThan(2));
-                var childrenOf = new Dictionary<int, List<int>>();
-                for (int i = 0; i < stream.Drawn.Length; i++)
-                {
-                    int parent = stream.Drawn[i].Parent;
-                    Assert.That(parent, Is.LessThan(i));
-                    if (parent >= 0 && !childrenOf.ContainsKey(parent))
-                        childrenOf.Add(parent, new List<int>());
-                    if (parent >= 0)
-                        childrenOf[parent].Add(i);
-                }
-                var random = new Random(5);
-                int deeper = 0;
-                for (int i = 0; i < stream.Drawn.Length; i++)
-                {
-                    var drawn = stream.Drawn[i];
-                    var cube = CubeOf(stream, drawn);
-                    for (int trial = 0; trial < 50; trial++)
-                    {
-                        var inCube = random.NextDouble3();
-                        var steps = math.floor(inCube * cube.Edge);
-                        var place = cube.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
-                        int wanted = DeepestBelow(stream, childrenOf, i, place);
-                        float gap = SizeTree.GapAt((GpuSizeNode*)sizes.Nodes.GetUnsafeReadOnlyPtr(), sizes.NodeOfDrawn[i],
-                            (float3)((steps + 0.5) / cube.Edge));
-                        Assert.That(gap, Is.EqualTo(sizes.Nodes[sizes.NodeOfDrawn[wanted]].Gap), "node " + i + " at " + inCube);
-                        deeper += wanted != i ? 1 : 0;
-                    }
-                    var page = stream.Clouds[drawn.Cloud].Pages + drawn.Page;
-                    float most = page->Nodes[drawn.Node].Spacing * (float)scale;
-                    bool isLast = page->Nodes[drawn.Node].ChildCount + page->Nodes[drawn.Node].ChunkCount == 0;
-                    float own = sizes.Nodes[sizes.NodeOfDrawn[i]].Gap;
-                    Assert.That(own, isLast ? (NUnit.Framework.Constraints.IResolveConstraint)Is.InRange(0, most) : Is.EqualTo(most));
-                }
-                Assert.That(deeper, Is.GreaterThan(stream.Drawn.Length));
+                CheckGaps(stream, sizes, (float)scale);
             }
+        }
+
+        /// <summary>Small heaps of points far apart: what is between them has no points, and so no nodes.</summary>
+        [Test]
+        public void GapAt_NodesSeveralLevelsBelowTheirParents_IsThatOfTheDeepestNodeDrawnThere()
+        {
+            var random = new Random(3);
+            var places = new int3[60_000];
+            for (int i = 0; i < places.Length; i++)
+                places[i] = new int3(i % 3 * 900_000, i % 2 * 900_000, 0) + random.NextInt3(2000);
+            var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = StreamedTestCloud.OriginGeo };
+            using (var cloud = new StreamedTestCloud(6000, MemoryReader.Of(places, centimetres, 5000)))
+            using (var stream = StreamedTestCloud.Stream())
+            using (var sizes = new SizeTree())
+            {
+                var source = cloud.Open();
+                stream.Add(source, StreamedTestCloud.Geo(source));
+                stream.Settings.Selection.FinestSpacingPx = 0;
+                stream.Settings.Selection.SmallestNodePx = 0;
+                var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
+                StreamedTestCloud.Settle(stream, FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
+                    new double3(0, 0, 1), 60));
+                sizes.Build(stream);
+                int far = 0;
+                foreach (var drawn in stream.Drawn)
+                    far += drawn.Parent >= 0 && CubeOf(stream, drawn).Edge * 2 < CubeOf(stream, stream.Drawn[drawn.Parent]).Edge ? 1 : 0;
+                Assert.That(far, Is.GreaterThan(2));
+                Assert.That(sizes.Nodes.Length, Is.GreaterThan(stream.Drawn.Length));
+                CheckGaps(stream, sizes, 1);
+            }
+        }
+
+        static void CheckGaps(StreamContext stream, SizeTree sizes, float scale)
+        {
+            Assert.That(sizes.Nodes.Length, Is.GreaterThanOrEqualTo(stream.Drawn.Length));
+            Assert.That(stream.Drawn.Length, Is.GreaterThan(2));
+            var childrenOf = new Dictionary<int, List<int>>();
+            for (int i = 0; i < stream.Drawn.Length; i++)
+            {
+                int parent = stream.Drawn[i].Parent;
+                Assert.That(parent, Is.LessThan(i));
+                if (parent >= 0 && !childrenOf.ContainsKey(parent))
+                    childrenOf.Add(parent, new List<int>());
+                if (parent >= 0)
+                    childrenOf[parent].Add(i);
+            }
+            var random = new Random(5);
+            int deeper = 0;
+            for (int i = 0; i < stream.Drawn.Length; i++)
+            {
+                var drawn = stream.Drawn[i];
+                var cube = CubeOf(stream, drawn);
+                for (int trial = 0; trial < 50; trial++)
+                {
+                    var inCube = random.NextDouble3();
+                    var steps = math.floor(inCube * cube.Edge);
+                    var place = cube.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
+                    int wanted = DeepestBelow(stream, childrenOf, i, place);
+                    float gap = SizeTree.GapAt((GpuSizeNode*)sizes.Nodes.GetUnsafeReadOnlyPtr(), sizes.NodeOfDrawn[i],
+                        (float3)((steps + 0.5) / cube.Edge));
+                    Assert.That(gap, Is.EqualTo(sizes.Nodes[sizes.NodeOfDrawn[wanted]].Gap), "node " + i + " at " + inCube);
+                    deeper += wanted != i ? 1 : 0;
+                }
+                var page = stream.Clouds[drawn.Cloud].Pages + drawn.Page;
+                float most = page->Nodes[drawn.Node].Spacing * scale;
+                bool isLast = page->Nodes[drawn.Node].ChildCount + page->Nodes[drawn.Node].ChunkCount == 0;
+                float own = sizes.Nodes[sizes.NodeOfDrawn[i]].Gap;
+                Assert.That(own, isLast ? (NUnit.Framework.Constraints.IResolveConstraint)Is.InRange(0, most) : Is.EqualTo(most));
+            }
+            Assert.That(deeper, Is.GreaterThan(stream.Drawn.Length));
         }
 
         /// <summary>A surface of the test's cloud has 3 points a square unit: the last nodes know that, whatever their
