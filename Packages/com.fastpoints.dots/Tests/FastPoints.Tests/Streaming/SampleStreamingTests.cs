@@ -19,7 +19,7 @@ namespace FastPoints.Tests.Streaming
     /// <summary>Previews streamed like clouds, until there is a cloud.</summary>
     public class SampleStreamingTests
     {
-        const int MostFrames = 1_000_000;
+        const int MostFrames = 20_000_000;
 
         static PreviewCloud Take(PointBatch batch, int points)
         {
@@ -151,6 +151,7 @@ namespace FastPoints.Tests.Streaming
                         Frame();
                         Thread.Yield();
                     }
+                    Assert.That(followed.IsCurrent, Is.True);
                     stream.Settings.Selection.FinestSpacingPx = 0;
                     stream.Settings.Selection.SmallestNodePx = 0;
                     Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
