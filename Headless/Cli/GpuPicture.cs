@@ -21,6 +21,7 @@ namespace FastPoints.Cli
         readonly PictureOptions m_options;
         readonly PointMaterials m_materials;
         readonly PointRenderer m_renderer;
+        readonly SizeTree m_sizes = new();
         readonly RenderTexture m_target;
         readonly CommandBuffer m_commands = new() { name = "FastPoints" };
         bool m_hasPalette;
@@ -33,7 +34,7 @@ namespace FastPoints.Cli
             m_stream = stream;
             m_options = options;
             m_materials = new PointMaterials(shaders.Points, shaders.Compose, canCompute ? shaders.Raster : null);
-            m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool);
+            m_renderer = new PointRenderer(m_materials, (GraphicsNodePool)stream.Pool, m_sizes);
             m_target = new RenderTexture(options.WidthPx, options.HeightPx, GraphicsFormat.R8G8B8A8_UNorm,
                 GraphicsFormat.D32_SFloat);
             m_target.Create();
@@ -78,6 +79,7 @@ namespace FastPoints.Cli
         {
             HeadlessGraphics.WaitForIdle();
             m_renderer.Dispose();
+            m_sizes.Dispose();
             m_materials.Dispose();
             m_commands.Dispose();
             m_target.Release();

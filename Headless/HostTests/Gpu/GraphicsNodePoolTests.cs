@@ -163,7 +163,8 @@ namespace FastPoints.HostTests.Gpu
             using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
             var shaders = new GpuShaders();
             using var materials = new PointMaterials(shaders.Points, shaders.Compose);
-            using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool);
+            using var sizes = new SizeTree();
+            using var renderer = new PointRenderer(materials, (GraphicsNodePool)stream.Pool, sizes);
             renderer.List.SetLook(0, new CloudLook { Plane = 1, Scale = 1 / 256.0 });
             using var commands = new UnityEngine.Rendering.CommandBuffer();
             var cameras = Enumerable.Range(0, 6).Select(i => Near(stream, i / 5.0, i)).ToArray();

@@ -1,5 +1,6 @@
 using System;
 using FastPoints.Gpu;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -33,12 +34,14 @@ namespace FastPoints.Rendering
         /// <summary>Depth and colour of each pixel.</summary>
         public GraphicsBuffer Pixels { get; private set; }
 
-        /// <summary>Whether the device counts rows from the top and depth follows from the distance along the view alone, as it does
-        /// but for oblique projections.</summary>
+        /// <summary>Whether the device counts rows from the top and has buffers as large as the picture needs, and depth follows from
+        /// the distance along the view alone, as it does but for oblique projections.</summary>
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);
+            long bytes = (long)view.WidthPx * view.HeightPx * BytesPerPixel;
             return SystemInfo.supportsComputeShaders && SystemInfo.graphicsUVStartsAtTop &&
+                bytes > 0 && bytes <= Math.Min(NodePool.LargestBankBytes, SystemInfo.maxGraphicsBufferSize) &&
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
         }
 

@@ -38,8 +38,10 @@ namespace FastPoints.Rendering
 
         /// <param name="materials">As many renderers as there are cameras share them.</param>
         /// <param name="pool">That the streams' clouds lie in; not this renderer's.</param>
-        public PointRenderer(PointMaterials materials, GraphicsNodePool pool)
+        /// <param name="sizes">Adaptive sizes, as many renderers as there are cameras share them; not this renderer's.</param>
+        public PointRenderer(PointMaterials materials, GraphicsNodePool pool, SizeTree sizes)
         {
+            List = new DrawList(sizes);
             m_pool = pool;
             m_materials = materials;
             m_raster = materials.Raster != null ? new ComputeRaster(materials.Raster) : null;
@@ -50,7 +52,7 @@ namespace FastPoints.Rendering
         public const int PaletteLength = 256;
 
         /// <summary>What the last <see cref="Prepare"/> found to draw, and how clouds look.</summary>
-        public DrawList List { get; } = new DrawList();
+        public DrawList List { get; }
 
         /// <summary>Sets the colours that values and places are looked up in.</summary>
         /// <param name="colors">256 of them, sRGB: red, green, blue, alpha from the lowest byte.</param>

@@ -19,6 +19,7 @@ namespace FastPoints.Rendering
 
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
+        readonly SizeTree m_sizes = new SizeTree();
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly List<SeenCamera> m_cameras = new List<SeenCamera>();
         NativeList<StreamView> m_nextViews;
@@ -119,6 +120,7 @@ namespace FastPoints.Rendering
                 seen.Renderer.Dispose();
             m_cameras.Clear();
             m_materials.Dispose();
+            m_sizes.Dispose();
             m_nextViews.Dispose();
             m_palette.Dispose();
         }
@@ -132,10 +134,10 @@ namespace FastPoints.Rendering
                 m_cameras[i].LastFrame = m_frame;
                 return m_cameras[i].Renderer;
             }
-            var seen = new SeenCamera { Camera = camera, Renderer = new PointRenderer(m_materials, m_pool), LastFrame = m_frame };
-            seen.Renderer.SetPalette(m_palette);
-            m_cameras.Add(seen);
-            return seen.Renderer;
+            var renderer = new PointRenderer(m_materials, m_pool, m_sizes);
+            renderer.SetPalette(m_palette);
+            m_cameras.Add(new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame });
+            return renderer;
         }
     }
 }

@@ -50,9 +50,7 @@ namespace FastPoints.Entities
         void UseStyle(PointScene scene)
         {
             using (var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp))
-            {
                 scene.Style = styles[0].Value;
-            }
         }
 
         void UsePalette(PointScene scene, ColorMode mode, Gradient gradient)

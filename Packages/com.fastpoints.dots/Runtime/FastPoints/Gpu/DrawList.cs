@@ -10,7 +10,7 @@ namespace FastPoints.Gpu
     public sealed unsafe class DrawList : IDisposable
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
-        readonly SizeTree m_sizes = new SizeTree();
+        readonly SizeTree m_sizes;
         NativeList<DrawListCloud> m_listed;
         NativeList<GpuCloud> m_clouds;
         NativeList<GpuClipBox> m_clipBoxes;
@@ -21,8 +21,10 @@ namespace FastPoints.Gpu
         NativeList<int> m_seen;
         NativeReference<long> m_points;
 
-        public DrawList()
+        /// <param name="sizes">Of all cameras; not this list's.</param>
+        public DrawList(SizeTree sizes)
         {
+            m_sizes = sizes;
             m_listed = new NativeList<DrawListCloud>(Allocator.Persistent);
             m_clouds = new NativeList<GpuCloud>(Allocator.Persistent);
             m_clipBoxes = new NativeList<GpuClipBox>(Allocator.Persistent);
@@ -124,7 +126,6 @@ namespace FastPoints.Gpu
         {
             if (!IsCreated)
                 return;
-            m_sizes.Dispose();
             m_listed.Dispose();
             m_clouds.Dispose();
             m_clipBoxes.Dispose();

@@ -22,6 +22,8 @@ namespace FastPoints.Gpu
         NativeList<int> m_nodeOfDrawn;
         NativeList<SizeTreeLink> m_links;
         NativeList<int> m_order;
+        StreamContext m_stream;
+        uint m_frame;
 
         public SizeTree()
         {
@@ -37,9 +39,13 @@ namespace FastPoints.Gpu
         /// <summary>By node of the stream's list of what to draw.</summary>
         public NativeArray<int> NodeOfDrawn => m_nodeOfDrawn.AsArray();
 
-        /// <summary>Takes what the stream's last frame listed.</summary>
+        /// <summary>Takes what the stream's last frame listed: once, whoever asks.</summary>
         public void Build(StreamContext stream)
         {
+            if (m_stream == stream && m_frame == stream.Selector.Frame)
+                return;
+            m_stream = stream;
+            m_frame = stream.Selector.Frame;
             m_clouds.Clear();
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
@@ -68,6 +74,7 @@ namespace FastPoints.Gpu
         /// <summary>Forgets what was built: nothing is adaptive.</summary>
         public void Clear()
         {
+            m_stream = null;
             m_nodes.Clear();
             m_nodeOfDrawn.Clear();
         }

@@ -18,6 +18,14 @@ namespace FastPoints.Tests.Gpu
     {
         const double Ulp = 1.0 / (1 << 23);
 
+        SizeTree m_sizes;
+
+        [SetUp]
+        public void MakeSizes() => m_sizes = new SizeTree();
+
+        [TearDown]
+        public void FreeSizes() => m_sizes.Dispose();
+
         static StreamContext Open(StreamedTestCloud cloud, double3x3 linear, double3 moved)
         {
             var stream = StreamedTestCloud.Stream();
@@ -28,9 +36,9 @@ namespace FastPoints.Tests.Gpu
             return stream;
         }
 
-        static DrawList List(StreamContext stream, StreamView view)
+        DrawList List(StreamContext stream, StreamView view)
         {
-            var list = new DrawList();
+            var list = new DrawList(m_sizes);
             list.SetLook(0, new CloudLook { Source = ColorSource.Channels, Plane = 1, Scale = 1 / 256.0 });
             list.Build(stream, view);
             return list;
@@ -206,7 +214,7 @@ namespace FastPoints.Tests.Gpu
         {
             using (var cloud = new StreamedTestCloud(5000))
             using (var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo))
-            using (var list = new DrawList())
+            using (var list = new DrawList(m_sizes))
             {
                 StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
                 list.Build(stream, EverythingFrom(StreamedTestCloud.OriginGeo));
