@@ -13,7 +13,8 @@ namespace FastPoints.Cli
             + RuntimeInformation.OSDescription.Trim() + ", "
             + RuntimeInformation.ProcessArchitecture + "; " + RuntimeInformation.FrameworkDescription;
 
-        static string Processor()
+        /// <summary>What the processor calls itself.</summary>
+        public static string Processor()
         {
             const string CpuInfo = "/proc/cpuinfo";
             try

@@ -17,7 +17,7 @@ namespace FastPoints.Cli
             th { color: #666; } td:first-child, th:first-child { text-align: left; } table.facts td { text-align: left; }
             table.facts td:first-child { color: #666; white-space: nowrap; } img { max-width: 100%; border: 1px solid #ddd; }
             .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; } .row figure { margin: 0; }
-            .row svg { width: 100%; height: auto; } .wide { overflow-x: auto; } .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
+            .row svg { width: 100%; height: auto; } .rows svg { max-width: 100%; height: auto; } .wide { overflow-x: auto; } .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
             .warning { color: #8a4b00; } figcaption { color: #666; } figure { margin: 1rem 0; }
             @media (prefers-color-scheme: dark) { body { color: #ddd; background: #181818; } h2, img { border-color: #444; }
               th, figcaption, table.facts td:first-child { color: #999; } .warning { color: #f0b060; } }
@@ -48,6 +48,8 @@ namespace FastPoints.Cli
             Table(table);
             m_body.Append("</div>\n");
         }
+
+        public void Chart(RowChart chart) => m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
 
         /// <summary>Charts side by side, as many as fit.</summary>
         public void Charts(IEnumerable<LineChart> charts)

@@ -1,12 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using FastPoints.Base;
 using FastPoints.Benchmarks;
+using FastPoints.Cli.Bench;
 using FastPoints.Cli.Stability;
 
 namespace FastPoints.Cli.Verbs
@@ -23,7 +22,15 @@ namespace FastPoints.Cli.Verbs
         readonly Option<string?> m_baseline = new("--baseline")
         {
             HelpName = "FILE",
-            Description = "The --json summary of an earlier run on this machine: each workload's time is given as a share of its.",
+            Description = "An earlier run on this machine (its PerformanceTestResults.json, here or from Unity, or its --json summary): each "
+                + "workload's time is given by that run's, and marked where the difference is beyond the scatter of the samples.",
+        };
+        readonly Option<string> m_out = new("--out", "-o")
+        {
+            HelpName = "DIR",
+            Description = "Folder for report.html and PerformanceTestResults.json, in the format of Unity's Performance Testing package "
+                + "(default: ./bench-report/).",
+            DefaultValueFactory = _ => "bench-report",
         };
         readonly Option<int> m_points = new("--points")
         {
@@ -44,6 +51,7 @@ namespace FastPoints.Cli.Verbs
         {
             Command.Add(m_names);
             Command.Add(m_baseline);
+            Command.Add(m_out);
             Command.Add(m_points);
             Command.Add(m_runs);
             Command.Add(m_list);
@@ -55,7 +63,7 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints bench", "all workloads"),
             ("./fastpoints bench las --json las.json", "those with las in their name"),
             ("./fastpoints bench stability --points 1000000", "extremes of input, a million points each"),
-            ("./fastpoints bench --baseline before.json", "compare with an earlier run"),
+            ("./fastpoints bench -o now-report --baseline bench-report/PerformanceTestResults.json", "compare with an earlier run"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)
@@ -67,38 +75,78 @@ namespace FastPoints.Cli.Verbs
                 return;
             }
             var all = WorkloadList.All();
-            var chosen = all.Where(w => names.Length == 0 || names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
-            if (chosen.Count == 0)
+            var asked = all.Where(w => names.Length == 0 || names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
+            if (asked.Count == 0)
                 throw new UsageException("no workload is called that: " + string.Join(", ", names) + " (--list names them)");
-            // A workload without its limit would be a time without a meaning.
-            foreach (var limit in all.Where(w => chosen.Any(c => c.LimitName == w.Name) && !chosen.Contains(w)).ToList())
-                chosen.Add(limit);
+            var groups = WorkloadTurns.Groups(all, asked).ToList();
             if (parsed.GetValue(m_list))
             {
-                foreach (var workload in chosen)
+                foreach (var workload in groups.SelectMany(g => g))
                     run.Out.WriteLine(workload.Name + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
                 return;
             }
             int points = parsed.GetValue(m_points), runs = parsed.GetValue(m_runs);
             if (points < 1 || runs < 1)
                 throw new UsageException("--points and --runs are at least 1");
-            var baseline = parsed.GetValue(m_baseline) is { } path ? Baseline.Read(path) : null;
+            var baseline = parsed.GetValue(m_baseline) is { } path ? new Baseline(path, PerformanceResults.Read(path)) : null;
+            string folder = parsed.GetValue(m_out)!;
+            OutputFile.MakeFolder(folder);
+            Report(Take(groups, points, runs, run), baseline, points, folder, run);
+        }
 
+        static List<WorkloadSamples> Take(List<List<IWorkload>> groups, int points, int runs, CliRun run)
+        {
             string scratch = Directory.CreateTempSubdirectory("fastpoints-bench-").FullName;
             try
             {
                 var context = new WorkloadContext { ScratchFolder = scratch, Points = points, DataFolder = DataFolder() };
-                var results = new List<Measurement>();
-                // A workload and its limit are timed in turns, so that both see the same moments of a busy machine.
-                foreach (var group in chosen.GroupBy(w => w.LimitName ?? w.Name))
-                    results.AddRange(Measurement.Take(group.ToList(), context, runs, run));
-                run.WriteKeys = json => WriteJson(json, results);
-                WriteTable(run, results, baseline);
+                var settings = new TurnSettings
+                {
+                    Turns = runs,
+                    AllocatedBytes = () => GC.GetTotalAllocatedBytes(true),
+                    Progress = share => run.Progress.Report(share, 0, 0),
+                    Cancellation = run.Cancellation,
+                };
+                var results = new List<WorkloadSamples>();
+                foreach (var group in groups)
+                {
+                    run.Progress.Begin(group[0].Name);
+                    try
+                    {
+                        results.AddRange(WorkloadTurns.Take(group, context, settings));
+                    }
+                    finally
+                    {
+                        run.Progress.End();
+                    }
+                }
+                return results;
             }
             finally
             {
                 Directory.Delete(scratch, recursive: true);
             }
+        }
+
+        static void Report(List<WorkloadSamples> results, Baseline? baseline, int points, string folder, CliRun run)
+        {
+            var performance = PerformanceResults.Of(results);
+            var rows = baseline?.Compare(results);
+            run.WriteKeys = json => WriteJson(json, results);
+            OutputFile.Write(Path.Combine(folder, PerformanceResults.FileName), PerformanceResults.ToBytes(performance));
+            string page = Path.Combine(folder, "report.html");
+            OutputFile.Write(page, BenchReport.Make(performance, results, baseline, rows, points));
+
+            BenchTable.Of(results, rows).Write(run.Out, "");
+            run.Out.WriteLine();
+            foreach (var noted in results.Where(m => m.Note != null))
+                run.Out.WriteLine(noted.Name + ": " + noted.Note);
+            run.Out.WriteLine($"{Threads.InUse} threads, median of interleaved runs; \"x limit\": time by point over the limit's of the same run.");
+            if (baseline?.Differences(performance) is { } differences)
+                run.Out.WriteLine("warning: the baseline is " + differences);
+            foreach (string line in rows == null ? [] : BenchReport.Honesty(rows))
+                run.Out.WriteLine(line);
+            run.Out.WriteLine("all samples: " + page + ", " + Path.Combine(folder, PerformanceResults.FileName));
         }
 
         static string? DataFolder()
@@ -107,79 +155,23 @@ namespace FastPoints.Cli.Verbs
             return named != null && Directory.Exists(named) ? named : null;
         }
 
-        static void WriteTable(CliRun run, List<Measurement> results, Dictionary<string, double>? baseline)
-        {
-            var heads = new List<string> { "workload", "ms", "points/s", "MB/s", "x limit", "error", "garbage" };
-            if (baseline != null)
-                heads.Add("x baseline");
-            var table = new TextTable(heads.ToArray());
-            foreach (var m in results)
-            {
-                if (m.Points == 0 && m.Bytes == 0)
-                {
-                    table.Add(m.Name, "no input");
-                    continue;
-                }
-                var limit = results.FirstOrDefault(r => r.Name == m.LimitName);
-                var cells = new List<string>
-                {
-                    m.Name,
-                    m.Ms.ToString("0.000", CultureInfo.InvariantCulture),
-                    m.PointsPerSecond > 0 ? Human.Short(m.PointsPerSecond) : "",
-                    m.BytesPerSecond > 0 ? (m.BytesPerSecond / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "",
-                    limit != null ? m.RatioTo(limit).ToString("0.00", CultureInfo.InvariantCulture) : "",
-                    m.ErrorUnit != null ? Human.Value(m.Error) + " " + m.ErrorUnit : "",
-                    Human.Bytes(m.GarbageBytes),
-                };
-                if (baseline != null)
-                    cells.Add(baseline.TryGetValue(m.Name, out double ms) ? (m.Ms / ms).ToString("0.00", CultureInfo.InvariantCulture) : "new");
-                table.Add(cells.ToArray());
-            }
-            table.Write(run.Out, "");
-            run.Out.WriteLine();
-            foreach (var m in results.Where(m => m.Note != null))
-                run.Out.WriteLine(m.Name + ": " + m.Note);
-            run.Out.WriteLine($"{Threads.InUse} threads, median of interleaved runs; \"x limit\": time by point over the limit's of the same run.");
-        }
-
-        static void WriteJson(Utf8JsonWriter json, List<Measurement> results)
+        static void WriteJson(Utf8JsonWriter json, List<WorkloadSamples> results)
         {
             json.WriteStartArray("workloads");
-            foreach (var m in results)
+            foreach (var samples in results)
             {
                 json.WriteStartObject();
-                json.WriteString("name", m.Name);
-                json.WriteReal("ms", m.Ms);
-                json.WriteReal("pointsPerSecond", m.PointsPerSecond);
-                json.WriteReal("bytesPerSecond", m.BytesPerSecond);
-                json.WriteReal("error", m.Error);
-                json.WriteInteger("garbageBytes", m.GarbageBytes);
-                if (m.Note != null)
-                    json.WriteString("note", m.Note);
+                json.WriteString("name", samples.Name);
+                json.WriteReal("ms", samples.MedianMs);
+                json.WriteReal("pointsPerSecond", samples.MedianPointsPerSecond);
+                json.WriteReal("bytesPerSecond", samples.MedianBytesPerSecond);
+                json.WriteReal("error", samples.MedianError);
+                json.WriteInteger("garbageBytes", (long)Math.Round(samples.MedianGarbageBytes));
+                if (samples.Note != null)
+                    json.WriteString("note", samples.Note);
                 json.WriteEndObject();
             }
             json.WriteEndArray();
-        }
-
-        static class Baseline
-        {
-            public static Dictionary<string, double> Read(string path)
-            {
-                try
-                {
-                    using var document = JsonDocument.Parse(File.ReadAllBytes(path));
-                    return document.RootElement.GetProperty("workloads").EnumerateArray()
-                        .ToDictionary(w => w.GetProperty("name").GetString()!, w => w.GetProperty("ms").GetDouble());
-                }
-                catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
-                {
-                    throw new PointCloudException(FailureCode.NotFound, path, -1, "no such file", e);
-                }
-                catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException)
-                {
-                    throw new PointCloudException(FailureCode.BadInput, path, -1, "is not the --json summary of a bench run", e);
-                }
-            }
         }
     }
 }

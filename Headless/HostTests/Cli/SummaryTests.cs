@@ -227,7 +227,7 @@ namespace FastPoints.HostTests.Cli
         [Test]
         public void Bench_HasItsKeys()
         {
-            var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000");
+            var json = Summary("bench", "bench", "job chain", "--runs", "1", "--points", "1000", "--out", m_scratch["bench"]);
             var workload = json.GetProperty("workloads").EnumerateArray().Single();
             HasKey(workload, "name", JsonValueKind.String);
             foreach (string number in new[] { "ms", "pointsPerSecond", "bytesPerSecond", "error", "garbageBytes" })

@@ -15,6 +15,9 @@ namespace FastPoints.Benchmarks
         /// <summary>Unit of <see cref="Error"/>, or null for exact work.</summary>
         public string ErrorUnit;
 
+        /// <summary>Whether a larger <see cref="Error"/> is a better one, as of decibels.</summary>
+        public bool ErrorIncreaseIsBetter;
+
         /// <summary>What a number does not say, or null.</summary>
         public string Note;
     }

@@ -54,6 +54,7 @@ namespace FastPoints.Benchmarks
                 Bytes = (long)m_points.Count * m_points.Schema.BytesPerPoint,
                 Error = m_psnr,
                 ErrorUnit = "dB, half the points",
+                ErrorIncreaseIsBetter = true,
             };
         }
 

@@ -1,0 +1,98 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>The samples of one workload, and the figures that follow from them.</summary>
+    public sealed class WorkloadSamples
+    {
+        /// <summary>Names of the series. Scripts and comparisons with earlier runs go by them.</summary>
+        public const string Time = "Time", PointsPerSecond = "Points/s", BytesPerSecond = "Bytes/s", Garbage = "GC", Error = "Error",
+            TimesLimit = "Times limit";
+
+        readonly List<double> m_ms = new List<double>();
+        readonly List<double> m_garbageBytes = new List<double>();
+        readonly List<double> m_errors = new List<double>();
+        readonly WorkloadSamples m_limit;
+        WorkloadResult m_result;
+
+        /// <param name="limit">Samples of the workload that bounds this one, taken in turns with it; or null.</param>
+        public WorkloadSamples(string name, WorkloadSamples limit)
+        {
+            Name = name;
+            m_limit = limit;
+        }
+
+        public string Name { get; }
+
+        /// <summary>Points that one run works on.</summary>
+        public long Points => m_result.Points;
+
+        /// <summary>Bytes of input that one run works on, 0 where bytes mean nothing.</summary>
+        public long Bytes => m_result.Bytes;
+
+        /// <summary>Unit of the error, null for exact work.</summary>
+        public string ErrorUnit => m_result.ErrorUnit;
+
+        public string Note => m_result.Note;
+
+        /// <summary>A workload that did nothing had no input: the clouds that it wants are not there.</summary>
+        public bool HadInput => m_result.Points > 0 || m_result.Bytes > 0;
+
+        /// <summary>Milliseconds of one run, a sample each.</summary>
+        public IReadOnlyList<double> Ms => m_ms;
+
+        public double MedianMs => Median(m_ms);
+        public double MedianError => Median(m_errors);
+        public double MedianGarbageBytes => Median(m_garbageBytes);
+        public double MedianPointsPerSecond => PerSecond(Points, MedianMs);
+        public double MedianBytesPerSecond => PerSecond(Bytes, MedianMs);
+
+        public bool HasLimit => m_limit != null && m_limit.HadInput && HadInput;
+
+        /// <summary>Time by point (by byte where no points are counted) over that of the limit, in each turn: what slows the
+        /// machine for a while slows both.</summary>
+        public IEnumerable<double> TimesTheLimit => HasLimit
+            ? m_ms.Zip(m_limit.m_ms, (own, limit) => own / limit * Amount(m_limit, this))
+            : Enumerable.Empty<double>();
+
+        /// <param name="ms">Milliseconds of one run.</param>
+        /// <param name="garbageBytes">Managed bytes that it allocated.</param>
+        public void Add(double ms, double garbageBytes, in WorkloadResult result)
+        {
+            m_ms.Add(ms);
+            m_garbageBytes.Add(garbageBytes);
+            m_errors.Add(result.Error);
+            m_result = result;
+        }
+
+        /// <summary>The sample groups of this workload; the error is among them whether or not there is any.</summary>
+        public IEnumerable<SampleSeries> Series()
+        {
+            yield return new SampleSeries(Time, SeriesUnit.Millisecond, false, m_ms);
+            if (Points > 0)
+                yield return new SampleSeries(PointsPerSecond, SeriesUnit.Undefined, true, m_ms.Select(ms => PerSecond(Points, ms)));
+            if (Bytes > 0)
+                yield return new SampleSeries(BytesPerSecond, SeriesUnit.Undefined, true, m_ms.Select(ms => PerSecond(Bytes, ms)));
+            yield return new SampleSeries(Garbage, SeriesUnit.Byte, false, m_garbageBytes);
+            yield return new SampleSeries(ErrorUnit == null ? Error : Error + " (" + ErrorUnit + ")", SeriesUnit.Undefined,
+                m_result.ErrorIncreaseIsBetter, m_errors);
+            if (HasLimit)
+                yield return new SampleSeries(TimesLimit, SeriesUnit.Undefined, false, TimesTheLimit);
+        }
+
+        /// <summary>The middle one, or between the middle two; 0 of none.</summary>
+        public static double Median(IEnumerable<double> values)
+        {
+            double[] sorted = values.OrderBy(v => v).ToArray();
+            int middle = sorted.Length / 2;
+            return sorted.Length == 0 ? 0 : sorted.Length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+        }
+
+        static double PerSecond(long amount, double ms) => ms > 0 ? amount / ms * 1000 : 0;
+
+        static double Amount(WorkloadSamples of, WorkloadSamples by) =>
+            of.Points > 0 && by.Points > 0 ? (double)of.Points / by.Points
+            : of.Bytes > 0 && by.Bytes > 0 ? (double)of.Bytes / by.Bytes : 1;
+    }
+}
