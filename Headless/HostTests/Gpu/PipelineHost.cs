@@ -21,7 +21,7 @@ namespace FastPoints.HostTests.Gpu
 
         protected static void Clear(Camera camera, CommandBuffer commands)
         {
-            commands.SetRenderTarget(camera.targetTexture);
+            commands.SetRenderTarget(camera.targetTexture, 0, CubemapFace.Unknown, -1);
             commands.ClearRenderTarget(true, true, camera.backgroundColor);
         }
     }

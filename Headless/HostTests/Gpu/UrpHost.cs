@@ -33,7 +33,9 @@ namespace FastPoints.HostTests.Gpu
             var resources = frame.GetOrCreate<UniversalResourceData>();
             resources.activeColorTexture = target;
             resources.activeDepthTexture = target;
-            frame.GetOrCreate<UniversalCameraData>().camera = camera;
+            var cameraData = frame.GetOrCreate<UniversalCameraData>();
+            cameraData.camera = camera;
+            cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
             foreach (var pass in m_renderer.Passes)
                 pass.RecordRenderGraph(graph, frame);
             using var commands = new CommandBuffer();

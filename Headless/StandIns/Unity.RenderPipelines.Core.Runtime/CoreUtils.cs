@@ -12,6 +12,6 @@ namespace UnityEngine.Rendering
     {
         public static void SetRenderTarget(CommandBuffer cmd, RTHandle colorBuffer, RTHandle depthBuffer, ClearFlag clearFlag,
             int miplevel = 0, CubemapFace cubemapFace = CubemapFace.Unknown, int depthSlice = -1) =>
-            cmd.SetRenderTarget(colorBuffer, depthBuffer);
+            cmd.SetRenderTarget(colorBuffer, depthBuffer, miplevel, cubemapFace, depthSlice);
     }
 }

@@ -4,6 +4,8 @@ namespace UnityEngine.Rendering
     {
         internal RenderTexture Texture;
 
+        public RenderTexture rt => Texture;
+
         public static implicit operator RenderTargetIdentifier(RTHandle handle) => new RenderTargetIdentifier(handle.Texture);
     }
 }

@@ -10,6 +10,10 @@ namespace UnityEngine.Rendering.HighDefinition
     public class HDCamera
     {
         public Camera camera;
+
+        public int actualWidth => camera.pixelWidth;
+
+        public int actualHeight => camera.pixelHeight;
     }
 
     public struct CustomPassContext

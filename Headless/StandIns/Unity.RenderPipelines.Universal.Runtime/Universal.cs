@@ -53,6 +53,10 @@ namespace UnityEngine.Rendering.Universal
     public class UniversalCameraData : ContextItem
     {
         public Camera camera;
+        public RenderTextureDescriptor cameraTargetDescriptor;
+
+        public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => cameraTargetDescriptor.volumeDepth > 1
+            ? camera.GetStereoProjectionMatrix((Camera.StereoscopicEye)viewIndex) : camera.projectionMatrix;
 
         public bool IsRenderTargetProjectionMatrixFlipped(RTHandle color, RTHandle depth = null) => true;
 

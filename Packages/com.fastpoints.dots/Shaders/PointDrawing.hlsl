@@ -23,11 +23,21 @@ ByteAddressBuffer _FastPointsNodeOfInstance;
 // The first of the draw's blocks.
 uint _FastPointsFirstInstance;
 
-// From places as seen from the camera, along the world's axes, to the clip space of the API: no translation in it.
+// From places as seen from the eye, along the world's axes, to the clip space of the API: no translation in it.
 float4x4 _FastPointsViewProjection;
 
-// Where the camera looks, a unit vector of the world.
+// Where the eye looks, a unit vector of the world.
 float3 _FastPointsForward;
+
+// The eye's place from the one that nodes are seen from, along the world's axes.
+float3 _FastPointsEyeOffset;
+
+#if defined(FASTPOINTS_STEREO)
+// The same of the right eye: of two instances one is the left eye's, and one this one's.
+float4x4 _FastPointsRightViewProjection;
+float3 _FastPointsRightForward;
+float3 _FastPointsRightEyeOffset;
+#endif
 
 // 1: colours are written as light, not as sRGB.
 uint _FastPointsIsLinear;
@@ -107,9 +117,41 @@ float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index
     return float3(FastPointsEntry(first), FastPointsEntry(second), FastPointsEntry(third)) / 255.0;
 }
 
+// Which eye an instance is for: 1 for the right one.
+uint FastPointsEyeOf(uint instance)
+{
+#if defined(FASTPOINTS_STEREO)
+    return instance & 1u;
+#else
+    return 0u;
+#endif
+}
+
+// Where a place is in an eye's clip space, and its depth along the eye's direction.
+// seen: from the place that nodes are seen from, along the world's axes.
+void FastPointsSeeFrom(uint eye, float3 seen, out float4 clip, out float depth)
+{
+#if defined(FASTPOINTS_STEREO)
+    if (eye != 0u)
+    {
+        seen -= _FastPointsRightEyeOffset;
+        clip = mul(_FastPointsRightViewProjection, float4(seen, 1.0));
+        depth = dot(_FastPointsRightForward, seen);
+        return;
+    }
+#endif
+    seen -= _FastPointsEyeOffset;
+    clip = mul(_FastPointsViewProjection, float4(seen, 1.0));
+    depth = dot(_FastPointsForward, seen);
+}
+
 // The point of a number below 128 of the draw's block of a number.
 FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
 {
+    uint eye = FastPointsEyeOf(instance);
+#if defined(FASTPOINTS_STEREO)
+    instance >>= 1;
+#endif
     instance += _FastPointsFirstInstance;
     GpuNode node = _FastPointsNodes[_FastPointsNodeOfInstance.Load(instance * 4u)];
     GpuCloud cloud = _FastPointsClouds[node.Cloud];
@@ -133,8 +175,7 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     if (FastPointsIsHidden(cloud, node.ClassWord, blockIndex, index))
         return loaded;
 #endif
-    loaded.PositionClip = mul(_FastPointsViewProjection, float4(seen, 1.0));
-    loaded.Depth = dot(_FastPointsForward, seen);
+    FastPointsSeeFrom(eye, seen, loaded.PositionClip, loaded.Depth);
 #if defined(FASTPOINTS_ADAPTIVE)
     loaded.SizePx = FastPointsSizePx(FastPointsGapAt(node.SizeNode, node.AnchorInCube + node.CubesPerStep * steps), loaded.Depth);
 #else

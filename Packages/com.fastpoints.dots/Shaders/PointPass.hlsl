@@ -34,6 +34,9 @@ struct FastPointsVaryings
     // The radius in whole pixels, and the depth in world units.
     nointerpolation float2 RadiusAndDepth : TEXCOORD2;
 #endif
+#if defined(FASTPOINTS_STEREO)
+    uint Slice : SV_RenderTargetArrayIndex;
+#endif
 #if !defined(FASTPOINTS_IS_QUAD)
     // Some APIs want it where the topology is points; others have no such thing.
     float PointSize : PSIZE;
@@ -62,6 +65,9 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
 #endif
 #if defined(FASTPOINTS_LAYERED)
     varyings.RadiusAndDepth = float2(max(1.0, floor(drawn.SizePx * 0.5 + 0.5)), drawn.Depth);
+#endif
+#if defined(FASTPOINTS_STEREO)
+    varyings.Slice = FastPointsEyeOf(instance);
 #endif
     varyings.PositionClip = drawn.PositionClip;
     varyings.Color = drawn.Color;

@@ -11,11 +11,12 @@ Shader "Hidden/FastPoints/Points"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma require setrtarrayindexfromanyshader : FASTPOINTS_STEREO
             #pragma vertex FastPointsVertex
             #pragma fragment FastPointsFragment
             #pragma multi_compile_local _ FASTPOINTS_SQUARES FASTPOINTS_DISCS FASTPOINTS_PARABOLOIDS
             #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
-            #pragma multi_compile_local _ FASTPOINTS_LAYERED
+            #pragma multi_compile_local _ FASTPOINTS_LAYERED FASTPOINTS_STEREO
             #pragma multi_compile_local _ FASTPOINTS_CLIPPED
             #pragma multi_compile_local _ FASTPOINTS_FILTERED
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"

@@ -9,15 +9,17 @@ namespace FastPoints.Rendering
     public static class CameraViews
     {
         /// <summary>What a camera needs of the clouds.</summary>
-        public static StreamView StreamViewOf(Camera camera)
+        public static StreamView StreamViewOf(Camera camera) => StreamViewOf(EyeMatrices.Of(camera), camera.pixelHeight);
+
+        /// <summary>What an eye needs of the clouds.</summary>
+        public static StreamView StreamViewOf(in EyeMatrices eye, int heightPx)
         {
-            var projection = camera.projectionMatrix;
-            var clip = projection * RotationOf(camera);
+            var clip = eye.Projection * RotationOf(eye.View);
             var view = new StreamView
             {
-                EyeWorld = EyeOf(camera),
-                IsOrthographic = IsOrthographic(projection),
-                ScalePx = ScalePxOf(camera, projection),
+                EyeWorld = eye.PlaceWorld,
+                IsOrthographic = IsOrthographic(eye.Projection),
+                ScalePx = ScalePxOf(eye.Projection, heightPx),
             };
             // Of a place p seen from the eye, clip = M p: inside is -w <= x, y, z <= w (Gribb and Hartmann, 2001).
             var w = Row(clip, 3);
@@ -29,26 +31,27 @@ namespace FastPoints.Rendering
             return view;
         }
 
-        /// <summary>How a camera's picture is drawn.</summary>
-        /// <param name="intoTexture">Whether the target is a render texture, which some APIs have upside down.</param>
-        public static RenderView RenderViewOf(Camera camera, bool intoTexture)
+        /// <summary>How an eye's picture is drawn, the style aside.</summary>
+        /// <param name="eye">Of the target's.</param>
+        public static RenderView RenderViewOf(in CameraTarget target, in EyeMatrices eye)
         {
-            var projection = camera.projectionMatrix;
-            var rotation = RotationOf(camera);
+            var rotation = RotationOf(eye.View);
             return new RenderView
             {
-                ViewProjection = GL.GetGPUProjectionMatrix(projection, intoTexture) * rotation,
-                WidthPx = camera.pixelWidth,
-                HeightPx = camera.pixelHeight,
+                ViewProjection = GL.GetGPUProjectionMatrix(eye.Projection, target.IsTexture) * rotation,
+                WidthPx = target.WidthPx,
+                HeightPx = target.HeightPx,
                 // The engine's cameras look along their negative Z.
                 Forward = -(Vector3)rotation.GetRow(2),
-                ScalePx = ScalePxOf(camera, projection),
-                IsOrthographic = IsOrthographic(projection),
+                ScalePx = ScalePxOf(eye.Projection, target.HeightPx),
+                IsOrthographic = IsOrthographic(eye.Projection),
                 IsLinear = QualitySettings.activeColorSpace == ColorSpace.Linear,
+                Color = target.Color,
+                Depth = target.Depth,
             };
         }
 
-        static float ScalePxOf(Camera camera, in Matrix4x4 projection) => camera.pixelHeight * 0.5f * math.abs(projection.m11);
+        static float ScalePxOf(in Matrix4x4 projection, int heightPx) => heightPx * 0.5f * math.abs(projection.m11);
 
         static bool IsOrthographic(in Matrix4x4 projection) => projection.m33 == 1;
 
@@ -59,20 +62,13 @@ namespace FastPoints.Rendering
                 view.Add(plane.xyz, plane.w);
         }
 
-        static double3 EyeOf(Camera camera)
+        /// <summary>The view without the eye's place, which is subtracted in double elsewhere.</summary>
+        static Matrix4x4 RotationOf(Matrix4x4 view)
         {
-            var position = camera.transform.position;
-            return new double3(position.x, position.y, position.z);
-        }
-
-        /// <summary>The view without the camera's place, which is subtracted in double elsewhere.</summary>
-        static Matrix4x4 RotationOf(Camera camera)
-        {
-            var rotation = camera.worldToCameraMatrix;
-            rotation.m03 = 0;
-            rotation.m13 = 0;
-            rotation.m23 = 0;
-            return rotation;
+            view.m03 = 0;
+            view.m13 = 0;
+            view.m23 = 0;
+            return view;
         }
 
         static double4 Row(in Matrix4x4 matrix, int row)

@@ -59,6 +59,7 @@ namespace FastPoints.Rendering
             MakeBuffers(view);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             commands.SetComputeVectorParam(m_shader, ShaderNames.Forward, view.Forward);
+            commands.SetComputeVectorParam(m_shader, ShaderNames.EyeOffset, view.EyeOffset);
             commands.SetComputeMatrixParam(m_shader, ShaderNames.ViewProjection, view.ViewProjection);
             commands.SetComputeIntParam(m_shader, ShaderNames.ClipBoxCount, list.ClipBoxes.Length);
             commands.SetComputeIntParam(m_shader, ShaderNames.IsLinear, 0);

@@ -40,14 +40,21 @@ namespace FastPoints.Rendering
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
         {
-            commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, -1);
-            commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
+            SetTarget(commands, view);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
             m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
             m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
+        }
+
+        /// <summary>What is recorded from here on is drawn into the camera's picture.</summary>
+        public static void SetTarget(CommandBuffer commands, in RenderView view)
+        {
+            // -1: all slices.
+            commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, (int)view.Eye - 1);
+            commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
         }
 
         static RenderTextureDescriptor Describe(in RenderView view, GraphicsFormat color, GraphicsFormat depth) =>

@@ -10,7 +10,7 @@ namespace FastPoints.Rendering
         const int Shapes = 1 + (int)PointShape.Paraboloid;
 
         /// <summary>Bits above the shape: an option each.</summary>
-        const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Options = 16;
+        const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Stereo = 16, Options = 32;
 
         readonly Shader m_points;
         readonly Shader m_compose;
@@ -33,10 +33,11 @@ namespace FastPoints.Rendering
         /// <summary>Draws points of a style.</summary>
         /// <param name="isClipped">There are clip boxes.</param>
         /// <param name="isFiltered">Classes are hidden.</param>
-        internal Material For(in PointStyle style, bool isClipped, bool isFiltered)
+        /// <param name="isStereo">Both eyes at once.</param>
+        internal Material For(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             int options = (style.IsAdaptive ? Adaptive : 0) | (style.IsLayered ? Layered : 0) | (isClipped ? Clipped : 0) |
-                (isFiltered ? Filtered : 0);
+                (isFiltered ? Filtered : 0) | (isStereo ? Stereo : 0);
             int variant = (int)style.Shape + Shapes * options;
             if (m_ofVariant[variant] != null)
                 return m_ofVariant[variant];
@@ -48,6 +49,7 @@ namespace FastPoints.Rendering
             Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
             Enable(material, ShaderNames.ClippedKeyword, isClipped);
             Enable(material, ShaderNames.FilteredKeyword, isFiltered);
+            Enable(material, ShaderNames.StereoKeyword, isStereo);
             return m_ofVariant[variant] = material;
         }
 

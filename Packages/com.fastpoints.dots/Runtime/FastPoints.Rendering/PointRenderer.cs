@@ -68,13 +68,65 @@ namespace FastPoints.Rendering
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style) =>
             List.Build(stream, view, style.IsAdaptive);
 
+        /// <summary>Lists what either of two eyes sees.</summary>
+        /// <param name="left">Places are relative to this one.</param>
+        public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style) =>
+            List.Build(stream, left, style.IsAdaptive, right);
+
         /// <summary>Records the draws, into the target that is set.</summary>
         public void Record(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
                 return;
-            WriteBuffers(commands, view.Style);
-            if (view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view))
+            WriteBuffers(commands, view.Style, 1);
+            RecordEye(commands, view);
+        }
+
+        /// <summary>Records the draws for both eyes of a headset into the two slices of the target, all of which is set: at once
+        /// (single-pass instanced: each block is two instances), or one eye after the other where the style draws through a layer or
+        /// a compute shader, or where the device's vertex shaders cannot choose a slice.</summary>
+        /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
+        public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
+        {
+            if (List.Draws.Length == 0)
+                return;
+            // Where single-pass rendering is instanced, the engine multiplies the instances of plain draws.
+            bool isMultiplied = !SystemInfo.supportsMultiview;
+            if (isMultiplied)
+                commands.SetInstanceMultiplier(1);
+            bool isAtOnce = isMultiplied && SystemInfo.supportsRenderTargetArrayIndexFromVertexShader &&
+                !left.Style.IsLayered && !IsComputed(left);
+            WriteBuffers(commands, left.Style, isAtOnce ? 2 : 1);
+            if (isAtOnce)
+            {
+                Set(left);
+                m_properties.SetMatrix(ShaderNames.RightViewProjection, right.ViewProjection);
+                m_properties.SetVector(ShaderNames.RightForward, right.Forward);
+                m_properties.SetVector(ShaderNames.RightEyeOffset, right.EyeOffset);
+                DrawBanks(commands, left.Style, true);
+            }
+            else
+            {
+                RecordSlice(commands, left, TargetEye.Left);
+                RecordSlice(commands, right, TargetEye.Right);
+            }
+            if (isMultiplied)
+                commands.SetInstanceMultiplier(2);
+        }
+
+        void RecordSlice(CommandBuffer commands, RenderView view, TargetEye eye)
+        {
+            view.Eye = eye;
+            PointLayer.SetTarget(commands, view);
+            RecordEye(commands, view);
+        }
+
+        bool IsComputed(in RenderView view) =>
+            view.Style.Shape == PointShape.Pixel && m_raster != null && ComputeRaster.CanDraw(view);
+
+        void RecordEye(CommandBuffer commands, in RenderView view)
+        {
+            if (IsComputed(view))
             {
                 m_raster.Record(commands, view, List, Buffers, m_pool);
                 m_layer.Compose(commands, view, m_materials.ComposePixels, m_raster);
@@ -83,7 +135,7 @@ namespace FastPoints.Rendering
             Set(view);
             if (view.Style.IsLayered)
                 m_layer.Begin(commands, view);
-            DrawBanks(commands, view.Style);
+            DrawBanks(commands, view.Style, false);
             if (view.Style.IsLayered)
                 m_layer.End(commands, view, m_materials.ComposeLayer);
         }
@@ -130,6 +182,7 @@ namespace FastPoints.Rendering
             m_properties.SetMatrix(ShaderNames.ViewProjection, view.ViewProjection);
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.Forward, view.Forward);
+            m_properties.SetVector(ShaderNames.EyeOffset, view.EyeOffset);
             if (view.Style.Shape == PointShape.Paraboloid)
                 m_properties.SetVector(ShaderNames.ForwardClip, ForwardClip(view));
             m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
@@ -143,9 +196,9 @@ namespace FastPoints.Rendering
             Vector3.Dot(view.ViewProjection.GetRow(2), view.Forward), Vector3.Dot(view.ViewProjection.GetRow(3), view.Forward),
             1 / view.ScalePx, 0);
 
-        void DrawBanks(CommandBuffer commands, in PointStyle style)
+        void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo)
         {
-            var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.HidesClasses);
+            var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.HidesClasses, isStereo);
             var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
             for (int i = 0; i < List.Draws.Length; i++)
             {
@@ -157,7 +210,7 @@ namespace FastPoints.Rendering
             }
         }
 
-        void WriteBuffers(CommandBuffer commands, in PointStyle style)
+        void WriteBuffers(CommandBuffer commands, in PointStyle style, int eyes)
         {
             int vertices = PlaneShape.MaxPointsPerBlock * (style.Shape == PointShape.Pixel ? 1 : VerticesOfQuad);
             m_drawArguments.Clear();
@@ -165,7 +218,7 @@ namespace FastPoints.Rendering
                 m_drawArguments.Add(new GraphicsBuffer.IndirectDrawArgs
                 {
                     vertexCountPerInstance = (uint)vertices,
-                    instanceCount = (uint)List.Draws[i].InstanceCount,
+                    instanceCount = (uint)(List.Draws[i].InstanceCount * eyes),
                 });
             m_arguments.Write(commands, m_drawArguments.AsArray());
             m_nodes.Write(commands, List.Nodes);

@@ -32,6 +32,9 @@ namespace FastPoints.Rendering
             public Camera Camera;
             public PointRenderer Renderer;
             public int LastFrame;
+
+            /// <summary>Of a headset's; -1 before the first.</summary>
+            public int AnnouncedFrame;
         }
 
         /// <param name="points">The package's Points.shader.</param>
@@ -90,24 +93,44 @@ namespace FastPoints.Rendering
         public static bool IsDrawn(Camera camera) =>
             camera.cameraType != CameraType.Preview && camera.cameraType != CameraType.Reflection;
 
-        /// <summary>The next frame selects for this camera, too.</summary>
-        public void Announce(Camera camera) => m_nextViews.Add(CameraViews.StreamViewOf(camera));
+        /// <summary>The next frame selects for this camera, too: for both eyes of a headset, once, even if they are drawn one
+        /// after the other.</summary>
+        public void Announce(Camera camera)
+        {
+            if (!camera.stereoEnabled)
+            {
+                m_nextViews.Add(CameraViews.StreamViewOf(camera));
+                return;
+            }
+            var seen = Seen(camera);
+            if (seen.AnnouncedFrame == m_frame)
+                return;
+            seen.AnnouncedFrame = m_frame;
+            for (var eye = Camera.StereoscopicEye.Left; eye <= Camera.StereoscopicEye.Right; eye++)
+                m_nextViews.Add(CameraViews.StreamViewOf(EyeMatrices.Of(camera, eye), camera.pixelHeight));
+        }
 
         /// <summary>Records the clouds as a camera sees them, into the target that is set.</summary>
-        /// <param name="color">That target, and <paramref name="depth"/> its depth: see <see cref="RenderView.Color"/>.</param>
-        /// <param name="intoTexture">See <see cref="CameraViews.RenderViewOf"/>.</param>
-        public void Record(CommandBuffer commands, Camera camera, RenderTargetIdentifier color, RenderTargetIdentifier depth,
-            bool intoTexture)
+        public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)
         {
-            var renderer = RendererFor(camera);
+            var renderer = Seen(camera).Renderer;
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);
-            renderer.Prepare(Stream, CameraViews.StreamViewOf(camera), Style);
-            var view = CameraViews.RenderViewOf(camera, intoTexture);
-            view.Color = color;
-            view.Depth = depth;
+            var seen = CameraViews.StreamViewOf(target.Eye, target.HeightPx);
+            var view = CameraViews.RenderViewOf(target, target.Eye);
             view.Style = Style;
-            renderer.Record(commands, view);
+            if (!target.HasBothEyes)
+            {
+                renderer.Prepare(Stream, seen, Style);
+                renderer.Record(commands, view);
+                return;
+            }
+            renderer.Prepare(Stream, seen, CameraViews.StreamViewOf(target.RightEye, target.HeightPx), Style);
+            var right = CameraViews.RenderViewOf(target, target.RightEye);
+            right.Style = Style;
+            var offset = target.RightEye.PlaceWorld - target.Eye.PlaceWorld;
+            right.EyeOffset = new Vector3((float)offset.x, (float)offset.y, (float)offset.z);
+            renderer.RecordBothEyes(commands, view, right);
         }
 
         public void Dispose()
@@ -125,19 +148,20 @@ namespace FastPoints.Rendering
             m_palette.Dispose();
         }
 
-        PointRenderer RendererFor(Camera camera)
+        SeenCamera Seen(Camera camera)
         {
             for (int i = 0; i < m_cameras.Count; i++)
             {
                 if (!ReferenceEquals(m_cameras[i].Camera, camera))
                     continue;
                 m_cameras[i].LastFrame = m_frame;
-                return m_cameras[i].Renderer;
+                return m_cameras[i];
             }
             var renderer = new PointRenderer(m_materials, m_pool, m_sizes);
             renderer.SetPalette(m_palette);
-            m_cameras.Add(new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame });
-            return renderer;
+            var seen = new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame, AnnouncedFrame = -1 };
+            m_cameras.Add(seen);
+            return seen;
         }
     }
 }

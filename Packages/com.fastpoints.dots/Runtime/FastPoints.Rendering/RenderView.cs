@@ -3,12 +3,16 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>One camera as drawing sees it.</summary>
+    /// <summary>One camera, or one eye of a headset, as drawing sees it.</summary>
     public struct RenderView
     {
-        /// <summary>From places relative to the camera, along the world's axes, to the clip space of the graphics API (<see
-        /// cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>): the camera's own place is not in it.</summary>
+        /// <summary>From places relative to the eye, along the world's axes, to the clip space of the graphics API (<see
+        /// cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>): the eye's own place is not in it.</summary>
         public Matrix4x4 ViewProjection;
+
+        /// <summary>From the place that the draws were listed for, along the world's axes: of the right eye from the left
+        /// one.</summary>
+        public Vector3 EyeOffset;
         public int WidthPx;
         public int HeightPx;
 
@@ -26,6 +30,7 @@ namespace FastPoints.Rendering
         /// being the whole picture.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
+        public TargetEye Eye;
         public PointStyle Style;
     }
 }

@@ -12,6 +12,7 @@ namespace FastPoints.Rendering
         public static readonly int Clouds = Shader.PropertyToID("_FastPointsClouds");
         public static readonly int DeviceOfDepth = Shader.PropertyToID("_FastPointsDeviceOfDepth");
         public static readonly int EdlStrength = Shader.PropertyToID("_FastPointsEdlStrength");
+        public static readonly int EyeOffset = Shader.PropertyToID("_FastPointsEyeOffset");
         public static readonly int FillsHoles = Shader.PropertyToID("_FastPointsFillsHoles");
         public static readonly int FirstInstance = Shader.PropertyToID("_FastPointsFirstInstance");
         public static readonly int FirstPage = Shader.PropertyToID("_FastPointsFirstPage");
@@ -29,6 +30,9 @@ namespace FastPoints.Rendering
         public static readonly int Palette = Shader.PropertyToID("_FastPointsPalette");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
+        public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");
+        public static readonly int RightForward = Shader.PropertyToID("_FastPointsRightForward");
+        public static readonly int RightViewProjection = Shader.PropertyToID("_FastPointsRightViewProjection");
         public static readonly int ScalePx = Shader.PropertyToID("_FastPointsScalePx");
         public static readonly int ScreenPx = Shader.PropertyToID("_FastPointsScreenPx");
         public static readonly int Size = Shader.PropertyToID("_FastPointsSize");
@@ -46,6 +50,7 @@ namespace FastPoints.Rendering
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";
         public const string LayeredKeyword = "FASTPOINTS_LAYERED";
+        public const string StereoKeyword = "FASTPOINTS_STEREO";
         public const string SquaresKeyword = "FASTPOINTS_SQUARES";
         public const string DiscsKeyword = "FASTPOINTS_DISCS";
         public const string ParaboloidsKeyword = "FASTPOINTS_PARABOLOIDS";

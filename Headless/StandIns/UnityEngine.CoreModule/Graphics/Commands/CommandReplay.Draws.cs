@@ -45,7 +45,7 @@ namespace StandIns.Graphics
             if (arguments != null)
                 Vk.vkCmdDrawIndirect(m_recording.Commands, arguments.Handle, (ulong)command.C, 1, 0);
             else
-                Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D, 0, 0);
+                Vk.vkCmdDraw(m_recording.Commands, (uint)command.C, (uint)command.D * m_instanceMultiplier, 0, 0);
         }
 
         static VkPrimitiveTopology TopologyOf(MeshTopology topology)

@@ -21,6 +21,7 @@ namespace StandIns.Graphics
         GpuRecording m_recording;
         CommandBuffer m_buffer;
         Vector4 m_viewport;
+        uint m_instanceMultiplier;
 
         internal CommandReplay(GpuDevice device)
         {
@@ -35,6 +36,7 @@ namespace StandIns.Graphics
         {
             m_temporaries.CameraTarget = cameraTarget;
             m_targets.Reset();
+            m_instanceMultiplier = 1;
             m_recording = m_device.Queue.Open();
             try
             {
@@ -110,6 +112,9 @@ namespace StandIns.Graphics
                 case CommandKind.ReleaseTemporary:
                     m_temporaries.Release(command.A);
                     PropertySheet.Global.Set(command.A, (Texture)null);
+                    break;
+                case CommandKind.SetInstanceMultiplier:
+                    m_instanceMultiplier = (uint)command.A;
                     break;
                 case CommandKind.Draw:
                 case CommandKind.DrawIndirect:

@@ -15,6 +15,7 @@ namespace StandIns.Graphics
         SetKernelTexture,
         GetTemporary,
         ReleaseTemporary,
+        SetInstanceMultiplier,
         Draw,
         DrawIndirect,
         Dispatch,

@@ -87,6 +87,9 @@ namespace StandIns.Graphics
             }
         }
 
+        /// <summary>Vertex shaders may say which slice is drawn into.</summary>
+        internal bool ChoosesSlices { get; private set; }
+
         IntPtr Create(uint family, out bool writesAnyFormat)
         {
             var able13 = new VkPhysicalDeviceVulkan13Features { sType = VkStructureType.PhysicalDeviceVulkan13Features };
@@ -130,8 +133,10 @@ namespace StandIns.Graphics
 
             using var strings = new NativeStrings();
             var extensions = new List<string> { PushDescriptor };
-            if (HasExtension(Physical, "VK_EXT_shader_viewport_index_layer"))
+            ChoosesSlices = HasExtension(Physical, "VK_EXT_shader_viewport_index_layer");
+            if (ChoosesSlices)
                 extensions.Add("VK_EXT_shader_viewport_index_layer");
+            ChoosesSlices |= able12.shaderOutputLayer != 0;
             float priority = 1;
             var queue = new VkDeviceQueueCreateInfo
             {

@@ -8,6 +8,19 @@ namespace UnityEngine
     {
         public delegate void CameraCallback(Camera cam);
 
+        public enum StereoscopicEye
+        {
+            Left = 0,
+            Right = 1,
+        }
+
+        public enum MonoOrStereoscopicEye
+        {
+            Left = 0,
+            Right = 1,
+            Mono = 2,
+        }
+
         public static CameraCallback onPreCull;
 
         readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
@@ -17,6 +30,18 @@ namespace UnityEngine
         public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;
 
         public Matrix4x4 projectionMatrix { get; set; } = Matrix4x4.identity;
+
+        /// <summary>A host's headset says it.</summary>
+        public bool stereoEnabled { get; internal set; }
+
+        public MonoOrStereoscopicEye stereoActiveEye { get; internal set; } = MonoOrStereoscopicEye.Mono;
+
+        /// <summary>By eye: view and projection of a host's headset.</summary>
+        internal (Matrix4x4 View, Matrix4x4 Projection)[] Eyes { get; set; }
+
+        public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => Eyes[(int)eye].View;
+
+        public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => Eyes[(int)eye].Projection;
 
         public RenderTexture targetTexture { get; set; }
 

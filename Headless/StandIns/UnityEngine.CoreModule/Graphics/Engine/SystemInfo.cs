@@ -22,6 +22,11 @@ namespace UnityEngine
 
         public static bool supports2DArrayTextures => HasDevice;
 
+        public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
+
+        /// <summary>Not by this host: its render passes have no view masks.</summary>
+        public static bool supportsMultiview => false;
+
         public static bool usesReversedZBuffer => true;
 
         public static bool graphicsUVStartsAtTop => true;

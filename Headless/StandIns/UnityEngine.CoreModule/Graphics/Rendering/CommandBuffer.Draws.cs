@@ -3,7 +3,8 @@ using StandIns.Graphics;
 
 namespace UnityEngine.Rendering
 {
-    // X is the material, Y the sheet of the property block, Z the arguments; A the pass, B the topology, C the vertices
+    // SetInstanceMultiplier: A is the number.
+    // Draws: X is the material, Y the sheet of the property block, Z the arguments; A the pass, B the topology, C the vertices
     // (indirect: where the arguments begin, in bytes), D the instances; Data the object's matrix.
     public partial class CommandBuffer
     {
@@ -57,6 +58,10 @@ namespace UnityEngine.Rendering
                 Data = AddValue(PropertyValue.Of(matrix)),
             });
         }
+
+        /// <summary>Draws have so many times the instances from here on; indirect ones are left as they are.</summary>
+        public void SetInstanceMultiplier(uint multiplier) =>
+            Add(new RecordedCommand { Kind = CommandKind.SetInstanceMultiplier, A = (int)multiplier });
 
         static void CheckMaterial(Material material)
         {

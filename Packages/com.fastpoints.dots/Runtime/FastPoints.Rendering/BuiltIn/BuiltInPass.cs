@@ -47,7 +47,8 @@ namespace FastPoints.Rendering.BuiltIn
             if (scene == null)
                 return;
             scene.Announce(camera);
-            scene.Record(commands, camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget, true);
+            scene.Record(commands, camera,
+                CameraTarget.Of(camera, BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget));
         }
 
         static CommandBuffer CommandsFor(Camera camera)

@@ -37,7 +37,11 @@ namespace FastPoints.Rendering.Hdrp
                 return;
             scene.Announce(camera);
             CoreUtils.SetRenderTarget(ctx.cmd, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, ClearFlag.None);
-            scene.Record(ctx.cmd, camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, true);
+            bool hasBothEyes = camera.stereoEnabled && ctx.cameraColorBuffer.rt.volumeDepth > 1;
+            var target = CameraTarget.Of(camera, ctx.cameraColorBuffer, ctx.cameraDepthBuffer, hasBothEyes);
+            target.WidthPx = ctx.hdCamera.actualWidth;
+            target.HeightPx = ctx.hdCamera.actualHeight;
+            scene.Record(ctx.cmd, camera, target);
         }
     }
 }

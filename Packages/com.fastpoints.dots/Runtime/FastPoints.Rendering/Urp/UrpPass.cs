@@ -55,9 +55,20 @@ namespace FastPoints.Rendering.Urp
         static void Draw(PassData data, UnsafeGraphContext context)
         {
             var commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
-            commands.SetRenderTarget(data.Color, data.Depth);
-            bool intoTexture = data.CameraData.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
-            data.Scene.Record(commands, data.CameraData.camera, data.Color, data.Depth, intoTexture);
+            commands.SetRenderTarget(data.Color, data.Depth, 0, CubemapFace.Unknown, -1);
+            var camera = data.CameraData;
+            var size = camera.cameraTargetDescriptor;
+            // Both eyes of a headset are two slices.
+            bool hasBothEyes = size.volumeDepth > 1;
+            var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
+            target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
+            target.WidthPx = size.width;
+            target.HeightPx = size.height;
+            // With what temporal anti-aliasing moves it by.
+            target.Eye.Projection = camera.GetProjectionMatrix();
+            if (hasBothEyes)
+                target.RightEye.Projection = camera.GetProjectionMatrix(1);
+            data.Scene.Record(commands, camera.camera, target);
         }
 
         static void Enqueue(ScriptableRenderContext context, Camera camera)

@@ -70,8 +70,10 @@ namespace FastPoints.Gpu
         }
 
         /// <summary>Fills the list with what the stream's last frame listed.</summary>
+        /// <param name="view">Places are relative to its eye.</param>
         /// <param name="isAdaptive">Sizes are: without, <see cref="SizeNodes"/> is empty.</param>
-        public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false)
+        /// <param name="rightEye">Of a headset, <paramref name="view"/> being the left one: what either sees is listed.</param>
+        public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
         {
             if (isAdaptive)
                 m_sizes.Build(stream);
@@ -96,6 +98,8 @@ namespace FastPoints.Gpu
                 {
                     Pages = cloud.Pages,
                     View = new CloudView(view, cloud.Placement),
+                    RightView = rightEye != null ? new CloudView(rightEye.Value, cloud.Placement) : default,
+                    HasBothEyes = rightEye != null,
                     Placement = cloud.Placement,
                     Cubes = cloud.Source.Cubes,
                     Look = m_looks[c],

@@ -10,6 +10,10 @@ namespace FastPoints.Gpu
     {
         public HierarchyPage* Pages;
         public CloudView View;
+
+        /// <summary>Of a headset's right eye, with which nodes are drawn that only it sees.</summary>
+        public CloudView RightView;
+        public bool HasBothEyes;
         public CloudPlacement Placement;
         public NodeCubes Cubes;
         public CloudLook Look;
@@ -18,6 +22,9 @@ namespace FastPoints.Gpu
 
         /// <summary>Planes that are streamed.</summary>
         public int PlaneCount;
+
+        public readonly bool Sees(double3 center, double3 half) =>
+            View.Sees(center, half) || (HasBothEyes && RightView.Sees(center, half));
 
         /// <summary>The node's record, but for its first instance, tint and place in the size tree.</summary>
         /// <param name="firstWord">Of the node's planes, in its bank.</param>

@@ -60,7 +60,7 @@ namespace FastPoints.Gpu
                 if (cloud->Pages == null)
                     continue;
                 var node = cloud->Pages[drawn.Page].Nodes + drawn.Node;
-                if (!cloud->View.Sees(node->Center, node->Half))
+                if (!cloud->Sees(node->Center, node->Half))
                     continue;
                 while (InstanceOfBank.Length <= drawn.Run.Bank)
                     InstanceOfBank.Add(0);

@@ -1,0 +1,52 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Rendering
+{
+    /// <summary>Where one eye is and what it sees: a camera's, or one of the two of a headset.</summary>
+    public struct EyeMatrices
+    {
+        /// <summary>World to camera, which looks along its negative Z.</summary>
+        public Matrix4x4 View;
+        public Matrix4x4 Projection;
+        public double3 PlaceWorld;
+
+        /// <summary>What is drawn at the moment: the camera itself, or, where a headset's eyes are drawn one after the other,
+        /// that eye.</summary>
+        public static EyeMatrices Of(Camera camera)
+        {
+            if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
+                return Of(camera, (Camera.StereoscopicEye)camera.stereoActiveEye);
+            var place = camera.transform.position;
+            return new EyeMatrices
+            {
+                View = camera.worldToCameraMatrix,
+                Projection = camera.projectionMatrix,
+                PlaceWorld = new double3(place.x, place.y, place.z),
+            };
+        }
+
+        public static EyeMatrices Of(Camera camera, Camera.StereoscopicEye eye) =>
+            Of(camera.GetStereoViewMatrix(eye), camera.GetStereoProjectionMatrix(eye));
+
+        public static EyeMatrices Of(in Matrix4x4 view, in Matrix4x4 projection) => new EyeMatrices
+        {
+            View = view,
+            Projection = projection,
+            PlaceWorld = PlaceOf(view),
+        };
+
+        /// <summary>Of a matrix that turns and moves, mirrors at most.</summary>
+        static double3 PlaceOf(in Matrix4x4 view)
+        {
+            double3 x = Row(view, 0), y = Row(view, 1), z = Row(view, 2);
+            return -(x * view.m03 + y * view.m13 + z * view.m23);
+        }
+
+        static double3 Row(in Matrix4x4 matrix, int row)
+        {
+            var values = matrix.GetRow(row);
+            return new double3(values.x, values.y, values.z);
+        }
+    }
+}
