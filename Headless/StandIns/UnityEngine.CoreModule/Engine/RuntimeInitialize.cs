@@ -20,3 +20,12 @@ namespace UnityEngine
         }
     }
 }
+
+namespace UnityEngine.Scripting
+{
+    /// <summary>Has code stripping look into an assembly that nothing refers to.</summary>
+    [AttributeUsage(AttributeTargets.Assembly)]
+    public class AlwaysLinkAssemblyAttribute : Attribute
+    {
+    }
+}

@@ -1,0 +1,27 @@
+using System.Linq;
+using FastPoints.RepoTools.Api;
+using Mono.Cecil;
+using NUnit.Framework;
+
+namespace FastPoints.HostTests.Layers
+{
+    /// <summary>Code stripping leaves an assembly of a package out that nothing refers to, whatever it does when a player
+    /// starts.</summary>
+    public sealed class LinkedAssembliesTests
+    {
+        [Test]
+        public void AssembliesThatBeginByThemselves_AreKeptByCodeStripping()
+        {
+            using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
+            var beginning = builds.Package.Where(m => m.Types.SelectMany(t => t.Methods).Any(IsCalledAtTheStart)).ToList();
+
+            Assert.That(beginning.Select(m => m.Assembly.Name.Name),
+                Is.SupersetOf(new[] { "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp" }));
+            Assert.That(beginning.Where(m => !m.Assembly.CustomAttributes.Any(a => a.AttributeType.Name == "AlwaysLinkAssemblyAttribute"))
+                .Select(m => m.Name), Is.Empty);
+        }
+
+        static bool IsCalledAtTheStart(MethodDefinition method) =>
+            method.CustomAttributes.Any(a => a.AttributeType.Name == "RuntimeInitializeOnLoadMethodAttribute");
+    }
+}

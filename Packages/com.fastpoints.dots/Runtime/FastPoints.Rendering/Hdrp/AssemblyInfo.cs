@@ -1,0 +1,4 @@
+using UnityEngine.Scripting;
+
+// Nothing refers to this assembly: without this, code stripping would leave the pass out of players.
+[assembly: AlwaysLinkAssembly]
