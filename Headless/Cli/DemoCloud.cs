@@ -32,9 +32,7 @@ namespace FastPoints.Cli
             }
             else
             {
-                using var las = new LasReturnSink(path);
-                run.Pump(OrderedScan.Run(points, seed, order, las, run.Progress));
-                las.Complete();
+                run.Pump(LasScan.Run(path, points, seed, order, run.Progress));
             }
             run.Progress.Report(1, points, new FileInfo(path).Length);
             run.Progress.End();
@@ -46,11 +44,7 @@ namespace FastPoints.Cli
             string las = path + ".las.tmp";
             try
             {
-                using (var sink = new LasReturnSink(las))
-                {
-                    run.Pump(OrderedScan.Run(points, seed, order, sink, run.Progress));
-                    sink.Complete();
-                }
+                run.Pump(LasScan.Run(las, points, seed, order, run.Progress));
                 run.Progress.End();
                 run.Progress.Begin("compress");
                 using var file = new OutputFile(path);

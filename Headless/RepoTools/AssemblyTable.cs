@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.RepoTools
 {
@@ -18,8 +19,14 @@ namespace FastPoints.RepoTools
 
         public IEnumerable<Asmdef> All => m_asmdefs.Values.OrderBy(a => a.Name, StringComparer.Ordinal);
 
-        public static AssemblyTable Load(string packageRoot) => new AssemblyTable(
-            Directory.EnumerateFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories).Select(Asmdef.Load));
+        /// <summary>Those of the samples are joined: see <see cref="SampleAssemblies"/>.</summary>
+        public static AssemblyTable Load(string packageRoot)
+        {
+            string samples = Path.Combine(packageRoot, SampleAssemblies.Folder) + Path.DirectorySeparatorChar;
+            return new AssemblyTable(Directory.EnumerateFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories)
+                .Where(f => !f.StartsWith(samples, StringComparison.Ordinal)).Select(Asmdef.Load)
+                .Concat(SampleAssemblies.Join(SampleAssemblies.Load(packageRoot))));
+        }
 
         /// <summary>The assemblies that an asmdef names; none for an assembly without one.</summary>
         public IReadOnlyCollection<string> References(string assembly) =>

@@ -47,7 +47,7 @@ namespace FastPoints.HostTests.Layers
         /// <summary>An assembly within another's folder adds its folder's name to that assembly's.</summary>
         [Test]
         public void Asmdefs_OfThePackage_AreCalledAsTheirFolders() => Assert.That(
-            Table().All.Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name
+            Table().All.Where(a => a.File.Length > 0).Where(a => Path.GetFileNameWithoutExtension(a.File) != a.Name
                 || (!FoldersOf(a.File).Contains(a.Name) && a.Name != "FastPoints.Editor")).Select(a => a.File),
             Is.Empty);
 
@@ -57,6 +57,24 @@ namespace FastPoints.HostTests.Layers
             string name = Path.GetFileName(folder);
             return new[] { name, Path.GetFileName(Path.GetDirectoryName(folder)) + "." + name };
         }
+
+        [Test]
+        public void Samples_OfThePackage_AreWhatTheJoinedProjectsCompile() =>
+            Assert.That(SampleAssemblies.Check(SampleAssemblies.Load(Checkout.Repository.PackageRoot)), Is.Empty);
+
+        [Test]
+        public void Samples_PlantedReference_IsReported()
+        {
+            var samples = SampleAssemblies.Load(Checkout.Repository.PackageRoot);
+            samples[0] = samples[0] with { References = samples[0].References.Append("Unity.Physics").ToArray() };
+
+            Assert.That(SampleAssemblies.Check(samples), Has.Some.Contains("references Unity.Physics, other samples do not"));
+        }
+
+        [TestCase("namespace FastPoints.Samples.Second\n", "wanted namespace FastPoints.Samples.First")]
+        [TestCase("using FastPoints.Samples.Second;\nnamespace FastPoints.Samples.First\n", "uses FastPoints.Samples.Second")]
+        public void Samples_PlantedSource_IsReported(string text, string reported) =>
+            Assert.That(SampleAssemblies.CheckSource("A.cs", text, "First"), Has.Some.Contains(reported));
 
         private static AssemblyTable Table() => AssemblyTable.Load(Checkout.Repository.PackageRoot);
 

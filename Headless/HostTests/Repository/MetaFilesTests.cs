@@ -18,6 +18,7 @@ namespace FastPoints.HostTests.Repository
             Put("Runtime/A/One.cs", "");
             Put("Shaders/Draw.shader", "");
             Put("Documentation~/manual.md", "");
+            Put("Samples~/First/Go.cs", "");
             Put(".hidden/x.cs", "");
         }
 
@@ -34,7 +35,8 @@ namespace FastPoints.HostTests.Repository
                 .Select(f => Path.GetRelativePath(m_root, f).Replace('\\', '/')).OrderBy(f => f, System.StringComparer.Ordinal).ToArray();
             Assert.That(metas, Is.EqualTo(new[]
             {
-                "Runtime.meta", "Runtime/A.meta", "Runtime/A/One.cs.meta", "Shaders.meta", "Shaders/Draw.shader.meta",
+                "Runtime.meta", "Runtime/A.meta", "Runtime/A/One.cs.meta", "Samples~/First.meta",
+                "Samples~/First/Go.cs.meta", "Shaders.meta", "Shaders/Draw.shader.meta",
                 "package.json.meta",
             }));
             Assert.That(Check(), Is.Empty);

@@ -12,7 +12,9 @@ namespace FastPoints.RepoTools.Api
         private static readonly string[] s_assemblies =
         {
             "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp",
-            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "FastPoints.Tests",
+            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Scenes", "FastPoints.Benchmarks",
+            "FastPoints.Samples", "FastPoints.Samples.Editor",
+            "FastPoints.Tests",
         };
 
         private readonly Resolver m_resolver = new Resolver();
@@ -30,6 +32,7 @@ namespace FastPoints.RepoTools.Api
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Tests", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Editor", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Samples.Editor", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Urp", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Hdrp", generation));
             foreach (string folder in NetStandardFolders())

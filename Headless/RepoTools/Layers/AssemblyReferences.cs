@@ -27,12 +27,20 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
             ["FastPoints.Editor"] = s_shared
-                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "Unity.Entities", "Unity.Entities.Hybrid" })
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes", "Unity.Entities", "Unity.Entities.Hybrid" })
                 .ToArray(),
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
                 .Concat(new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" }).ToArray(),
-            ["FastPoints.Benchmarks"] = s_shared,
+            ["FastPoints.Scenes"] = s_shared,
+            ["FastPoints.Samples"] = s_shared.Concat(s_entities)
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
+            ["FastPoints.Samples.Editor"] = new[]
+            {
+                "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Samples", "Unity.Entities",
+                "Unity.Mathematics",
+            },
+            ["FastPoints.Benchmarks"] = s_shared.Append("FastPoints.Scenes").ToArray(),
         };
 
         /// <summary>What an asmdef says against the table; an assembly that is not in the table needs its row first.</summary>

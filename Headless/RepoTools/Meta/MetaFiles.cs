@@ -15,6 +15,7 @@ namespace FastPoints.RepoTools.Meta
     public sealed class MetaFiles
     {
         private const string Extension = ".meta";
+        private const string Samples = "Samples~";
         private readonly string m_root;
 
         public MetaFiles(string packageRoot)
@@ -105,14 +106,14 @@ namespace FastPoints.RepoTools.Meta
             }
         }
 
-        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~
-        /// names.</summary>
+        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~ names; the package
+        /// manager copies what is in <see cref="Samples"/> into a project, .meta files with it.</summary>
         private SortedSet<string> Assets()
         {
             var assets = new SortedSet<string>(StringComparer.Ordinal);
             foreach (string path in Visible(".").Where(p => !p.EndsWith(Extension, StringComparison.Ordinal)))
             {
-                for (string? part = path; !string.IsNullOrEmpty(part); part = ParentOf(part))
+                for (string? part = path; !string.IsNullOrEmpty(part) && part != Samples; part = ParentOf(part))
                     assets.Add(part);
             }
             return assets;
@@ -123,10 +124,10 @@ namespace FastPoints.RepoTools.Meta
 
         private IEnumerable<string> Visible(string folder)
         {
-            foreach (string entry in Directory.EnumerateFileSystemEntries(Path.Combine(m_root, folder)))
+            foreach (string entry in Directory.EnumerateFileSystemEntries(folder == "." ? m_root : PathOf(folder)))
             {
                 string name = Path.GetFileName(entry);
-                if (name.StartsWith('.') || name.EndsWith('~') || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase))
+                if (name.StartsWith('.') || (name.EndsWith('~') && entry != PathOf(Samples)) || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase))
                     continue;
                 string path = folder == "." ? name : folder + "/" + name;
                 if (!Directory.Exists(entry))

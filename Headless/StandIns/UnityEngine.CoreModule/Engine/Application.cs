@@ -14,6 +14,13 @@ namespace UnityEngine
 
         public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
 
+        /// <summary>Of a test; there is none otherwise.</summary>
+        internal static string PlayerFiles;
+
+        public static string persistentDataPath => PlayerFiles;
+
+        public static string temporaryCachePath => PlayerFiles;
+
         public static string streamingAssetsPath => AppContext.BaseDirectory + "StreamingAssets";
     }
 }

@@ -5,5 +5,7 @@ namespace UnityEngine
         public GameObject gameObject { get; internal set; }
 
         public Transform transform => gameObject.transform;
+
+        public T GetComponent<T>() => gameObject.GetComponent<T>();
     }
 }

@@ -7,6 +7,14 @@ namespace UnityEngine
     {
     }
 
+    [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
+    public sealed class RequireComponent : Attribute
+    {
+        public Type m_Type0;
+
+        public RequireComponent(Type requiredComponent) => m_Type0 = requiredComponent;
+    }
+
     public sealed class ExecuteAlways : Attribute
     {
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Reflection;
 using StandIns.Scene;
 
 namespace UnityEngine
@@ -27,17 +28,27 @@ namespace UnityEngine
                     SceneLoop.Refresh(behaviour);
         }
 
+        /// <summary>Without its mesh.</summary>
+        public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
+
         public T AddComponent<T>() where T : Component
         {
-            var component = Activator.CreateInstance<T>();
+            foreach (var required in typeof(T).GetCustomAttributes<RequireComponent>())
+                if (m_components.Find(required.m_Type0.IsInstanceOfType) == null)
+                    Add((Component)Activator.CreateInstance(required.m_Type0));
+            return (T)Add(Activator.CreateInstance<T>());
+        }
+
+        public T GetComponent<T>() => m_components.Find(c => c is T) is T found ? found : default;
+
+        Component Add(Component component)
+        {
             component.gameObject = this;
             m_components.Add(component);
             if (component is Behaviour behaviour)
                 SceneLoop.Refresh(behaviour);
             return component;
         }
-
-        public T GetComponent<T>() => m_components.Find(c => c is T) is T found ? found : default;
 
         internal override void OnDestroyed()
         {

@@ -4,11 +4,15 @@ using UnityEngine;
 
 namespace StandIns.Scene
 {
-    /// <summary>What the engine's loop tells behaviours, as in an editor that does not play: those that are ExecuteAlways, and no
+    /// <summary>What the engine's loop tells behaviours: in an editor that does not play, those that are ExecuteAlways, and no
     /// others.</summary>
     static class SceneLoop
     {
         static readonly List<Behaviour> s_told = new List<Behaviour>();
+
+        /// <summary>Whether behaviours that are made from now on are told whatever they are, as in play mode. Nothing else
+        /// changes.</summary>
+        public static bool TellsAll { get; set; }
 
         /// <summary>One Update of all that are enabled.</summary>
         public static void Update()
@@ -32,7 +36,7 @@ namespace StandIns.Scene
         internal static void Refresh(Behaviour behaviour)
         {
             bool isOn = behaviour.isActiveAndEnabled;
-            if (isOn == behaviour.IsTold || behaviour.GetType().GetCustomAttribute<ExecuteAlways>() == null)
+            if (isOn == behaviour.IsTold || !(behaviour.IsTold || TellsAll || IsToldAlways(behaviour)))
                 return;
             behaviour.IsTold = isOn;
             if (isOn)
@@ -41,6 +45,8 @@ namespace StandIns.Scene
                 s_told.Remove(behaviour);
             Send(behaviour, isOn ? "OnEnable" : "OnDisable");
         }
+
+        static bool IsToldAlways(Behaviour behaviour) => behaviour.GetType().GetCustomAttribute<ExecuteAlways>() != null;
 
         internal static void Forget(Behaviour behaviour) => s_told.Remove(behaviour);
 

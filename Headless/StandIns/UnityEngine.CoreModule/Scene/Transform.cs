@@ -16,6 +16,25 @@ namespace UnityEngine
             }
         }
 
+        public Vector3 localScale
+        {
+            get => new Vector3(((Vector3)localToWorldMatrix.GetColumn(0)).magnitude, ((Vector3)localToWorldMatrix.GetColumn(1)).magnitude,
+                ((Vector3)localToWorldMatrix.GetColumn(2)).magnitude);
+            set => Place(position, value, Axis(0), Axis(1), Axis(2));
+        }
+
+        public void SetPositionAndRotation(Vector3 position, Quaternion rotation) =>
+            Place(position, localScale, rotation * Vector3.right, rotation * Vector3.up, rotation * Vector3.forward);
+
+        Vector3 Axis(int axis) => ((Vector3)localToWorldMatrix.GetColumn(axis)).normalized;
+
+        void Place(Vector3 position, Vector3 scale, Vector3 x, Vector3 y, Vector3 z)
+        {
+            (x, y, z) = (x * scale.x, y * scale.y, z * scale.z);
+            localToWorldMatrix = new Matrix4x4(new Vector4(x.x, x.y, x.z, 0), new Vector4(y.x, y.y, y.z, 0),
+                new Vector4(z.x, z.y, z.z, 0), new Vector4(position.x, position.y, position.z, 1));
+        }
+
         internal Transform Parent { get; private set; }
 
         /// <summary>Remembered, but the matrix stays its own.</summary>

@@ -25,6 +25,9 @@ namespace UnityEngine
 
         readonly List<(CameraEvent Event, CommandBuffer Commands)> m_commands = new List<(CameraEvent, CommandBuffer)>();
 
+        /// <summary>The one that a host or a new scene made last.</summary>
+        public static Camera main { get; internal set; }
+
         public CameraType cameraType { get; set; } = CameraType.Game;
 
         public Matrix4x4 worldToCameraMatrix { get; set; } = Matrix4x4.identity;

@@ -1,4 +1,3 @@
-using FastPoints.Scenes;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Mathematics;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using FastPoints.Scenes;
+using FastPoints.Benchmarks;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections;

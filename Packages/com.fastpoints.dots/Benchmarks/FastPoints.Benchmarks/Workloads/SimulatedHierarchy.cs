@@ -1,10 +1,11 @@
 using System;
+using FastPoints.Scenes;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
-namespace FastPoints.Scenes
+namespace FastPoints.Benchmarks
 {
     /// <summary>
     /// The hierarchy of a surface scan that nobody has to store: squares of a hilly plane, each with four below it, a twentieth

@@ -46,9 +46,10 @@ namespace FastPoints.Scenes
             {
                 var shadow = new SunShadow(Allocator.Persistent);
                 var buffers = new[] { new Batch(), new Batch() };
+                JobHandle cast = default;
                 try
                 {
-                    var cast = new SunShadow.CastShadowsJob { Objects = scene.Objects, TopOfCell = shadow.TopOfCell }.Schedule();
+                    cast = new SunShadow.CastShadowsJob { Objects = scene.Objects, TopOfCell = shadow.TopOfCell }.Schedule();
                     yield return cast;
                     cast.Complete();
 
@@ -102,6 +103,7 @@ namespace FastPoints.Scenes
                 }
                 finally
                 {
+                    cast.Complete();
                     buffers[0].Dispose();
                     buffers[1].Dispose();
                     shadow.TopOfCell.Dispose();

@@ -1,0 +1,134 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Text.Json;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using FastPoints.HostTests.Editor;
+using FastPoints.Samples.AttributeColours;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Samples
+{
+    /// <summary>The menu commands of samples, and the scan that their scenes show.</summary>
+    public sealed class SampleSceneTests
+    {
+        EditorProject m_project;
+
+        [SetUp]
+        public void OpenProject() => m_project = new EditorProject();
+
+        [TearDown]
+        public void CloseProject()
+        {
+            EditorSceneManager.s_goesOn = true;
+            m_project.Dispose();
+        }
+
+        static MethodInfo[] Commands() => Assembly.Load("FastPoints.Samples.Editor").GetTypes()
+            .SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.NonPublic))
+            .Where(m => m.GetCustomAttribute<MenuItem>() != null).ToArray();
+
+        static string[] Names() => Commands().Select(m => m.GetCustomAttribute<MenuItem>().menuItem).ToArray();
+
+        string Street => m_project.Paths.Absolute("PointClouds/street.las");
+
+        /// <summary>A smaller one in its place: what is there is not scanned again.</summary>
+        void PutSmallStreet()
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(Street));
+            m_project.Scratch.Demo("project/PointClouds/street.las", 3000);
+        }
+
+        static void Updates(Func<bool> isDone) => ImportProject.Updates(() => EditorApplication.update?.Invoke(), isDone);
+
+        [TestCaseSource(nameof(Names))]
+        public void Command_OfASample_MakesItsScene(string name)
+        {
+            PutSmallStreet();
+            Camera.main = null;
+
+            Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem == name).Invoke(null, null);
+            Updates(() => Camera.main != null);
+
+            Assert.That(m_project.Asset(SampleScan.AssetPath), Is.Not.Null);
+            Assert.That(Camera.main.transform.position.y, Is.GreaterThan(0));
+        }
+
+        [Test]
+        public void Commands_OfSamples_AreOneForEachListedSample()
+        {
+            string package = Checkout.Repository.PackageRoot;
+            using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(package, "package.json")));
+            var listed = manifest.RootElement.GetProperty("samples").EnumerateArray()
+                .Select(s => (Path: s.GetProperty("path").GetString(), Name: s.GetProperty("displayName").GetString())).ToArray();
+
+            Assert.That(listed.Select(s => s.Path), Is.EquivalentTo(Directory.GetDirectories(Path.Combine(package, "Samples~"))
+                .Select(d => "Samples~/" + Path.GetFileName(d))));
+            Assert.That(Names(), Is.EquivalentTo(listed.Select(s => "FastPoints/Samples/" + s.Name)));
+            Assert.That(listed.Where(s => !File.Exists(Path.Combine(package, s.Path, "README.md"))), Is.Empty);
+        }
+
+        [Test]
+        public void AttributeColours_Scene_HasTheSwitchOnTheCloud()
+        {
+            PutSmallStreet();
+
+            Commands().Single(m => m.GetCustomAttribute<MenuItem>().menuItem.EndsWith("Attribute colours")).Invoke(null, null);
+            Updates(() => Selection.activeObject is GameObject o && o.GetComponent<ColourSwitch>() != null);
+
+            var cloud = ((GameObject)Selection.activeObject).GetComponent<FastPoints.Entities.PointCloud>();
+            Assert.That(cloud.Cloud, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));
+        }
+
+        [Test]
+        public void Make_UserKeepsHisScene_NothingIsMade()
+        {
+            PutSmallStreet();
+            EditorSceneManager.s_goesOn = false;
+            Camera.main = null;
+            bool isFilled = false;
+
+            SampleScene.Make(_ => isFilled = true);
+            Updates(() => m_project.Asset(SampleScan.AssetPath) != null);
+
+            Assert.That(Camera.main, Is.Null);
+            Assert.That(isFilled, Is.False);
+        }
+
+        [Test]
+        public void Get_AskedTwiceAndAgain_MakesOneAsset()
+        {
+            PutSmallStreet();
+            var got = new List<PointCloudAsset>();
+
+            SampleScan.Get(got.Add);
+            SampleScan.Get(got.Add);
+            Updates(() => got.Count == 2);
+            SampleScan.Get(got.Add);
+
+            Assert.That(got, Has.Count.EqualTo(3));
+            Assert.That(got.Distinct().Count(), Is.EqualTo(1));
+            Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
+        }
+
+        [Test]
+        public void Get_ScriptsReloadedMidway_LeavesNothing()
+        {
+            bool isMade = false;
+            SampleScan.Get(_ => isMade = true);
+            Updates(() => Directory.GetFiles(Path.GetDirectoryName(Street)).Length > 0);
+
+            AssemblyReloadEvents.Reload();
+
+            Assert.That(Directory.GetFiles(Path.GetDirectoryName(Street), "street*"), Is.Empty);
+            Assert.That(isMade, Is.False);
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+        }
+    }
+}

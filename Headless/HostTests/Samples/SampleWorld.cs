@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using FastPoints.Entities;
+using FastPoints.HostTests.Cli;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using StandIns.Scene;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Samples
+{
+    /// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>
+    sealed class SampleWorld : IDisposable
+    {
+        const int MostFrames = 10_000_000;
+
+        readonly List<GameObject> m_objects = new List<GameObject>();
+
+        public SampleWorld()
+        {
+            World = World.DefaultGameObjectInjectionWorld = new World("sample");
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(World, typeof(PointCloudSystemGroup).Assembly.GetTypes()
+                .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray());
+            Group = World.GetExistingSystemManaged<PointCloudSystemGroup>();
+            Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
+            Application.PlayerFiles = Scratch.Root;
+            SceneLoop.TellsAll = true;
+        }
+
+        public ScratchFolder Scratch { get; } = new ScratchFolder();
+        public World World { get; }
+        public PointCloudSystemGroup Group { get; }
+
+        /// <summary>A converted cloud's asset.</summary>
+        public PointCloudAsset Asset(int points)
+        {
+            string path = Scratch["scan.fastpoints"];
+            var call = CliCall.Of("convert", Scratch.Demo(points: points), "-o", path, "--quiet");
+            Assert.That(call.Status, Is.EqualTo(FastPoints.Cli.ExitStatus.Done), call.Error);
+            using var folder = FastPoints.Store.CloudFolder.Open(path);
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.PlayerPath = path;
+            asset.BoundsMin = folder.Manifest.BoundsGeo.Min;
+            asset.BoundsMax = folder.Manifest.BoundsGeo.Max;
+            asset.MetresPerUnit = folder.Manifest.MetresPerUnit;
+            return asset;
+        }
+
+        /// <summary>On a GameObject of its own, which goes with the world; what it shows is set before it is enabled.</summary>
+        public T Add<T>(Action<T> set = null)
+            where T : MonoBehaviour
+        {
+            var holder = new GameObject(typeof(T).Name);
+            m_objects.Add(holder);
+            holder.SetActive(false);
+            var component = holder.AddComponent<T>();
+            set?.Invoke(component);
+            holder.SetActive(true);
+            return component;
+        }
+
+        public void Frame()
+        {
+            SceneLoop.Update();
+            Group.Views.Add(new StreamView { EyeWorld = new double3(0, 30, 0), ScalePx = 500 });
+            World.Update();
+        }
+
+        public void Frames(Func<bool> isDone)
+        {
+            for (int frame = 0; frame < MostFrames && !isDone(); frame++)
+            {
+                Frame();
+                Thread.Yield();
+            }
+            Assert.That(isDone(), Is.True);
+        }
+
+        /// <summary>Until all that the camera needs is drawn, and entities have followed.</summary>
+        public void Settle() => Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0 &&
+            Count<PointCloudNode>() == Group.Stats.CachedNodes);
+
+        public int Count<T>()
+            where T : unmanaged, IComponentData
+        {
+            using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(World.EntityManager);
+            return query.CalculateEntityCount();
+        }
+
+        public void Dispose()
+        {
+            SceneLoop.TellsAll = false;
+            foreach (var holder in m_objects)
+                UnityEngine.Object.DestroyImmediate(holder);
+            World.Dispose();
+            World.DefaultGameObjectInjectionWorld = null;
+            Application.PlayerFiles = null;
+            Scratch.Dispose();
+        }
+    }
+}

@@ -1,0 +1,9 @@
+using System;
+
+namespace Unity.Entities
+{
+    [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct, Inherited = false)]
+    public sealed class DisableAutoCreationAttribute : Attribute
+    {
+    }
+}

@@ -1,0 +1,10 @@
+namespace UnityEngine.SceneManagement
+{
+    public struct Scene
+    {
+    }
+
+    public class SceneManager
+    {
+    }
+}

@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Entities;
+using FastPoints.Scenes;
+using Unity.Jobs;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary><em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples, and for those who have no scan at
+    /// hand. Made in slices beside other work, then imported like any other file.</summary>
+    public static class SampleScan
+    {
+        public const string AssetPath = "Assets/street.pointcloud";
+
+        /// <summary>36 MB of LAS.</summary>
+        public const int Points = 1_000_000;
+
+        const uint Seed = 1;
+        const double UpdateMs = 4;
+
+        static readonly List<Action<PointCloudAsset>> s_waiting = new List<Action<PointCloudAsset>>();
+        static readonly StageProgress s_stage = new StageProgress();
+        static WorkPump s_pump;
+        static int s_progress;
+
+        [MenuItem("Assets/Import sample point cloud", false, 21)]
+        static void Import() => Get(asset => Selection.activeObject = asset);
+
+        /// <summary>The sample's asset, which is made first where there is none.</summary>
+        /// <param name="done">Called on the main thread: at once where the asset is there, and not at all where it cannot be
+        /// made.</param>
+        public static void Get(Action<PointCloudAsset> done)
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetPath);
+            if (asset != null)
+            {
+                done(asset);
+                return;
+            }
+            s_waiting.Add(done);
+            if (s_pump == null)
+                Begin();
+        }
+
+        static string SourcePath => PointCloudImports.Current.Paths.Absolute(ProjectPaths.DefaultClouds + "/street.las");
+
+        static void Begin()
+        {
+            string path = SourcePath;
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            s_pump = new WorkPump(File.Exists(path) ? Nothing() : LasScan.Run(path, Points, Seed, progress: s_stage));
+            s_progress = Progress.Start("Scan a street", null, Progress.Options.Managed);
+            Progress.RegisterCancelCallback(s_progress, () =>
+            {
+                End();
+                return true;
+            });
+            EditorApplication.update += Update;
+            AssemblyReloadEvents.beforeAssemblyReload += Cancel;
+            EditorApplication.quitting += Cancel;
+        }
+
+        static IEnumerator<JobHandle> Nothing()
+        {
+            yield break;
+        }
+
+        static void Update()
+        {
+            bool isDone;
+            try
+            {
+                isDone = s_pump.Tick(UpdateMs);
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogError("FastPoints: " + e.Message);
+                Progress.Finish(s_progress, Progress.Status.Failed);
+                End();
+                return;
+            }
+            Progress.Report(s_progress, (float)s_stage.Share, null);
+            if (!isDone)
+                return;
+            Progress.Finish(s_progress);
+            var waiting = s_waiting.ToArray();
+            End();
+            var asset = PointCloudImports.Current.Take(SourcePath, Path.GetDirectoryName(AssetPath));
+            if (asset != null)
+                foreach (var done in waiting)
+                    done(asset);
+        }
+
+        static void Cancel()
+        {
+            Progress.Finish(s_progress, Progress.Status.Canceled);
+            End();
+        }
+
+        /// <summary>What is not whole leaves nothing.</summary>
+        static void End()
+        {
+            EditorApplication.update -= Update;
+            AssemblyReloadEvents.beforeAssemblyReload -= Cancel;
+            EditorApplication.quitting -= Cancel;
+            s_pump.Cancel();
+            s_pump = null;
+            s_waiting.Clear();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using FastPoints.Entities;
+using FastPoints.Gpu;
+using FastPoints.Rendering;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>What the package's samples begin with: a scene with Unity's camera and light, settings of point clouds, and the
+    /// sample's street.</summary>
+    public static class SampleScene
+    {
+        /// <summary>Above one end of the street, which runs along X, looking along it.</summary>
+        static readonly Vector3 s_eye = new Vector3(-75, 16, -14);
+        static readonly Vector3 s_forward = new Vector3(1, -0.25f, 0.2f);
+
+        /// <summary>Makes the scene in place of those that are open, which the user may save first.</summary>
+        /// <param name="fill">Adds what the sample shows.</param>
+        public static void Make(Action<PointCloudAsset> fill) => SampleScan.Get(asset =>
+        {
+            if (!EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
+                return;
+            EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
+            Camera.main.transform.SetPositionAndRotation(s_eye, Quaternion.LookRotation(s_forward));
+            var settings = Add<PointCloudSettings>("Point cloud settings");
+            settings.Shape = PointShape.Disc;
+            settings.SizeMode = PointSizeMode.Adaptive;
+            settings.Size = PointSize.DefaultGaps;
+            settings.EyeDomeLighting = 0.25f;
+            fill(asset);
+        });
+
+        /// <summary>A GameObject with one component, as the <em>GameObject</em> menu makes it: Undo takes it away.</summary>
+        public static T Add<T>(string name)
+            where T : Component => ObjectFactory.AddComponent<T>(ObjectFactory.CreateGameObject(name));
+    }
+}

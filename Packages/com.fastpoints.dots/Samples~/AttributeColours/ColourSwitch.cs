@@ -1,0 +1,53 @@
+using System;
+using FastPoints.Entities;
+using FastPoints.Picture;
+using UnityEngine;
+using Gradient = FastPoints.Picture.Gradient;
+
+namespace FastPoints.Samples.AttributeColours
+{
+    /// <summary>Buttons that change what a cloud's points are coloured by, and which classes it shows. Each change has another plane
+    /// streamed: bytes that no colour needs are not read.</summary>
+    [RequireComponent(typeof(PointCloud))]
+    [AddComponentMenu("FastPoints/Samples/Colour Switch")]
+    public sealed class ColourSwitch : MonoBehaviour
+    {
+        /// <summary>Of the sample's street: ground, plants and buildings, by the numbers of ASPRS.</summary>
+        static readonly (int Class, string Name)[] s_classes = { (2, "ground"), (5, "high vegetation"), (6, "building") };
+
+        static readonly ColorMode[] s_modes = (ColorMode[])Enum.GetValues(typeof(ColorMode));
+        static readonly Gradient[] s_gradients = (Gradient[])Enum.GetValues(typeof(Gradient));
+
+        void OnGUI()
+        {
+            var cloud = GetComponent<PointCloud>();
+            foreach (var mode in s_modes)
+                if (GUILayout.Toggle(cloud.Color == mode, mode.ToString()))
+                    cloud.Color = mode;
+            foreach (var gradient in s_gradients)
+                if (GUILayout.Toggle(cloud.Gradient == gradient, "Gradient " + gradient))
+                    cloud.Gradient = gradient;
+            foreach (var (number, name) in s_classes)
+                Show(number, GUILayout.Toggle(!IsHidden(cloud, number), "Show " + name));
+        }
+
+        /// <summary>Shows or hides the points of a class.</summary>
+        public void Show(int number, bool isShown)
+        {
+            var cloud = GetComponent<PointCloud>();
+            if (IsHidden(cloud, number) != isShown)
+                return;
+            var hidden = cloud.HiddenClasses;
+            cloud.HiddenClasses = isShown ? Array.FindAll(hidden, c => c != number) : Append(hidden, number);
+        }
+
+        static bool IsHidden(PointCloud cloud, int number) => Array.IndexOf(cloud.HiddenClasses, number) >= 0;
+
+        static int[] Append(int[] classes, int number)
+        {
+            Array.Resize(ref classes, classes.Length + 1);
+            classes[classes.Length - 1] = number;
+            return classes;
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using FastPoints.Editor;
+using FastPoints.Picture;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Samples.AttributeColours
+{
+    /// <summary>The street by classes, with a box to look into.</summary>
+    static class AttributeColoursScene
+    {
+        [MenuItem("FastPoints/Samples/Attribute colours")]
+        static void Make() => SampleScene.Make(asset =>
+        {
+            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            cloud.Color = ColorMode.Classification;
+            ObjectFactory.AddComponent<ColourSwitch>(cloud.gameObject);
+            var box = SampleScene.Add<FastPoints.Entities.PointCloudClipBox>("Clip box").transform;
+            box.position = new Vector3(-20, 10, 0);
+            box.localScale = new Vector3(80, 40, 60);
+        });
+    }
+}

@@ -1,0 +1,12 @@
+using FastPoints.Editor;
+using UnityEditor;
+
+namespace FastPoints.Samples.EntitiesOnly
+{
+    /// <summary>The scene's one object: entities are made in play mode.</summary>
+    static class EntitiesOnlyScene
+    {
+        [MenuItem("FastPoints/Samples/Entities only")]
+        static void Make() => SampleScene.Make(asset => SampleScene.Add<EntitiesOnlyStart>("Start").Cloud = asset);
+    }
+}

@@ -1,0 +1,53 @@
+using FastPoints.Entities;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
+using UnityEngine;
+
+namespace FastPoints.Samples.EntitiesOnly
+{
+    /// <summary>Makes the entities of a cloud and of its budget by hand, and has a system of ours look at the cloud's nodes. The one
+    /// GameObject of the scene beside the camera: a game's own bootstrap takes its place.</summary>
+    [AddComponentMenu("FastPoints/Samples/Entities Only Start")]
+    public sealed class EntitiesOnlyStart : MonoBehaviour
+    {
+        [Tooltip("The cloud: what the editor makes of a file that is dropped into the project.")]
+        public PointCloudAsset Cloud;
+
+        World m_world;
+        Entity m_cloud;
+        Entity m_budget;
+
+        void OnEnable()
+        {
+            m_world = World.DefaultGameObjectInjectionWorld;
+            var entities = m_world.EntityManager;
+
+            m_cloud = entities.CreateEntity();
+            entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
+            entities.AddComponentObject(m_cloud, Cloud.File());
+
+            m_budget = entities.CreateEntity();
+            entities.AddComponentData(m_budget, new PointCloudBudget
+            {
+                Points = 1_000_000,
+                PoolBytes = 256 << 20,
+                UploadBytesPerFrame = 4 << 20,
+                SmallestNodePx = 1,
+            });
+
+            var tint = m_world.GetOrCreateSystemManaged<TintNodesSystem>();
+            m_world.GetExistingSystemManaged<SimulationSystemGroup>().AddSystemToUpdateList(tint);
+        }
+
+        void OnDisable()
+        {
+            if (!m_world.IsCreated)
+                return;
+            var tint = m_world.GetExistingSystemManaged<TintNodesSystem>();
+            m_world.GetExistingSystemManaged<SimulationSystemGroup>().RemoveSystemFromUpdateList(tint);
+            m_world.EntityManager.DestroyEntity(m_cloud);
+            m_world.EntityManager.DestroyEntity(m_budget);
+        }
+    }
+}

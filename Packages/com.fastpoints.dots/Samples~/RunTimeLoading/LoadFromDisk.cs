@@ -1,0 +1,103 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Entities;
+using FastPoints.Files;
+using FastPoints.Pipeline;
+using FastPoints.Scenes;
+using FastPoints.Store;
+using Unity.Jobs;
+using UnityEngine;
+
+namespace FastPoints.Samples.RunTimeLoading
+{
+    /// <summary>
+    /// Shows a file that the player finds on disk: converts it once, a few milliseconds a frame, into the application's own
+    /// data, and shows it from there. What is finished of it is shown meanwhile; a conversion that was broken off is continued.
+    /// </summary>
+    [RequireComponent(typeof(PointCloud))]
+    [AddComponentMenu("FastPoints/Samples/Load From Disk")]
+    public sealed class LoadFromDisk : MonoBehaviour
+    {
+        [Tooltip("LAS, LAZ, COPC, PLY, E57 or text, or a folder; a street of 200,000 points is scanned where this is empty.")]
+        public string Source;
+
+        [Range(1, 30)]
+        [Tooltip("Time of the main thread in each frame, in ms.")]
+        public float FrameMs = 4;
+
+        readonly StageProgress m_progress = new StageProgress();
+        WorkPump m_pump;
+        string m_target;
+
+        /// <summary>One line for the user.</summary>
+        public string Status { get; private set; } = "";
+
+        public bool IsDone { get; private set; }
+
+        void OnEnable()
+        {
+            IsDone = false;
+            m_pump = new WorkPump(Load());
+        }
+
+        void OnDisable() => m_pump.Cancel();
+
+        void Update()
+        {
+            if (m_pump.IsDone)
+                return;
+            try
+            {
+                IsDone = m_pump.Tick(FrameMs);
+            }
+            catch (PointCloudException e)
+            {
+                // The file is at fault: its name, the byte, what was wanted and what was got.
+                Status = e.Message;
+                Debug.LogError(e.Message);
+                return;
+            }
+            var cloud = GetComponent<PointCloud>();
+            // As soon as a folder that is being made can be opened, and once more when it is whole.
+            if (m_target != null && cloud.Path != m_target && CloudFolder.IsCloud(m_target))
+                cloud.Path = m_target;
+            else if (IsDone)
+                cloud.Reopen();
+            Status = IsDone ? m_target : string.Format(CultureInfo.InvariantCulture, "{0} {1:0} %", m_progress.Current, m_progress.Share * 100);
+        }
+
+        void OnGUI() => GUILayout.Label(Status);
+
+        IEnumerator<JobHandle> Load()
+        {
+            string source = Source;
+            if (string.IsNullOrEmpty(source))
+            {
+                source = Path.Combine(Application.temporaryCachePath, "street.las");
+                m_progress.Begin("scan");
+                using (var scan = LasScan.Run(source, 200_000, 1, progress: m_progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+                m_progress.End();
+            }
+            m_target = Path.Combine(Application.persistentDataPath, CloudName.Of(source) + StoreFormat.FolderExtension);
+            // The folder has this name when it is whole, and another one before.
+            if (Directory.Exists(m_target))
+                yield break;
+            // A slow disk stops no frame.
+            var opening = Task.Run(() => PointReaders.Open(source));
+            while (!opening.IsCompleted)
+                yield return default;
+            using (var reader = opening.GetAwaiter().GetResult())
+            {
+                var settings = new ConvertSettings { KeepUnfinished = true };
+                using (var convert = ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress))
+                    while (convert.MoveNext())
+                        yield return convert.Current;
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+using FastPoints.Editor;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Samples.StreamingFlight
+{
+    /// <summary>The camera flies through the street in play mode.</summary>
+    static class StreamingFlightScene
+    {
+        [MenuItem("FastPoints/Samples/Streaming flight")]
+        static void Make() => SampleScene.Make(asset =>
+        {
+            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            var camera = Camera.main.gameObject;
+            ObjectFactory.AddComponent<FlyThrough>(camera).Cloud = cloud;
+            ObjectFactory.AddComponent<FrameFigures>(camera);
+        });
+    }
+}
