@@ -133,8 +133,8 @@ namespace FastPoints.HostTests.Samples
                 return fly.transform.position;
             }).ToArray();
 
-            Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.6 * size.x).Within(0.1));
-            Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.6 * size.y).Within(0.1));
+            Assert.That(places.Max(p => p.x) - places.Min(p => p.x), Is.EqualTo(0.3 * size.x).Within(0.1));
+            Assert.That(places.Max(p => p.z) - places.Min(p => p.z), Is.EqualTo(0.3 * size.y).Within(0.1));
             Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
             var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
             Assert.That(Vector3.Dot(along, (places[120] - places[119]).normalized), Is.GreaterThan(0.8f), "it looks along its way");

@@ -12,9 +12,9 @@ namespace FastPoints.Editor
     /// sample's street.</summary>
     public static class SampleScene
     {
-        /// <summary>Above one end of the street, which runs along X, looking along it.</summary>
-        static readonly Vector3 s_eye = new Vector3(-75, 16, -14);
-        static readonly Vector3 s_forward = new Vector3(1, -0.25f, 0.2f);
+        /// <summary>In the street, which runs along X, looking along it.</summary>
+        static readonly Vector3 s_eye = new Vector3(-69, 6, -10);
+        static readonly Vector3 s_forward = new Vector3(1, -0.06f, 0);
 
         /// <summary>Makes the scene in place of those that are open, which the user may save first.</summary>
         /// <param name="fill">Adds what the sample shows.</param>
@@ -28,6 +28,8 @@ namespace FastPoints.Editor
             settings.Shape = PointShape.Disc;
             settings.SizeMode = PointSizeMode.Adaptive;
             settings.Size = PointSize.DefaultGaps;
+            // Where a scanner saw little, points lie far apart: they are not to be drawn as far across.
+            settings.MaxSizePx = 8;
             settings.EyeDomeLighting = 0.25f;
             fill(asset);
         });

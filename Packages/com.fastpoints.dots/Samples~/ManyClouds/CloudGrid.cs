@@ -32,7 +32,7 @@ namespace FastPoints.Samples.ManyClouds
                 var cloud = new GameObject("Cloud " + i).AddComponent<PointCloud>();
                 cloud.transform.SetParent(transform, false);
                 Place(cloud.transform, i, 0);
-                cloud.transform.localScale = Vector3.one * (0.5f + 0.25f * (i % 4));
+                cloud.transform.localScale = Vector3.one * (0.15f + 0.05f * (i % 4));
                 cloud.Cloud = Cloud;
                 m_clouds[i] = cloud.transform;
             }

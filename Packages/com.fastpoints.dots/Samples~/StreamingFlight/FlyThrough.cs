@@ -6,7 +6,7 @@ using UnityEngine;
 namespace FastPoints.Samples.StreamingFlight
 {
     /// <summary>Flies this GameObject, a camera as a rule, around in a cloud: an ellipse within its bounds, over its floor, looking along
-    /// the way.</summary>
+    /// the way and down.</summary>
     [AddComponentMenu("FastPoints/Samples/Fly Through")]
     public sealed class FlyThrough : MonoBehaviour
     {
@@ -18,11 +18,11 @@ namespace FastPoints.Samples.StreamingFlight
 
         [Range(0, 1)]
         [Tooltip("Of the ellipse, as a share of the cloud's width and length.")]
-        public float Size = 0.6f;
+        public float Size = 0.3f;
 
         [Min(0)]
         [Tooltip("Above the cloud's floor, in metres.")]
-        public float Height = 6;
+        public float Height = 20;
 
         float m_turns;
 
@@ -42,7 +42,8 @@ namespace FastPoints.Samples.StreamingFlight
             var middle = new Vector3((float)(low.x + high.x) / 2, (float)low.y + Height, (float)(low.z + high.z) / 2);
             var toWorld = Cloud.transform.localToWorldMatrix;
             var place = toWorld.MultiplyPoint3x4(middle + On(across, angle));
-            var ahead = toWorld.MultiplyPoint3x4(middle + On(across, angle + 0.4f));
+            var down = new Vector3(0, Height / 2, 0);
+            var ahead = toWorld.MultiplyPoint3x4(middle - down + On(across, angle + 0.6f));
             transform.SetPositionAndRotation(place, Quaternion.LookRotation(ahead - place));
         }
 

@@ -15,7 +15,7 @@ namespace FastPoints.Samples.AttributeColours
             cloud.Color = ColorMode.Classification;
             ObjectFactory.AddComponent<ColourSwitch>(cloud.gameObject);
             var box = SampleScene.Add<FastPoints.Entities.PointCloudClipBox>("Clip box").transform;
-            box.position = new Vector3(-20, 10, 0);
+            box.position = new Vector3(-20, 10, -11);
             box.localScale = new Vector3(80, 40, 60);
         });
     }

@@ -13,7 +13,7 @@ namespace FastPoints.Samples.FirstCloud
             PointCloudDrops.Show(asset, Vector3.zero, null);
             // Points hide meshes and meshes points: they share the camera's depth.
             var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-            cube.transform.position = new Vector3(-45, 2, 0);
+            cube.transform.position = new Vector3(-52, 2.5f, -9);
             cube.transform.localScale = new Vector3(2, 2, 2);
         });
     }
