@@ -8,18 +8,58 @@ namespace UnityEditor
     [AttributeUsage(AttributeTargets.Class)]
     public class CustomEditor : Attribute
     {
+        public CustomEditor(Type inspectedType)
+        {
+        }
+
         public CustomEditor(Type inspectedType, bool editorForChildClasses)
         {
         }
+    }
+
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class CanEditMultipleObjects : Attribute
+    {
     }
 
     public class Editor : ScriptableObject
     {
         public Object target { get; set; }
 
+        public Object[] targets => new[] { target };
+
+        public SerializedObject serializedObject => new SerializedObject();
+
+        public virtual bool RequiresConstantRepaint() => false;
+
         public virtual void OnInspectorGUI()
         {
         }
+
+        public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
+        {
+            if (previousEditor == null || previousEditor.target != targetObject)
+                previousEditor = CreateInstance<Editor>();
+            previousEditor.target = targetObject;
+        }
+
+        protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude)
+        {
+        }
+    }
+
+    /// <summary>Nobody changes anything.</summary>
+    public class SerializedObject
+    {
+        internal SerializedObject()
+        {
+        }
+
+        public void Update()
+        {
+        }
+
+        public bool ApplyModifiedProperties() => false;
     }
 
     [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]

@@ -37,6 +37,12 @@ namespace UnityEditor
 
         public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => value;
 
+        public static bool ToggleLeft(string label, bool value, params GUILayoutOption[] options) => value;
+
+        public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => true;
+
+        public static string DelayedTextField(string label, string text, params GUILayoutOption[] options) => text;
+
         public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => selected;
     }
 
@@ -49,6 +55,10 @@ namespace UnityEditor
         public static string OpenFolderPanel(string title, string folder, string defaultName) => "";
 
         public static void RevealInFinder(string path)
+        {
+        }
+
+        public static void SetDirty(Object target)
         {
         }
     }

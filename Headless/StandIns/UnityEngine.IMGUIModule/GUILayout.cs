@@ -17,5 +17,17 @@ namespace UnityEngine
         public static bool Toggle(bool value, string text, params GUILayoutOption[] options) => value;
 
         public static bool Button(string text, params GUILayoutOption[] options) => false;
+
+        public static void Label(string text, params GUILayoutOption[] options)
+        {
+        }
+
+        public static void BeginArea(Rect screenRect)
+        {
+        }
+
+        public static void EndArea()
+        {
+        }
     }
 }

@@ -1,3 +1,4 @@
+using FastPoints.Picking;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;
@@ -49,6 +50,24 @@ namespace FastPoints.Rendering
                 Color = target.Color,
                 Depth = target.Depth,
             };
+        }
+
+        /// <summary>What lies under a place of a camera's picture.</summary>
+        /// <param name="ray">Of <c>Camera.ScreenPointToRay</c>, or the editor's <c>GUIPointToWorldRay</c>: from the near
+        /// plane.</param>
+        /// <param name="radiusPx">How far from it a point may be, in pixels of the camera's picture.</param>
+        public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
+        {
+            var projection = camera.projectionMatrix;
+            var near = new double3(ray.origin.x, ray.origin.y, ray.origin.z);
+            var direction = new double3(ray.direction.x, ray.direction.y, ray.direction.z);
+            double scalePx = ScalePxOf(projection, camera.pixelHeight);
+            if (IsOrthographic(projection))
+                return PickRay.Parallel(near, direction, scalePx, radiusPx);
+            var eye = EyeOf(camera);
+            var picked = PickRay.FromEye(eye, direction, scalePx, radiusPx);
+            picked.From = math.max(0, math.dot(near - eye, picked.DirectionWorld));
+            return picked;
         }
 
         static float ScalePxOf(in Matrix4x4 projection, int heightPx) => heightPx * 0.5f * math.abs(projection.m11);

@@ -65,6 +65,8 @@ namespace UnityEngine
             }
         }
 
+        public static Vector3 Scale(Vector3 a, Vector3 b) => new Vector3(a.x * b.x, a.y * b.y, a.z * b.z);
+
         public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;
 
         public static Vector3 Cross(Vector3 lhs, Vector3 rhs) =>

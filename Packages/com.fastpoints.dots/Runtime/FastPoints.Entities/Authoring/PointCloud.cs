@@ -88,6 +88,21 @@ namespace FastPoints.Entities
             Add();
         }
 
+        /// <summary>The box around the cloud, in the component's own space and Unity's units.</summary>
+        /// <returns>Whether it is known: the cloud is streamed, or its asset says it.</returns>
+        public bool TryGetLocalBounds(out Bounds local) =>
+            (m_entity.TryGet(out var entities) && CloudBounds.TryGet(entities, Entity, out local)) ||
+            CloudBounds.TryGet(m_cloud, out local);
+
+        /// <summary>The box along the world's axes around the cloud as it stands.</summary>
+        /// <returns>See <see cref="TryGetLocalBounds"/>.</returns>
+        public bool TryGetWorldBounds(out Bounds world)
+        {
+            bool isKnown = TryGetLocalBounds(out var local);
+            world = isKnown ? CloudBounds.Under(transform.localToWorldMatrix, local) : default;
+            return isKnown;
+        }
+
         void OnEnable() => Add();
 
         void OnDisable() => m_entity.Destroy();
@@ -96,6 +111,14 @@ namespace FastPoints.Entities
         {
             if (m_entity.TryGet(out var entities))
                 entities.SetComponentData(Entity, TransformMatrix.Of(transform));
+        }
+
+        void OnDrawGizmosSelected()
+        {
+            if (!TryGetLocalBounds(out var local))
+                return;
+            Gizmos.matrix = transform.localToWorldMatrix;
+            Gizmos.DrawWireCube(local.center, local.size);
         }
 
         void Set<T>(ref T field, T value)

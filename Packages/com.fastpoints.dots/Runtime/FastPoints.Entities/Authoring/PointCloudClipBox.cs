@@ -15,6 +15,9 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
+        /// <summary>The box along the world's axes around this one as it stands.</summary>
+        public Bounds WorldBounds => CloudBounds.Under(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
+
         void OnEnable()
         {
             if (!m_entity.TryCreate(out var entities))

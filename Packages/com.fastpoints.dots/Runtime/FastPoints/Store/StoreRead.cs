@@ -64,17 +64,22 @@ namespace FastPoints.Store
                     m_command[0].Offset, "wanted " + m_count + " bytes, the read ended as " + status);
         }
 
+        /// <summary>Calls the read off and awaits it, whatever comes of it; jobs that depend on it are complete.</summary>
+        public void Abandon()
+        {
+            if (!m_isReading)
+                return;
+            m_read.Cancel();
+            Done.Complete();
+            m_read.Dispose();
+            m_isReading = false;
+        }
+
         public void Dispose()
         {
             if (!m_command.IsCreated)
                 return;
-            if (m_isReading)
-            {
-                m_read.Cancel();
-                Done.Complete();
-                m_read.Dispose();
-                m_isReading = false;
-            }
+            Abandon();
             if (m_bytes.IsCreated)
                 m_bytes.Dispose();
             m_command.Dispose();

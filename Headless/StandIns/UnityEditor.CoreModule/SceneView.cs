@@ -1,0 +1,75 @@
+using UnityEngine;
+
+namespace UnityEditor
+{
+    public class EditorWindow : ScriptableObject
+    {
+    }
+
+    public class SearchableEditorWindow : EditorWindow
+    {
+    }
+
+    /// <summary>A host gives it its camera.</summary>
+    public class SceneView : SearchableEditorWindow
+    {
+        internal static int Repaints;
+
+        public Camera camera { get; internal set; }
+
+        public static void RepaintAll() => Repaints++;
+    }
+
+    /// <summary>Nothing is drawn; a test says what the pointer points along.</summary>
+    public sealed class HandleUtility
+    {
+        internal static Ray PointedAlong;
+
+        public static int nearestControl { get; set; }
+
+        public static void AddDefaultControl(int controlId) => nearestControl = controlId;
+
+        public static Ray GUIPointToWorldRay(Vector2 position) => PointedAlong;
+
+        public static float GetHandleSize(Vector3 position) => 1;
+    }
+
+    public sealed class Handles
+    {
+        public static Matrix4x4 matrix { get; set; } = Matrix4x4.identity;
+
+        public static Color color { get; set; } = Color.white;
+
+        public static void DrawLine(Vector3 p1, Vector3 p2)
+        {
+        }
+
+        public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius)
+        {
+        }
+
+        public static void Label(Vector3 position, string text)
+        {
+        }
+
+        public static void BeginGUI()
+        {
+        }
+
+        public static void EndGUI()
+        {
+        }
+    }
+
+    public class Undo
+    {
+        public static void RecordObject(Object objectToUndo, string name)
+        {
+        }
+    }
+
+    public class EditorGUIUtility : GUIUtility
+    {
+        public static float pixelsPerPoint => 1;
+    }
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine
+{
+    public enum KeyCode
+    {
+        None = 0,
+        Escape = 27,
+    }
+}

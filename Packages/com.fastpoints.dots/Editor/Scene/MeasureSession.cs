@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Entities;
+using FastPoints.Picking;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Points that are picked one after the other, two at most, and what is to be told of them.</summary>
+    public sealed class MeasureSession : IDisposable
+    {
+        readonly ScenePicker m_picker = new ScenePicker();
+        readonly List<StreamPick> m_picks = new List<StreamPick>();
+        readonly List<string> m_lines = new List<string>();
+
+        /// <summary>The second is measured from the first.</summary>
+        public IReadOnlyList<StreamPick> Picks => m_picks;
+
+        public IReadOnlyList<string> Lines => m_lines;
+
+        /// <summary>All lines, for the clipboard.</summary>
+        public string Text => string.Join("\n", m_lines);
+
+        /// <summary>Looks for a point along a ray: the second one, or, after that, the first of another pair.</summary>
+        public void Begin(PickRay ray)
+        {
+            if (m_picks.Count == 2)
+                m_picks.Clear();
+            if (m_picker.Begin(ray))
+                Tell("searching");
+            else
+                Tell("no point cloud is shown");
+        }
+
+        /// <summary>Once an update of the editor.</summary>
+        /// <returns>Whether there is something new to be drawn.</returns>
+        public bool Update(double budgetMs)
+        {
+            if (!m_picker.IsSearching || !m_picker.Update(budgetMs))
+                return false;
+            var pick = m_picker.Pick;
+            if (pick.Point != null)
+                m_picks.Add(pick);
+            Tell(pick.Failure ?? (pick.Point == null ? "no point here" : pick.IsPartial ? "perhaps not the nearest: too many points" : null));
+            return true;
+        }
+
+        public void Clear()
+        {
+            m_picks.Clear();
+            m_lines.Clear();
+        }
+
+        public void Dispose() => m_picker.Dispose();
+
+        void Tell(string note)
+        {
+            m_lines.Clear();
+            if (m_picks.Count == 2)
+                m_lines.AddRange(PickText.Describe(new Measurement(m_picks[0], m_picks[1]), m_picks[1].Point.Grid.Step));
+            for (int i = m_picks.Count - 1; i >= 0; i--)
+            {
+                m_lines.Add(i == 0 ? "From" : "To");
+                m_lines.AddRange(PickText.Describe(m_picks[i]));
+            }
+            if (note != null)
+                m_lines.Add(note);
+        }
+    }
+}

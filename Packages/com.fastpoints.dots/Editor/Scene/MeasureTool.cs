@@ -1,0 +1,117 @@
+using FastPoints.Picking;
+using FastPoints.Rendering;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEditor.EditorTools;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The Scene view's tool <em>Measure points</em>: a click picks a point and tells its coordinates and attributes, a
+    /// second one the distance; Escape begins anew.</summary>
+    [EditorTool("Measure points")]
+    public sealed class MeasureTool : EditorTool
+    {
+        /// <summary>How far from the pointer a point may be, in points of the window.</summary>
+        const double Radius = 5;
+
+        /// <summary>Of the main thread, of each update.</summary>
+        const double UpdateMs = 2;
+
+        const float LineHeight = 18;
+
+        MeasureSession m_session;
+
+        /// <summary>Null while the tool is not active.</summary>
+        public MeasureSession Session => m_session;
+
+        public override void OnActivated()
+        {
+            m_session = new MeasureSession();
+            EditorApplication.update += Update;
+            // Scripts are reloaded without a word to the tool.
+            AssemblyReloadEvents.beforeAssemblyReload += OnWillBeDeactivated;
+        }
+
+        public override void OnWillBeDeactivated()
+        {
+            AssemblyReloadEvents.beforeAssemblyReload -= OnWillBeDeactivated;
+            EditorApplication.update -= Update;
+            m_session?.Dispose();
+            m_session = null;
+        }
+
+        public override void OnToolGUI(EditorWindow window)
+        {
+            if (m_session == null || !(window is SceneView view))
+                return;
+            int control = GUIUtility.GetControlID(FocusType.Passive);
+            // Before clicks are taken: one upon the button is its own.
+            DrawText();
+            var current = Event.current;
+            switch (current.GetTypeForControl(control))
+            {
+                case EventType.Layout:
+                    // What is clicked upon is not selected.
+                    HandleUtility.AddDefaultControl(control);
+                    break;
+                case EventType.MouseDown when current.button == 0 && !current.alt && HandleUtility.nearestControl == control:
+                    m_session.Begin(CameraViews.PickRayOf(view.camera, HandleUtility.GUIPointToWorldRay(current.mousePosition),
+                        Radius * EditorGUIUtility.pixelsPerPoint));
+                    GUIUtility.hotControl = control;
+                    current.Use();
+                    break;
+                case EventType.MouseUp when GUIUtility.hotControl == control:
+                    GUIUtility.hotControl = 0;
+                    current.Use();
+                    break;
+                case EventType.KeyDown when current.keyCode == KeyCode.Escape && m_session.Lines.Count > 0:
+                    m_session.Clear();
+                    current.Use();
+                    break;
+                case EventType.Repaint:
+                    DrawMarks(view.camera);
+                    break;
+            }
+        }
+
+        void Update()
+        {
+            if (m_session.Update(UpdateMs))
+                SceneView.RepaintAll();
+        }
+
+        void DrawMarks(Camera camera)
+        {
+            var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
+            for (int i = 0; i < m_session.Picks.Count; i++)
+            {
+                var place = PlaceOf(m_session.Picks[i]);
+                Handles.DrawWireDisc(place, toCamera, HandleUtility.GetHandleSize(place) * 0.05f);
+                Handles.Label(place, i == 0 ? "From" : "To");
+            }
+            if (m_session.Picks.Count == 2)
+                Handles.DrawLine(PlaceOf(m_session.Picks[0]), PlaceOf(m_session.Picks[1]));
+        }
+
+        void DrawText()
+        {
+            if (m_session.Lines.Count == 0)
+                return;
+            Handles.BeginGUI();
+            GUILayout.BeginArea(new Rect(50, 10, 480, (m_session.Lines.Count + 2) * LineHeight));
+            foreach (string line in m_session.Lines)
+                GUILayout.Label(line);
+            if (GUILayout.Button("Copy"))
+                GUIUtility.systemCopyBuffer = m_session.Text;
+            GUILayout.EndArea();
+            Handles.EndGUI();
+        }
+
+        static Vector3 PlaceOf(StreamPick pick)
+        {
+            var place = (float3)pick.Point.PlaceWorld;
+            return new Vector3(place.x, place.y, place.z);
+        }
+    }
+}

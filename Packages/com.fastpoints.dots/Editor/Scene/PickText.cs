@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Picking;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Picked points and what lies between them, in words: coordinates with all of their digits.</summary>
+    public static class PickText
+    {
+        const int MostDecimals = 12;
+
+        /// <summary>A line for the place, and one for each attribute.</summary>
+        public static List<string> Describe(StreamPick pick)
+        {
+            var lines = new List<string>
+            {
+                Coordinates(pick.Point.PlaceGeo, pick.Point.Grid.Step) +
+                    (string.IsNullOrEmpty(pick.Manifest.CrsName) ? "" : "  " + pick.Manifest.CrsName),
+            };
+            foreach (var attribute in pick.Point.Attributes)
+            {
+                string name = attribute.Attribute.Name == AttributeNames.Classification
+                    ? ClassNames.Of((int)attribute.Value)
+                    : null;
+                lines.Add(attribute.Attribute.Name + "  " + attribute + (name == null ? "" : "  " + name));
+            }
+            return lines;
+        }
+
+        /// <summary>The distance, and its parts along the axes of the coordinate system.</summary>
+        public static List<string> Describe(Measurement measured, double3 step)
+        {
+            var lines = new List<string>();
+            if (!measured.IsGeo)
+            {
+                lines.Add("Distance  " + Rounded(measured.WorldLength) + " (scene; other coordinate systems)");
+                return lines;
+            }
+            bool hasMetres = measured.MetresPerUnit == measured.MetresPerUnit;
+            lines.Add("Distance  " + (hasMetres ? Rounded(measured.LengthMetres) + " m" : Rounded(measured.LengthGeo) + " units"));
+            if (hasMetres && measured.MetresPerUnit != 1)
+                lines.Add("Distance  " + Rounded(measured.LengthGeo) + " units of " + Rounded(measured.MetresPerUnit) + " m");
+            lines.Add("Across  " + Rounded(hasMetres ? measured.HorizontalGeo * measured.MetresPerUnit : measured.HorizontalGeo) +
+                (hasMetres ? " m" : " units"));
+            lines.Add("dx, dy, dz  " + Coordinates(measured.DeltaGeo, step));
+            return lines;
+        }
+
+        /// <summary>Three numbers with as many decimals as the grid's steps have.</summary>
+        public static string Coordinates(double3 place, double3 step) => Number(place.x, step.x) + ", " + Number(place.y, step.y) +
+            ", " + Number(place.z, step.z);
+
+        static string Number(double value, double step)
+        {
+            int decimals = 0;
+            // A step of 0.001 has three, one of 2^-7 seven; what double keeps of 1 / step is near enough to whole.
+            for (double scaled = step; decimals < MostDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * step * Math.Pow(10, decimals);)
+                scaled = step * Math.Pow(10, ++decimals);
+            return value.ToString("F" + decimals, CultureInfo.InvariantCulture);
+        }
+
+        static string Rounded(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,56 @@
+using FastPoints.Points;
+using FastPoints.Streaming;
+using Unity.Entities;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Boxes around clouds as the engine has them, in float: to look at, not to measure with.</summary>
+    static class CloudBounds
+    {
+        /// <summary>Around what is streamed, in the space that the cloud's transform moves.</summary>
+        public static unsafe bool TryGet(EntityManager entities, Entity entity, out Bounds local)
+        {
+            local = default;
+            if (!entities.HasComponent<PointCloudSpace>(entity) || !entities.HasComponent<StreamedPointCloud>(entity))
+                return false;
+            int number = entities.GetComponentData<StreamedPointCloud>(entity).Number;
+            var cloud = entities.World.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stream?.Clouds[number];
+            if (cloud == null || !cloud.Pages[0].IsLoaded || cloud.Pages[0].NodeCount == 0)
+                return false;
+            var corner = cloud.Source.Grid.ToGeo(cloud.Source.Root.Corner);
+            var root = cloud.Pages[0].Nodes[0];
+            local = Of(new BoundsGeo(corner + root.Center - root.Half, corner + root.Center + root.Half),
+                entities.GetComponentData<PointCloudSpace>(entity).Value);
+            return true;
+        }
+
+        /// <summary>As far as an asset knows it.</summary>
+        public static bool TryGet(PointCloudAsset asset, out Bounds local)
+        {
+            var bounds = asset != null ? new BoundsGeo(asset.BoundsMin, asset.BoundsMax) : BoundsGeo.Empty;
+            bool isKnown = !bounds.IsEmpty && bounds.IsFinite;
+            local = isKnown ? Of(bounds, UnitySpace.Of(bounds, asset.MetresPerUnit)) : default;
+            return isKnown;
+        }
+
+        /// <summary>The box along the world's axes around a box under a transform.</summary>
+        public static Bounds Under(Matrix4x4 localToWorld, Bounds local)
+        {
+            Vector3 half = local.size * 0.5f, reach = default;
+            for (int axis = 0; axis < 3; axis++)
+                reach[axis] = math.abs(localToWorld[axis, 0]) * half.x + math.abs(localToWorld[axis, 1]) * half.y +
+                    math.abs(localToWorld[axis, 2]) * half.z;
+            return new Bounds(localToWorld.MultiplyPoint3x4(local.center), reach * 2);
+        }
+
+        static Bounds Of(BoundsGeo bounds, UnitySpace space)
+        {
+            double3 a = space.FromGeo(bounds.Min), b = space.FromGeo(bounds.Max);
+            return new Bounds(Vector((a + b) * 0.5), Vector(math.abs(b - a)));
+        }
+
+        static Vector3 Vector(double3 value) => new Vector3((float)value.x, (float)value.y, (float)value.z);
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using FastPoints.Gpu;
+using FastPoints.Picking;
+using Unity.Collections;
+using Unity.Entities;
+
+namespace FastPoints.Entities
+{
+    /// <summary>Picks points of all clouds that a world shows, as it shows them: what is clipped away or of a hidden class is looked
+    /// through. <see cref="Begin"/>, then <see cref="Update"/> once a frame until that says it is done. In players and in edit
+    /// mode.</summary>
+    public sealed class ScenePicker : IDisposable
+    {
+        readonly World m_world;
+        readonly StreamPicker m_picker = new StreamPicker();
+
+        /// <param name="world">Null for the default one.</param>
+        public ScenePicker(World world = null)
+        {
+            m_world = world;
+        }
+
+        /// <summary>Of the search that was begun last; whole when that is done.</summary>
+        public StreamPick Pick => m_picker.Pick;
+
+        public bool IsSearching => m_picker.IsSearching;
+
+        /// <summary>Looks at the clouds as they are now; a search that goes on is broken off.</summary>
+        /// <param name="ray">See <see cref="Rendering.CameraViews.PickRayOf"/>.</param>
+        /// <returns>Whether there is a world that shows clouds.</returns>
+        public bool Begin(PickRay ray)
+        {
+            var group = Group;
+            if (group?.Stream == null)
+                return false;
+            m_picker.Begin(group.Stream, ray, cloud => HiddenOf(cloud));
+            return true;
+        }
+
+        /// <summary>Once a frame.</summary>
+        /// <param name="budgetMs">Of the main thread.</param>
+        /// <returns>Whether no search goes on: <see cref="Pick"/> is the result of the last one.</returns>
+        public bool Update(double budgetMs = 1) => m_picker.Update(budgetMs);
+
+        /// <summary>The entity of a number of a cloud in the stream; null where there is none.</summary>
+        public Entity EntityOf(int cloud)
+        {
+            var found = Entity.Null;
+            if (Group == null)
+                return found;
+            var entities = Group.World.EntityManager;
+            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<StreamedPointCloud>().Build(entities))
+            using (var all = query.ToEntityArray(Allocator.Temp))
+                foreach (var entity in all)
+                    if (entities.GetComponentData<StreamedPointCloud>(entity).Number == cloud)
+                        found = entity;
+            return found;
+        }
+
+        public void Dispose() => m_picker.Dispose();
+
+        PointCloudSystemGroup Group
+        {
+            get
+            {
+                var world = m_world ?? World.DefaultGameObjectInjectionWorld;
+                return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            }
+        }
+
+        ClassMask HiddenOf(int cloud)
+        {
+            var entity = EntityOf(cloud);
+            var entities = Group.World.EntityManager;
+            return entity != Entity.Null && entities.HasComponent<PointCloudLook>(entity)
+                ? entities.GetComponentData<PointCloudLook>(entity).Value.HiddenClasses
+                : default;
+        }
+    }
+}

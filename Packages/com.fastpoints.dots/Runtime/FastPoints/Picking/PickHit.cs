@@ -1,0 +1,48 @@
+using FastPoints.Points;
+
+namespace FastPoints.Picking
+{
+    /// <summary>The point that a search has found, and where it lies in the cloud. Blittable.</summary>
+    public struct PickHit
+    {
+        /// <summary>World units along the ray; infinity where nothing was found.</summary>
+        public double Distance;
+
+        /// <summary>Squared distance from the ray.</summary>
+        public double BesideSq;
+
+        /// <summary>On the cloud's grid.</summary>
+        public Grid3 Place;
+        public int Page;
+
+        /// <summary>In whose planes it lies.</summary>
+        public int Node;
+        public int Block;
+
+        /// <summary>In its block.</summary>
+        public int Index;
+
+        public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
+
+        public readonly bool IsFound => Distance < double.PositiveInfinity;
+
+        /// <summary>Nearer to the camera; or else to the ray; or else, so that no order of reading decides, by place. Of several
+        /// points at one place, the one that lies first.</summary>
+        public readonly bool IsBefore(in PickHit other)
+        {
+            if (Distance != other.Distance)
+                return Distance < other.Distance;
+            if (BesideSq != other.BesideSq)
+                return BesideSq < other.BesideSq;
+            if (Place.X != other.Place.X)
+                return Place.X < other.Place.X;
+            if (Place.Y != other.Place.Y)
+                return Place.Y < other.Place.Y;
+            if (Place.Z != other.Place.Z)
+                return Place.Z < other.Place.Z;
+            if (Page != other.Page)
+                return Page < other.Page;
+            return Node != other.Node ? Node < other.Node : Block != other.Block ? Block < other.Block : Index < other.Index;
+        }
+    }
+}

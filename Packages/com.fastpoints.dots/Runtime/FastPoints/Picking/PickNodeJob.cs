@@ -1,0 +1,112 @@
+using FastPoints.Gpu;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Picking
+{
+    /// <summary>The first hit of a ray among the points of one node and its guests: at most a few times 50,000, block by block. What
+    /// was read is checked before it is unpacked.</summary>
+    [BurstCompile]
+    public unsafe struct PickNodeJob : IJob
+    {
+        /// <summary>The plane of the positions.</summary>
+        [ReadOnly] public NativeArray<byte> Positions;
+        public PlaneShape PositionShape;
+        public ulong PositionHash;
+
+        /// <summary>The plane of the classes, where some are <see cref="Hidden"/>; else anything.</summary>
+        [ReadOnly] public NativeArray<byte> Classes;
+        public PlaneShape ClassShape;
+        public ulong ClassHash;
+        public ClassMask Hidden;
+        public int BlockCount;
+
+        public PickSpace Space;
+        [ReadOnly] public NativeArray<LocalClip> Clips;
+
+        /// <summary>CRS units of a grid step.</summary>
+        public double3 Step;
+        public Grid3 RootCorner;
+        public NodePlace Place;
+        public int Page;
+        public int Node;
+
+        /// <summary>In: what is nearer than anything that is looked for. Out: the first hit, or what was there.</summary>
+        public NativeReference<PickHit> Best;
+        public NativeReference<bool> IsDamaged;
+
+        public void Execute()
+        {
+            bool hides = !Hidden.IsEmpty;
+            var positions = View(Positions, PositionShape, PositionHash, out bool isSound);
+            var classes = hides && isSound ? View(Classes, ClassShape, ClassHash, out isSound) : default;
+            IsDamaged.Value = !isSound;
+            if (!isSound)
+                return;
+            var best = Best.Value;
+            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock];
+            for (int block = 0; block < BlockCount; block++)
+                if (Space.Meets(BoxOf(positions, block, out var half), half, out double distance) && distance <= best.Distance)
+                    Search(positions, classes, block, values, ref best);
+            Best.Value = best;
+        }
+
+        PlaneView View(NativeArray<byte> bytes, PlaneShape shape, ulong hash, out bool isSound)
+        {
+            void* start = bytes.GetUnsafeReadOnlyPtr();
+            isSound = ContentHash.Of(start, bytes.Length) == hash && PlaneView.IsSound(start, bytes.Length, shape, BlockCount);
+            return new PlaneView(start, shape, BlockCount);
+        }
+
+        /// <returns>The centre of what its columns' minima and widths leave room for, in CRS units from the root's
+        /// corner.</returns>
+        double3 BoxOf(in PlaneView positions, int block, out double3 half)
+        {
+            var min = new double3(positions.MinimumOf(block, 0), positions.MinimumOf(block, 1), positions.MinimumOf(block, 2));
+            var widths = new double3(positions.WidthOf(block, 0), positions.WidthOf(block, 1), positions.WidthOf(block, 2));
+            half = (math.exp2(widths) - 1) * 0.5 * Step;
+            return (ToDouble(Place.Corner) + min) * Step + half;
+        }
+
+        void Search(in PlaneView positions, in PlaneView classes, int block, ulong* values, ref PickHit best)
+        {
+            const int stride = PlaneShape.MaxPointsPerBlock;
+            int count = positions.PointsOf(block);
+            for (int axis = 0; axis < 3; axis++)
+                positions.UnpackWide(block, axis, values + axis * stride);
+            var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
+            // Corners in full, what counts from them in the cloud's own units: nothing is lost far from the origin.
+            var corner = Space.FromRay(ToDouble(Place.Corner) * Step);
+            for (int i = 0; i < count; i++)
+            {
+                var offset = new double3(values[i], values[stride + i], values[2 * stride + i]) * Step;
+                if (!Space.Hits(corner + Space.Turned(offset), out double distance, out double besideSq) ||
+                    distance > best.Distance)
+                    continue;
+                var hit = new PickHit
+                {
+                    Distance = distance,
+                    BesideSq = besideSq,
+                    Place = RootCorner + Place.Corner +
+                        new Grid3((long)values[i], (long)values[stride + i], (long)values[2 * stride + i]),
+                    Page = Page,
+                    Node = Node,
+                    Block = block,
+                    Index = i,
+                };
+                if (!hit.IsBefore(best) || (!Hidden.IsEmpty && Hidden.Has((byte)classes.ValueAt(block, 0, i))))
+                    continue;
+                if (Clips.Length == 0 || LocalClip.Leave(clips, Clips.Length, ToDouble(Place.Corner) * Step + offset, 0))
+                    best = hit;
+            }
+        }
+
+        static double3 ToDouble(Grid3 place) => new double3(place.X, place.Y, place.Z);
+    }
+}

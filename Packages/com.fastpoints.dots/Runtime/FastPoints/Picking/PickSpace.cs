@@ -1,0 +1,90 @@
+using FastPoints.Streaming;
+using Unity.Mathematics;
+
+namespace FastPoints.Picking
+{
+    /// <summary>A ray beside one cloud, which may be moved, turned, scaled and sheared: lengths are the world's. Blittable, for
+    /// jobs.</summary>
+    public struct PickSpace
+    {
+        /// <summary>Boxes are taken larger by so much of their coordinates, so that roundings lose no point.</summary>
+        const double Slack = 1e-14;
+
+        PickRay m_ray;
+        double3x3 m_linear;
+
+        /// <summary>From the ray's origin to the corner of the cloud's root cube, in the world.</summary>
+        double3 m_fromOrigin;
+        double3 m_originLocal;
+        double3 m_directionLocal;
+
+        /// <summary>How far a ball of radius 1 in the world reaches along each of the cloud's axes.</summary>
+        double3 m_reachLocal;
+
+        public PickSpace(in PickRay ray, in CloudPlacement placement)
+        {
+            m_ray = ray;
+            m_linear = placement.Linear;
+            m_fromOrigin = placement.OriginWorld - ray.OriginWorld;
+            var inverse = math.inverse(placement.Linear);
+            m_originLocal = math.mul(inverse, -m_fromOrigin);
+            m_directionLocal = math.mul(inverse, ray.DirectionWorld);
+            var rows = math.transpose(inverse);
+            m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
+        }
+
+        /// <summary>A place of the cloud (CRS units from the corner of its root cube), as the world has it, from the ray's
+        /// origin.</summary>
+        public double3 FromRay(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
+
+        /// <summary>The same for a difference of places.</summary>
+        public double3 Turned(double3 local) => math.mul(m_linear, local);
+
+        /// <summary>Whether a place is hit.</summary>
+        /// <param name="fromRay">See <see cref="FromRay"/>.</param>
+        /// <param name="distance">Along the ray.</param>
+        /// <param name="besideSq">Squared distance from the ray.</param>
+        public bool Hits(double3 fromRay, out double distance, out double besideSq)
+        {
+            distance = math.dot(fromRay, m_ray.DirectionWorld);
+            // Not by Pythagoras: the difference of two squares would lose half of the digits.
+            besideSq = math.lengthsq(fromRay - distance * m_ray.DirectionWorld);
+            double radius = m_ray.RadiusAt(distance);
+            return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && besideSq <= radius * radius;
+        }
+
+        /// <summary>Whether a place within a box might be hit. For a box that none of is, the answer may be yes.</summary>
+        /// <param name="center">CRS units from the corner of the root cube.</param>
+        /// <param name="distance">No hit in the box is nearer.</param>
+        public bool Meets(double3 center, double3 half, out double distance)
+        {
+            var direction = m_ray.DirectionWorld;
+            var at = FromRay(center);
+            double along = math.dot(at, direction);
+            double extent = math.abs(math.dot(m_linear.c0, direction)) * half.x +
+                math.abs(math.dot(m_linear.c1, direction)) * half.y + math.abs(math.dot(m_linear.c2, direction)) * half.z +
+                Slack * math.csum(math.abs(at) + math.abs(m_fromOrigin));
+            distance = math.max(m_ray.From, along - extent);
+            double end = math.min(m_ray.To, along + extent);
+            if (!(distance <= end))
+                return false;
+            // A hit's foot on the ray is no farther from it than the radius at its farthest: slabs as much thicker.
+            var from = center - m_originLocal;
+            var reach = half + math.max(0, m_ray.RadiusAt(end)) * m_reachLocal +
+                Slack * (math.abs(center) + math.abs(m_originLocal));
+            return Clip(from.x, reach.x, m_directionLocal.x, ref distance, ref end) &&
+                Clip(from.y, reach.y, m_directionLocal.y, ref distance, ref end) &&
+                Clip(from.z, reach.z, m_directionLocal.z, ref distance, ref end);
+        }
+
+        static bool Clip(double from, double reach, double direction, ref double start, ref double end)
+        {
+            if (direction == 0)
+                return math.abs(from) <= reach;
+            double a = (from - reach) / direction, b = (from + reach) / direction;
+            start = math.max(start, math.min(a, b));
+            end = math.min(end, math.max(a, b));
+            return start <= end;
+        }
+    }
+}

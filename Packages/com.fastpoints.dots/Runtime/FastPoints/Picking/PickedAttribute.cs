@@ -1,0 +1,57 @@
+using System.Globalization;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Picking
+{
+    /// <summary>One value of a picked point, exactly as the cloud keeps it.</summary>
+    public readonly struct PickedAttribute
+    {
+        readonly ulong m_bits;
+
+        /// <param name="packed">As it lies in a plane.</param>
+        /// <param name="column">What the plane's numbers mean.</param>
+        public unsafe PickedAttribute(PointAttribute attribute, ulong packed, in StoredColumn column)
+        {
+            Attribute = attribute;
+            ulong value = 0, bits;
+            OrderedBits.Store(packed * (ulong)column.Divisor, column.Type, (byte*)&value);
+            ColumnValues.ToBits((byte*)&value, column.Type, 0, 1, &bits);
+            m_bits = bits;
+        }
+
+        public PointAttribute Attribute { get; }
+
+        /// <summary>What the attribute's numbers stand for: scaled and offset as it says. Rounded where a 64-bit whole number has
+        /// more than 53 bits.</summary>
+        public double Value => Stored * Attribute.Scale + Attribute.Offset;
+
+        double Stored
+        {
+            get
+            {
+                switch (Attribute.Type)
+                {
+                    case AttributeType.Float32: return math.asfloat((uint)m_bits);
+                    case AttributeType.Float64: return math.asdouble(m_bits);
+                    case AttributeType.UInt64: return m_bits;
+                    default: return (long)m_bits;
+                }
+            }
+        }
+
+        /// <summary>The value with all of its digits.</summary>
+        public override string ToString()
+        {
+            if (Attribute.Scale != 1 || Attribute.Offset != 0 || Attribute.Type == AttributeType.Float64)
+                return Value.ToString("R", CultureInfo.InvariantCulture);
+            switch (Attribute.Type)
+            {
+                case AttributeType.Float32: return math.asfloat((uint)m_bits).ToString("R", CultureInfo.InvariantCulture);
+                case AttributeType.UInt64: return m_bits.ToString(CultureInfo.InvariantCulture);
+                default: return ((long)m_bits).ToString(CultureInfo.InvariantCulture);
+            }
+        }
+    }
+}

@@ -1,0 +1,256 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Picking
+{
+    /// <summary>
+    /// Finds the first point of a cloud that a ray hits, among all that are on disk and not only those that are shown: nodes are
+    /// read from the nearest on, until none that is left can have a nearer hit. Main thread; waits only where it is
+    /// disposed, or a search is broken off.
+    /// </summary>
+    public sealed class PointPicker : IDisposable
+    {
+        /// <summary>Nodes and tables that are read at once.</summary>
+        const int SlotCount = 8;
+
+        /// <summary>Tables of chunks are kept from search to search up to here.</summary>
+        const long MostHierarchyBytes = 64 << 20;
+
+        readonly StreamedCloud m_cloud;
+        readonly PickQueue m_queue = new PickQueue();
+        readonly List<PickSlot> m_slots = new List<PickSlot>();
+        readonly List<PickCandidate> m_taken = new List<PickCandidate>();
+        readonly PickDetails m_details;
+
+        /// <summary>Counted among the planes that are streamed; -1 where there are no classes.</summary>
+        readonly int m_classPlane = -1;
+
+        // Of the search that goes on.
+        bool m_isSearching;
+        PickRay m_ray;
+        PickSpace m_space;
+        double m_largestScale;
+        PickOptions m_options;
+        PickResult m_result;
+        PickHit m_best;
+
+        /// <param name="source">Becomes the picker's: of files in which nodes lie packed, with all planes that a pick is to
+        /// tell.</param>
+        public PointPicker(NodeSource source)
+        {
+            if (source.MakesNodes)
+                throw new ArgumentException(source.Path + ": wanted a converted cloud", nameof(source));
+            m_cloud = new StreamedCloud(source, default);
+            for (int p = 1; p < source.Planes.Length; p++)
+                if (source.Planes[p] == source.Layout.PlaneOf(AttributeNames.Classification))
+                    m_classPlane = p;
+            for (int s = 0; s < SlotCount; s++)
+                m_slots.Add(new PickSlot(m_cloud));
+            m_details = new PickDetails(m_cloud);
+        }
+
+        /// <summary>Of a folder, finished or in the making, with all planes. Reads two small files: for any thread.</summary>
+        /// <exception cref="PointCloudException">It is no cloud, or damaged.</exception>
+        public static FolderSource Open(string path)
+        {
+            var folder = CloudFolder.Open(path);
+            var names = new List<string>();
+            foreach (var plane in folder.Layout.Planes)
+                if (plane.AverageOf < 0)
+                    names.Add(plane.Name);
+            return new FolderSource(folder, names.ToArray());
+        }
+
+        public NodeSource Source => m_cloud.Source;
+
+        /// <summary>Work for a pump, one at a time.</summary>
+        /// <param name="placement">Where the cloud stands; nothing is hit of one without volume.</param>
+        /// <param name="options">Null for what they are by themselves; left alone until the work is done.</param>
+        /// <param name="result">What the work comes to: a fresh one.</param>
+        /// <exception cref="PointCloudException">A file cannot be read, or is damaged.</exception>
+        public IEnumerator<JobHandle> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
+        {
+            if (m_isSearching)
+                throw new InvalidOperationException(Source.Path + ": is searched already");
+            if (!placement.IsSound)
+                yield break;
+            m_isSearching = true;
+            m_ray = ray;
+            m_space = new PickSpace(ray, placement);
+            m_largestScale = math.max(math.length(placement.Linear.c0),
+                math.max(math.length(placement.Linear.c1), math.length(placement.Linear.c2)));
+            m_options = options ?? new PickOptions();
+            m_result = result;
+            m_best = PickHit.None;
+            var clips = new NativeArray<LocalClip>(m_options.ClipBoxes.Count, Allocator.Persistent);
+            for (int i = 0; i < clips.Length; i++)
+                clips[i] = new LocalClip(m_options.ClipBoxes[i], placement);
+            try
+            {
+                m_queue.Clear();
+                PushRoots(0, double.PositiveInfinity);
+                while (TakeNearest())
+                {
+                    bool hasPages = Begin(clips);
+                    yield return Awaited();
+                    if (hasPages)
+                    {
+                        for (int i = 0; i < m_taken.Count; i++)
+                            if (m_taken[i].IsPage)
+                                m_slots[i].BuildPage();
+                        yield return Awaited();
+                    }
+                    End();
+                }
+                if (m_best.IsFound)
+                {
+                    m_details.Begin(m_best);
+                    yield return m_details.Done;
+                    result.Point = new PickedPoint(m_best.Place, Source.Grid, WorldOf(m_best.Place, placement),
+                        m_best.Distance, m_details.End());
+                }
+            }
+            finally
+            {
+                foreach (var slot in m_slots)
+                    slot.Abandon();
+                m_details.Abandon();
+                clips.Dispose();
+                LeaveTables();
+                m_isSearching = false;
+            }
+        }
+
+        /// <summary>Awaits what is under way. A search that was not ended is ended first, by its pump.</summary>
+        public void Dispose()
+        {
+            foreach (var slot in m_slots)
+                slot.Dispose();
+            m_details.Dispose();
+            m_cloud.Dispose();
+        }
+
+        /// <returns>Whether there is something that might have a nearer hit.</returns>
+        bool TakeNearest()
+        {
+            m_taken.Clear();
+            while (m_taken.Count < SlotCount && m_queue.Count > 0 && m_queue.Next.Distance <= m_best.Distance)
+            {
+                if (m_result.BytesRead > m_options.MostBytes)
+                {
+                    m_result.IsPartial = true;
+                    break;
+                }
+                m_taken.Add(m_queue.Pop());
+            }
+            return m_taken.Count > 0;
+        }
+
+        /// <returns>Whether pages are among what was begun.</returns>
+        bool Begin(NativeArray<LocalClip> clips)
+        {
+            bool hasPages = false;
+            var hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default;
+            for (int i = 0; i < m_taken.Count; i++)
+            {
+                if (m_taken[i].IsPage)
+                    m_slots[i].BeginPage(m_taken[i]);
+                else
+                    m_slots[i].BeginNode(m_taken[i], m_space, clips, hidden, m_classPlane, m_best);
+                hasPages |= m_taken[i].IsPage;
+                m_result.BytesRead += m_slots[i].Bytes;
+            }
+            return hasPages;
+        }
+
+        JobHandle Awaited()
+        {
+            var awaited = default(JobHandle);
+            for (int i = 0; i < m_taken.Count; i++)
+                awaited = JobHandle.CombineDependencies(awaited, m_slots[i].Done);
+            return awaited;
+        }
+
+        unsafe void End()
+        {
+            for (int i = 0; i < m_taken.Count; i++)
+            {
+                int page = m_taken[i].Page, index = m_taken[i].Node;
+                if (m_taken[i].IsPage)
+                {
+                    m_slots[i].EndPage();
+                    PushRoots(page, m_taken[i].SpacingAbove);
+                    continue;
+                }
+                var hit = m_slots[i].EndNode();
+                m_result.NodesRead++;
+                if (hit.IsBefore(m_best))
+                    m_best = hit;
+                var node = m_cloud.Pages[page].Nodes[index];
+                for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
+                    PushNode(page, child, node.Spacing);
+                for (int chunk = 1 + node.FirstChunk; chunk < 1 + node.FirstChunk + node.ChunkCount; chunk++)
+                    PushPage(chunk, node.Spacing);
+            }
+        }
+
+        unsafe void PushPage(int page, double spacingAbove)
+        {
+            if (m_cloud.Pages[page].IsLoaded)
+                PushRoots(page, spacingAbove);
+            else
+                Push(page, PickCandidate.WholePage, m_cloud.Pages[page].Center, m_cloud.Pages[page].Half, spacingAbove);
+        }
+
+        unsafe void PushRoots(int page, double spacingAbove)
+        {
+            for (int node = 0; node < m_cloud.Pages[page].RootCount; node++)
+                PushNode(page, node, spacingAbove);
+        }
+
+        unsafe void PushNode(int page, int index, double spacingAbove)
+        {
+            var node = m_cloud.Pages[page].Nodes[index];
+            // A guest's points are searched with its host's.
+            if (node.PointCount > 0)
+                Push(page, index, node.Center, node.Half, spacingAbove);
+        }
+
+        /// <param name="spacingAbove">Of the points above, in CRS units.</param>
+        void Push(int page, int node, double3 center, double3 half, double spacingAbove)
+        {
+            if (!m_space.Meets(center, half, out double distance) || distance > m_best.Distance ||
+                spacingAbove * m_largestScale < m_options.FinestSpacing * m_ray.RadiusAt(distance))
+                return;
+            m_queue.Push(new PickCandidate
+            {
+                Distance = distance,
+                Page = page,
+                Node = node,
+                SpacingAbove = spacingAbove,
+            });
+        }
+
+        double3 WorldOf(Grid3 place, in CloudPlacement placement)
+        {
+            var from = place - Source.Root.Corner;
+            return math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * Source.Grid.Step) + placement.OriginWorld;
+        }
+
+        unsafe void LeaveTables()
+        {
+            if (m_cloud.HierarchyBytes <= MostHierarchyBytes)
+                return;
+            for (int page = 1; page < m_cloud.PageCount; page++)
+                if (m_cloud.Pages[page].IsLoaded)
+                    m_cloud.Unload(page);
+        }
+    }
+}

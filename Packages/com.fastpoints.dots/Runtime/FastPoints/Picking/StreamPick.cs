@@ -1,0 +1,23 @@
+using FastPoints.Store;
+
+namespace FastPoints.Picking
+{
+    /// <summary>What a ray has hit of the clouds of a stream.</summary>
+    public sealed class StreamPick
+    {
+        /// <summary>Null where nothing was hit.</summary>
+        public PickedPoint Point { get; internal set; }
+
+        /// <summary>Number of the point's cloud in the stream, as it was when the search began.</summary>
+        public int Cloud { get; internal set; }
+
+        /// <summary>Of the point's cloud: units, coordinate system, attributes.</summary>
+        public CloudManifest Manifest { get; internal set; }
+
+        /// <summary>A search ended before it had looked at all: there may be a nearer point.</summary>
+        public bool IsPartial { get; internal set; }
+
+        /// <summary>What the first cloud that could not be searched said; null where all could.</summary>
+        public string Failure { get; internal set; }
+    }
+}
