@@ -28,6 +28,9 @@ namespace FastPoints.Editor
             Look();
         }
 
+        /// <summary>While its cloud is converted or verified.</summary>
+        public override bool RequiresConstantRepaint() => m_wasInQueue || PointCloudImports.Current.Checks.IsChecking;
+
         public override void OnInspectorGUI()
         {
             var imports = PointCloudImports.Current;
@@ -127,6 +130,11 @@ namespace FastPoints.Editor
                 Tell(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
             if (!isThere)
                 return;
+            var check = imports.Checks.Check;
+            if (check != null && check.Path == m_cloud.Path)
+                EditorGUILayout.HelpBox(check.Describe(), check.IsDone && !check.Result.Ok ? MessageType.Error : MessageType.Info);
+            if (!imports.Checks.IsChecking && GUILayout.Button("Verify"))
+                imports.Checks.Begin(m_cloud.Path);
             if (GUILayout.Button("Show the folder"))
                 EditorUtility.RevealInFinder(m_cloud.Path);
             if (hasSource && GUILayout.Button("Delete converted data") &&

@@ -34,6 +34,9 @@ namespace FastPoints.Editor
         public ImportQueue Queue { get; }
         public CloudCatalog Catalog { get; }
 
+        /// <summary>Clouds that somebody wants verified.</summary>
+        public EditorChecks Checks { get; } = new EditorChecks();
+
         /// <summary>Bytes of a file that may be copied into the project.</summary>
         public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
 
@@ -41,6 +44,7 @@ namespace FastPoints.Editor
         public void Update(DateTime nowUtc)
         {
             Queue.Tick(m_settings.UpdateMs, nowUtc);
+            Checks.Update(m_settings.UpdateMs);
             if (nowUtc < m_nextReport)
                 return;
             m_nextReport = nowUtc + s_reportAfter;
@@ -107,6 +111,7 @@ namespace FastPoints.Editor
             if (m_reported != null)
                 Progress.Finish(m_progress, Progress.Status.Canceled);
             m_reported = null;
+            Checks.Dispose();
             Queue.Suspend();
         }
 

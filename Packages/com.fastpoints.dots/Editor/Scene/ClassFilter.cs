@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using FastPoints.Points;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The list of classes that an inspector shows, and what switching one does.</summary>
+    public static class ClassFilter
+    {
+        /// <summary>Classes that a cloud may have: all from its least to its largest that mean something, and those that are hidden
+        /// already.</summary>
+        /// <param name="min">Of its classification; NaN where nobody knows, as <paramref name="max"/>.</param>
+        public static List<int> ClassesOf(double min, double max, int[] hidden)
+        {
+            bool isKnown = min <= max;
+            var classes = new List<int>();
+            for (int c = 0; c <= byte.MaxValue; c++)
+            {
+                bool isPossible = isKnown ? c >= min && c <= max : c < ClassNames.FirstOfUsers;
+                bool isMeant = ClassNames.Of(c) != null || (isKnown && (c == min || c == max || c >= ClassNames.FirstOfUsers));
+                if ((isPossible && isMeant) || Array.IndexOf(hidden, c) >= 0)
+                    classes.Add(c);
+            }
+            return classes;
+        }
+
+        /// <summary>"2 ground".</summary>
+        public static string Label(int c) =>
+            c.ToString(CultureInfo.InvariantCulture) + " " + (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
+
+        /// <summary>The hidden classes after one was switched, rising; the same array where nothing changes.</summary>
+        public static int[] Switch(int[] hidden, int c, bool isShown)
+        {
+            if (Array.IndexOf(hidden, c) >= 0 == !isShown)
+                return hidden;
+            var classes = new List<int>(hidden);
+            if (isShown)
+                classes.RemoveAll(h => h == c);
+            else
+                classes.Add(c);
+            classes.Sort();
+            return classes.ToArray();
+        }
+    }
+}

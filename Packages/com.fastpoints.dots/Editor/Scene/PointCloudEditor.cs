@@ -1,0 +1,162 @@
+using FastPoints.Entities;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Entities;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The inspector of a cloud in a scene: what it is coloured by, which classes it shows, what all clouds together take and
+    /// look like, and what the last frame did. F frames it.</summary>
+    [CustomEditor(typeof(PointCloud))]
+    [CanEditMultipleObjects]
+    public sealed class PointCloudEditor : UnityEditor.Editor
+    {
+        bool m_showsClasses;
+        bool m_showsFrame = true;
+        bool m_showsSettings;
+        UnityEditor.Editor m_settingsEditor;
+        uint m_frame;
+
+        PointCloudSystemGroup Group
+        {
+            get
+            {
+                var world = World.DefaultGameObjectInjectionWorld;
+                return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
+            }
+        }
+
+        /// <summary>While frames go on; at rest nothing is drawn again.</summary>
+        public override bool RequiresConstantRepaint() => m_showsFrame && Group?.Stream != null && Group.Stats.Frame != m_frame;
+
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, "m_Script", "m_hiddenClasses");
+            // What is streamed depends on all of them.
+            if (serializedObject.ApplyModifiedProperties())
+                foreach (var cloud in targets)
+                    ((PointCloud)cloud).Reopen();
+            if (targets.Length == 1)
+                DrawClasses((PointCloud)target);
+            DrawSettings();
+            DrawFrame();
+        }
+
+        void OnDisable()
+        {
+            if (m_settingsEditor != null)
+                DestroyImmediate(m_settingsEditor);
+        }
+
+        void DrawClasses(PointCloud cloud)
+        {
+            var hidden = cloud.HiddenClasses;
+            m_showsClasses = EditorGUILayout.Foldout(m_showsClasses, hidden.Length == 0 ? "Classes" : "Classes (" + hidden.Length +
+                " hidden)", true);
+            if (!m_showsClasses)
+                return;
+            if (!TryGetClasses(cloud, out double min, out double max))
+            {
+                EditorGUILayout.HelpBox("The cloud has no classification.", MessageType.None);
+                return;
+            }
+            var shown = hidden;
+            foreach (int c in ClassFilter.ClassesOf(min, max, hidden))
+                shown = ClassFilter.Switch(shown, c, EditorGUILayout.ToggleLeft(ClassFilter.Label(c), System.Array.IndexOf(hidden, c) < 0));
+            if (shown == hidden)
+                return;
+            Undo.RecordObject(cloud, "Show classes");
+            cloud.HiddenClasses = shown;
+            EditorUtility.SetDirty(cloud);
+        }
+
+        /// <summary>The world's settings, where there are some; they can be edited here as well.</summary>
+        void DrawSettings()
+        {
+            m_showsSettings = EditorGUILayout.Foldout(m_showsSettings, "Size and budget of all clouds", true);
+            if (!m_showsSettings)
+                return;
+            PointCloudSettings settings = null;
+            foreach (var found in Resources.FindObjectsOfTypeAll<PointCloudSettings>())
+                settings = found.isActiveAndEnabled ? found : settings;
+            if (settings != null)
+            {
+                CreateCachedEditor(settings, null, ref m_settingsEditor);
+                m_settingsEditor.OnInspectorGUI();
+            }
+            else if (GUILayout.Button("Add Point Cloud Settings"))
+            {
+                ObjectFactory.AddComponent<PointCloudSettings>(ObjectFactory.CreateGameObject("Point Cloud Settings"));
+            }
+        }
+
+        void DrawFrame()
+        {
+            m_showsFrame = EditorGUILayout.Foldout(m_showsFrame, "Last frame, all clouds", true);
+            var group = Group;
+            if (!m_showsFrame || group?.Stream == null)
+                return;
+            m_frame = group.Stats.Frame;
+            foreach (var line in FrameText.Describe(group.Stats, group.Stream.Settings.Selection.PointBudget,
+                group.Stream.Pool.LimitBytes))
+                EditorGUILayout.LabelField(line.Key, line.Value);
+        }
+
+        /// <returns>Whether the cloud has classes, or nobody knows yet: then the range is NaN.</returns>
+        bool TryGetClasses(PointCloud cloud, out double min, out double max)
+        {
+            min = max = double.NaN;
+            var manifest = ManifestOf(cloud);
+            if (manifest == null)
+                return true;
+            int attribute = manifest.Attributes.IndexOf(AttributeNames.Classification);
+            if (attribute < 0)
+                return false;
+            (min, max) = (manifest.Ranges[attribute].Min, manifest.Ranges[attribute].Max);
+            return true;
+        }
+
+        /// <summary>Null until it is streamed.</summary>
+        CloudManifest ManifestOf(PointCloud cloud)
+        {
+            var group = Group;
+            if (group?.Stream == null || cloud.Entity == Entity.Null ||
+                !group.World.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity))
+                return null;
+            int number = group.World.EntityManager.GetComponentData<StreamedPointCloud>(cloud.Entity).Number;
+            return (group.Stream.Clouds[number]?.Source as FolderSource)?.Folder.Manifest;
+        }
+
+        // Unity finds these by their names.
+
+        bool HasFrameBounds() => TryGetBounds(out _);
+
+        Bounds OnGetFrameBounds()
+        {
+            TryGetBounds(out var bounds);
+            return bounds;
+        }
+
+        /// <summary>Around all that are selected and known.</summary>
+        bool TryGetBounds(out Bounds bounds)
+        {
+            bool isKnown = false;
+            bounds = default;
+            foreach (var cloud in targets)
+            {
+                if (!((PointCloud)cloud).TryGetWorldBounds(out var one))
+                    continue;
+                if (isKnown)
+                    bounds.Encapsulate(one);
+                else
+                    bounds = one;
+                isKnown = true;
+            }
+            return isKnown;
+        }
+    }
+}
