@@ -64,7 +64,7 @@ namespace FastPoints.Rendering
             double scalePx = ScalePxOf(projection, camera.pixelHeight);
             if (IsOrthographic(projection))
                 return PickRay.Parallel(near, direction, scalePx, radiusPx);
-            var eye = EyeOf(camera);
+            var eye = EyeMatrices.Of(camera).PlaceWorld;
             var picked = PickRay.FromEye(eye, direction, scalePx, radiusPx);
             picked.From = math.max(0, math.dot(near - eye, picked.DirectionWorld));
             return picked;
