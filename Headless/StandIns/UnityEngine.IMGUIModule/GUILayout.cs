@@ -18,10 +18,6 @@ namespace UnityEngine
 
         public static bool Button(string text, params GUILayoutOption[] options) => false;
 
-        public static void Label(string text, params GUILayoutOption[] options)
-        {
-        }
-
         public static void BeginArea(Rect screenRect)
         {
         }
