@@ -89,14 +89,21 @@ namespace FastPoints.Samples.RunTimeLoading
                 yield break;
             // A slow disk stops no frame.
             var opening = Task.Run(() => PointReaders.Open(source));
-            while (!opening.IsCompleted)
-                yield return default;
-            using (var reader = opening.GetAwaiter().GetResult())
+            try
             {
+                while (!opening.IsCompleted)
+                    yield return default;
+                var readers = new[] { opening.GetAwaiter().GetResult() };
                 var settings = new ConvertSettings { KeepUnfinished = true };
-                using (var convert = ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress))
+                using (var convert = ConvertCloud.Run(readers, m_target, settings, _ => { }, m_progress))
                     while (convert.MoveNext())
                         yield return convert.Current;
+            }
+            finally
+            {
+                // Also where it was called off before the file was open.
+                opening.ContinueWith(t => t.Result.Dispose(),
+                    TaskContinuationOptions.OnlyOnRanToCompletion | TaskContinuationOptions.ExecuteSynchronously);
             }
         }
     }
