@@ -93,6 +93,7 @@ namespace FastPoints.Cli
             {
                 Shape = size.LimitsPx.y <= 1 ? PointShape.Pixel
                     : options.DomedPoints ? PointShape.Paraboloid
+                    : options.BlendedPoints ? PointShape.Splat
                     : options.RoundPoints ? PointShape.Disc
                     : PointShape.Square,
                 Size = size,

@@ -59,6 +59,7 @@ namespace FastPoints.HostTests.Gpu
             "pixels" => new PointStyle { Shape = PointShape.Pixel, Size = PointSize.Pixels(1) },
             "discs" => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3) },
             "adaptive" => new PointStyle { Shape = PointShape.Square, Size = PointSize.Adaptive() },
+            "splats" => new PointStyle { Shape = PointShape.Splat, Size = PointSize.Pixels(5) },
             "paraboloids" => new PointStyle { Shape = PointShape.Paraboloid, Size = PointSize.World(0.5f) },
             _ => new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = 0.3f },
         };
@@ -68,6 +69,7 @@ namespace FastPoints.HostTests.Gpu
         [TestCase(nameof(UrpHost), "pixels")]
         [TestCase(nameof(HdrpHost), "paraboloids")]
         [TestCase(nameof(HdrpHost), "lit")]
+        [TestCase(nameof(UrpHost), "splats")]
         public void Render_Headset_IsThePictureOfACameraAtEachEye(string pipeline, string style)
         {
             Scene.Style = StyleOf(style);

@@ -13,7 +13,7 @@ Shader "Hidden/FastPoints/Compose"
             #pragma target 4.5
             #pragma vertex FastPointsComposeVertex
             #pragma fragment FastPointsComposeFragment
-            #pragma multi_compile_local _ FASTPOINTS_FROM_PIXELS
+            #pragma multi_compile_local _ FASTPOINTS_FROM_PIXELS FASTPOINTS_BLENDED
             #include "Packages/com.fastpoints.dots/Shaders/ComposePass.hlsl"
             ENDHLSL
         }

@@ -40,10 +40,21 @@ float2 FastPointsDepthAt(int2 pixel)
 Texture2D<float4> _FastPointsLayerColor;
 Texture2D<float2> _FastPointsLayerDepth;
 
+#if defined(FASTPOINTS_BLENDED)
+Texture2D<float4> _FastPointsLayerSums;
+#endif
+
 // sRGB; alpha: radius of the point in 255ths, 0 where there is none.
 float4 FastPointsColorAt(int2 pixel)
 {
-    return _FastPointsLayerColor.Load(int3(pixel, 0));
+    float4 color = _FastPointsLayerColor.Load(int3(pixel, 0));
+#if defined(FASTPOINTS_BLENDED)
+    float4 sums = _FastPointsLayerSums.Load(int3(pixel, 0));
+    // Of halves, sums may be beyond their range.
+    if (sums.w > 0.0 && sums.w < 60000.0 && max(sums.x, max(sums.y, sums.z)) < 60000.0)
+        color.xyz = floor(sums.xyz / sums.w + 0.5) / 255.0;
+#endif
+    return color;
 }
 
 // Depth in world units along the view's direction, and the device's.

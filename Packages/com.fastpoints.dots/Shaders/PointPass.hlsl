@@ -4,7 +4,7 @@
 
 #include "PointDrawing.hlsl"
 
-#if defined(FASTPOINTS_PARABOLOIDS)
+#if defined(FASTPOINTS_PARABOLOIDS) || defined(FASTPOINTS_BLENDING)
 #define FASTPOINTS_DISCS
 
 // What the clip space's z and w become with one unit along the view's direction, in x and y; z: units of a pixel at a depth of one.
@@ -13,6 +13,24 @@ float4 _FastPointsForwardClip;
 
 #if defined(FASTPOINTS_SQUARES) || defined(FASTPOINTS_DISCS)
 #define FASTPOINTS_IS_QUAD
+#endif
+
+#if defined(FASTPOINTS_BLENDING)
+// BlendedPixels.LargestWeight.
+#define FASTPOINTS_LARGEST_WEIGHT 32.0
+
+// Sums are whole numbers of these: 255 times the largest weight is about one, and a power of two loses nothing.
+#define FASTPOINTS_SUM_UNIT (1.0 / 8192.0)
+
+// A point as far before its place as others may lie behind it and be blended with it, where it covers the same pixels.
+float4 FastPointsMoveNearer(FastPointsPoint drawn)
+{
+    float distance = _FastPointsSize.z != 0.0 ? 1.0 : drawn.Depth;
+    float window = drawn.SizePx * _FastPointsForwardClip.z * distance;
+    float4 clip = drawn.PositionClip;
+    float w = clip.w - window * _FastPointsForwardClip.y;
+    return float4(clip.xy * (w / clip.w), clip.z - window * _FastPointsForwardClip.x, w);
+}
 #endif
 
 // Width and height of the picture in pixels.
@@ -51,6 +69,9 @@ FastPointsVaryings FastPointsVertex(uint vertex : SV_VertexID, uint instance : S
     // Two triangles: 0, 1, 2 and 3, 4, 5.
     uint of = vertex % 6u;
     float2 corner = float2(of == 1u || of >= 4u ? 1.0 : -1.0, of == 2u || of == 3u || of == 5u ? 1.0 : -1.0);
+#if defined(FASTPOINTS_BLENDING)
+    drawn.PositionClip = FastPointsMoveNearer(drawn);
+#endif
     drawn.PositionClip.xy += corner * (drawn.SizePx / _FastPointsScreenPx) * drawn.PositionClip.w;
 #else
     FastPointsPoint drawn = FastPointsLoadPoint(instance, vertex);
@@ -102,6 +123,11 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
     targets.DeviceDepth = deviceDepth;
 #endif
     targets.Color = float4(varyings.Color, 1.0);
+#if defined(FASTPOINTS_BLENDING)
+    // BlendedPixels.WeightOf.
+    float weight = max(1.0, floor(FASTPOINTS_LARGEST_WEIGHT * (1.0 - dot(varyings.Corner, varyings.Corner)) + 0.5));
+    targets.Color = float4(floor(varyings.Color * 255.0 + 0.5), 1.0) * (weight * FASTPOINTS_SUM_UNIT);
+#endif
 #if defined(FASTPOINTS_LAYERED)
     targets.Color.w = varyings.RadiusAndDepth.x / 255.0;
     targets.Depth = float2(varyings.RadiusAndDepth.y + behind, deviceDepth);

@@ -22,5 +22,26 @@ Shader "Hidden/FastPoints/Points"
             #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
             ENDHLSL
         }
+
+        // What the first pass drew, once more: added up where it is near the nearest.
+        Pass
+        {
+            Name "Blending"
+            ZWrite Off
+            ZTest LEqual
+            Cull Off
+            Blend One One
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex FastPointsVertex
+            #pragma fragment FastPointsFragment
+            #pragma multi_compile_local _ FASTPOINTS_ADAPTIVE
+            #pragma multi_compile_local _ FASTPOINTS_CLIPPED
+            #pragma multi_compile_local _ FASTPOINTS_FILTERED
+            #define FASTPOINTS_BLENDING
+            #include "Packages/com.fastpoints.dots/Shaders/PointPass.hlsl"
+            ENDHLSL
+        }
     }
 }

@@ -18,6 +18,13 @@ namespace StandIns.Vulkan
         D32Sfloat = 126,
     }
 
+    struct VkFormatProperties
+    {
+        public uint linearTilingFeatures;
+        public uint optimalTilingFeatures;
+        public uint bufferFeatures;
+    }
+
     enum VkImageType : int
     {
         Type2d = 1,

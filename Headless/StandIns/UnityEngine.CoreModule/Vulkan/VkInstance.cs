@@ -234,6 +234,10 @@ namespace StandIns.Vulkan
             IntPtr* pPhysicalDevices);
 
         [DllImport(Library)]
+        internal static extern void vkGetPhysicalDeviceFormatProperties(IntPtr physicalDevice, VkFormat format,
+            VkFormatProperties* pFormatProperties);
+
+        [DllImport(Library)]
         internal static extern void vkGetPhysicalDeviceProperties(IntPtr physicalDevice,
             VkPhysicalDeviceProperties* pProperties);
 

@@ -7,7 +7,7 @@ namespace FastPoints.Rendering
     /// are recorded, so that one material could not draw two looks in a frame. Made when they are first needed.</summary>
     public sealed class PointMaterials : IDisposable
     {
-        const int Shapes = 1 + (int)PointShape.Paraboloid;
+        const int Shapes = 1 + (int)PointShape.Splat;
 
         /// <summary>Bits above the shape: an option each.</summary>
         const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Stereo = 16, Options = 32;
@@ -17,6 +17,7 @@ namespace FastPoints.Rendering
         readonly Material[] m_ofVariant = new Material[Shapes * Options];
         Material m_composingLayer;
         Material m_composingPixels;
+        Material m_composingSums;
 
         /// <param name="points">The package's Points.shader.</param>
         /// <param name="compose">The package's Compose.shader.</param>
@@ -43,7 +44,7 @@ namespace FastPoints.Rendering
                 return m_ofVariant[variant];
             var material = Make(m_points);
             Enable(material, ShaderNames.SquaresKeyword, style.Shape == PointShape.Square);
-            Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc);
+            Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc || style.IsBlended);
             Enable(material, ShaderNames.ParaboloidsKeyword, style.Shape == PointShape.Paraboloid);
             Enable(material, ShaderNames.AdaptiveKeyword, style.IsAdaptive);
             Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
@@ -57,17 +58,19 @@ namespace FastPoints.Rendering
         internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
 
         /// <summary>Draws what a compute shader made into a camera's picture.</summary>
-        internal Material ComposePixels
+        internal Material ComposePixels => Composing(ref m_composingPixels, ShaderNames.FromPixelsKeyword);
+
+        /// <summary>Draws a layer whose points were added up into a camera's picture.</summary>
+        internal Material ComposeSums => Composing(ref m_composingSums, ShaderNames.BlendedKeyword);
+
+        Material Composing(ref Material material, string keyword)
         {
-            get
+            if (material == null)
             {
-                if (m_composingPixels == null)
-                {
-                    m_composingPixels = Make(m_compose);
-                    m_composingPixels.EnableKeyword(ShaderNames.FromPixelsKeyword);
-                }
-                return m_composingPixels;
+                material = Make(m_compose);
+                material.EnableKeyword(keyword);
             }
+            return material;
         }
 
         public void Dispose()
@@ -76,6 +79,7 @@ namespace FastPoints.Rendering
                 Destroy(ref m_ofVariant[variant]);
             Destroy(ref m_composingLayer);
             Destroy(ref m_composingPixels);
+            Destroy(ref m_composingSums);
         }
 
         static Material Make(Shader shader) => new Material(shader) { hideFlags = HideFlags.HideAndDontSave };

@@ -19,6 +19,9 @@ namespace FastPoints.Rendering
         /// <summary>Vertices of a point: two triangles, or the point itself.</summary>
         const int VerticesOfQuad = 6;
 
+        /// <summary>Of Points.shader.</summary>
+        const int BlendingPass = 1;
+
         readonly GraphicsNodePool m_pool;
         readonly PointMaterials m_materials;
         readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
@@ -136,8 +139,13 @@ namespace FastPoints.Rendering
             if (view.Style.IsLayered)
                 m_layer.Begin(commands, view);
             DrawBanks(commands, view.Style, false);
+            if (view.Style.IsBlended)
+            {
+                m_layer.BeginBlending(commands, view);
+                DrawBanks(commands, view.Style, false, BlendingPass);
+            }
             if (view.Style.IsLayered)
-                m_layer.End(commands, view, m_materials.ComposeLayer);
+                m_layer.End(commands, view, view.Style.IsBlended ? m_materials.ComposeSums : m_materials.ComposeLayer);
         }
 
         RasterBuffers Buffers => new RasterBuffers
@@ -183,7 +191,7 @@ namespace FastPoints.Rendering
             m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
             m_properties.SetVector(ShaderNames.Forward, view.Forward);
             m_properties.SetVector(ShaderNames.EyeOffset, view.EyeOffset);
-            if (view.Style.Shape == PointShape.Paraboloid)
+            if (view.Style.Shape == PointShape.Paraboloid || view.Style.IsBlended)
                 m_properties.SetVector(ShaderNames.ForwardClip, ForwardClip(view));
             m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
                 view.IsOrthographic ? 1 : 0, 0));
@@ -196,7 +204,7 @@ namespace FastPoints.Rendering
             Vector3.Dot(view.ViewProjection.GetRow(2), view.Forward), Vector3.Dot(view.ViewProjection.GetRow(3), view.Forward),
             1 / view.ScalePx, 0);
 
-        void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo)
+        void DrawBanks(CommandBuffer commands, in PointStyle style, bool isStereo, int pass = 0)
         {
             var material = m_materials.For(style, List.ClipBoxes.Length > 0, List.HidesClasses, isStereo);
             var topology = style.Shape == PointShape.Pixel ? MeshTopology.Points : MeshTopology.Triangles;
@@ -205,7 +213,7 @@ namespace FastPoints.Rendering
                 var draw = List.Draws[i];
                 m_properties.SetBuffer(ShaderNames.Bank, m_pool.BufferOf(draw.Bank));
                 m_properties.SetInteger(ShaderNames.FirstInstance, draw.FirstInstance);
-                commands.DrawProceduralIndirect(Matrix4x4.identity, material, 0, topology, m_arguments.Buffer,
+                commands.DrawProceduralIndirect(Matrix4x4.identity, material, pass, topology, m_arguments.Buffer,
                     i * GraphicsBuffer.IndirectDrawArgs.size, m_properties);
             }
         }

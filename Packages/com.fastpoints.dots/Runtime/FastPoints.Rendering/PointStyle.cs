@@ -7,7 +7,7 @@ namespace FastPoints.Rendering
     {
         public PointShape Shape;
 
-        /// <summary>Of squares and discs.</summary>
+        /// <summary>Of all but pixels.</summary>
         public PointSize Size;
 
         /// <summary>Strength of eye-dome lighting: 0 for none, which costs nothing; 0.25 is usual. It takes two more textures of the
@@ -18,7 +18,10 @@ namespace FastPoints.Rendering
         public bool FillsHoles;
 
         /// <summary>Whether points are drawn into a layer of their own first.</summary>
-        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles;
+        internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsBlended;
+
+        /// <summary>Whether points are drawn a second time, to be added up.</summary>
+        internal readonly bool IsBlended => Shape == PointShape.Splat;
 
         /// <summary>Whether sizes are looked up.</summary>
         internal readonly bool IsAdaptive => Shape != PointShape.Pixel && Size.Mode == PointSizeMode.Adaptive;

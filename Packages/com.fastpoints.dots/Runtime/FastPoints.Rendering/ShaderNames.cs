@@ -24,6 +24,7 @@ namespace FastPoints.Rendering
         public static readonly int LayerColor = Shader.PropertyToID("_FastPointsLayerColor");
         public static readonly int LayerDepth = Shader.PropertyToID("_FastPointsLayerDepth");
         public static readonly int LayerDevice = Shader.PropertyToID("_FastPointsLayerDevice");
+        public static readonly int LayerSums = Shader.PropertyToID("_FastPointsLayerSums");
         public static readonly int NodeOfInstance = Shader.PropertyToID("_FastPointsNodeOfInstance");
         public static readonly int Nodes = Shader.PropertyToID("_FastPointsNodes");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
@@ -46,6 +47,7 @@ namespace FastPoints.Rendering
         public const string RasterDepthKernel = "FastPointsRasterDepth";
         public const string RasterColorKernel = "FastPointsRasterColor";
         public const string AdaptiveKeyword = "FASTPOINTS_ADAPTIVE";
+        public const string BlendedKeyword = "FASTPOINTS_BLENDED";
         public const string ClippedKeyword = "FASTPOINTS_CLIPPED";
         public const string FilteredKeyword = "FASTPOINTS_FILTERED";
         public const string FromPixelsKeyword = "FASTPOINTS_FROM_PIXELS";

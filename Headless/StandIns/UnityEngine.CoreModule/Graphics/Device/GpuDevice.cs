@@ -87,6 +87,14 @@ namespace StandIns.Graphics
             }
         }
 
+        internal unsafe bool CanBlend(VkFormat format)
+        {
+            const uint colorAttachmentBlend = 0x100;
+            VkFormatProperties properties;
+            Vk.vkGetPhysicalDeviceFormatProperties(Physical, format, &properties);
+            return (properties.optimalTilingFeatures & colorAttachmentBlend) != 0;
+        }
+
         /// <summary>Vertex shaders may say which slice is drawn into.</summary>
         internal bool ChoosesSlices { get; private set; }
 

@@ -1,4 +1,5 @@
 using StandIns.Graphics;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 
 namespace UnityEngine
@@ -43,6 +44,12 @@ namespace UnityEngine
         public static int maxComputeWorkGroupSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxComputeWorkGroupInvocations ?? 0);
 
         public static int maxTextureSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxImageDimension2D ?? 0);
+
+        public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
+        {
+            GraphicsFormatUsage.Blend => GpuDevice.TryGet(out _)?.CanBlend(TextureFormats.Vulkan(format)) ?? false,
+            _ => throw new System.NotSupportedException("GraphicsFormatUsage." + usage),
+        };
 
         static bool HasDevice => GpuDevice.TryGet(out _) != null;
 

@@ -48,6 +48,9 @@ namespace FastPoints.Picture
         /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
+        /// <summary>Empty to draw; to blend what was drawn, see <see cref="BlendedPixels"/>. Written by atomic addition.</summary>
+        [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
+
         public void Execute(int index)
         {
             byte* batch = stackalloc byte[MaxBatchBytes];
@@ -71,7 +74,8 @@ namespace FastPoints.Picture
                     FindGaps(run, batch, count, gaps);
                 Drawing.Draw(batch, (uint*)Palette.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
                     (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels),
-                    SizeNodes.Length > 0 ? gaps : null);
+                    SizeNodes.Length > 0 ? gaps : null,
+                    Sums.Length > 0 ? (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sums) : null);
             }
         }
 

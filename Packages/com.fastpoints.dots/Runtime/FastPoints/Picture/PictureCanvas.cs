@@ -14,10 +14,12 @@ namespace FastPoints.Picture
         const long MaxPixels = 1L << 27;
 
         NativeArray<ulong> m_pixels;
+        NativeArray<ulong> m_sums;
         NativeArray<uint> m_colors;
         NativeArray<uint> m_palette;
         NativeArray<float> m_sizeOfTile;
         NativeReference<float> m_typicalSizePx;
+        bool m_isBlending;
 
         public PictureCanvas(int widthPx, int heightPx, Allocator allocator)
         {
@@ -42,6 +44,9 @@ namespace FastPoints.Picture
 
         /// <summary>Depth and colour: see <see cref="PointDrawing"/>.</summary>
         public NativeArray<ulong> Pixels => m_pixels;
+
+        /// <summary>Of points that are blended: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.</summary>
+        public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         /// <summary>256 colours that values are looked up in.</summary>
         public NativeArray<uint> Palette => m_palette;
@@ -72,8 +77,22 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Takes away all points. No drawing may be in flight.</summary>
-        public unsafe void Clear() =>
+        public unsafe void Clear()
+        {
             UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
+            m_isBlending = false;
+        }
+
+        /// <summary>What was drawn shows how far away each pixel's nearest point is: the same points, drawn again, are blended with
+        /// it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
+        public unsafe void BeginBlending()
+        {
+            if (!m_sums.IsCreated)
+                m_sums = new NativeArray<ulong>(m_pixels.Length * BlendedPixels.WordsPerPixel, Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
+            UnsafeUtility.MemClear(m_sums.GetUnsafePtr(), (long)m_sums.Length * sizeof(ulong));
+            m_isBlending = true;
+        }
 
         /// <summary>Draws some of a batch's points; any number of these may be in flight.</summary>
         public JobHandle ScheduleDraw(PointBatch points, int first, int count, PointDrawing drawing, JobHandle inputDeps)
@@ -116,6 +135,8 @@ namespace FastPoints.Picture
             return new ResolvePictureJob
             {
                 Pixels = m_pixels,
+                Sums = m_isBlending ? m_sums : m_pixels,
+                IsBlended = m_isBlending,
                 Projection = drawing.Projection,
                 Background = background,
                 EdlStrength = edlStrength,
@@ -137,6 +158,8 @@ namespace FastPoints.Picture
             if (!m_pixels.IsCreated)
                 return;
             m_pixels.Dispose();
+            if (m_sums.IsCreated)
+                m_sums.Dispose();
             m_colors.Dispose();
             m_sizeOfTile.Dispose();
             m_typicalSizePx.Dispose();

@@ -49,6 +49,10 @@ namespace FastPoints.Picture
         /// <summary>Discs in place of squares.</summary>
         public bool RoundPoints;
 
+        /// <summary>Discs that are blended where they lie behind one another, of streamed clouds: see <see
+        /// cref="BlendedPixels"/>.</summary>
+        public bool BlendedPoints;
+
         /// <summary>See <see cref="PointDrawing.IsDomed"/>.</summary>
         public bool DomedPoints;
 
@@ -68,7 +72,7 @@ namespace FastPoints.Picture
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
             "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
-            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round|paraboloid, " +
+            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round|paraboloid|splat (the last of converted clouds), " +
             "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
@@ -92,9 +96,10 @@ namespace FastPoints.Picture
                             "adaptive:1.2; got " + value;
                     break;
                 case "points":
-                    if (value != "square" && value != "round" && value != "paraboloid")
-                        error = "points: wanted square, round or paraboloid, got " + value;
-                    RoundPoints = value == "round";
+                    if (value != "square" && value != "round" && value != "paraboloid" && value != "splat")
+                        error = "points: wanted square, round, paraboloid or splat, got " + value;
+                    RoundPoints = value == "round" || value == "splat";
+                    BlendedPoints = value == "splat";
                     DomedPoints = value == "paraboloid";
                     break;
                 case "classes":

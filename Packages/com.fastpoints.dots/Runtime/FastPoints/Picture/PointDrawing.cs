@@ -47,8 +47,9 @@ namespace FastPoints.Picture
         /// <see cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
         /// <param name="pixels">Width times height of them, row by row from the top.</param>
         /// <param name="gaps">By point of those drawn: see <see cref="PointSize.ToPx"/>. Null where no size is adaptive.</param>
+        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see cref="BlendedPixels"/>.</param>
         public readonly unsafe void Draw(byte* bytes, uint* palette, float* sizeOfTile, int first, int count,
-            ulong* pixels, float* gaps = null)
+            ulong* pixels, float* gaps = null, ulong* sums = null)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
             double* y = stackalloc double[ColumnValues.RunLength];
@@ -59,10 +60,10 @@ namespace FastPoints.Picture
                 int run = math.min(ColumnValues.RunLength, count - done);
                 Positions.Load(bytes, first + done, run, x, y, z);
                 PointColoring.ColorRun(bytes, Colors, palette, first + done, run, x, y, z, colors);
-                if (LargestPx <= 1)
+                if (LargestPx <= 1 && sums == null)
                     DrawPixels(x, y, z, colors, run, pixels);
                 else
-                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels);
+                    DrawSplats(x, y, z, colors, run, sizeOfTile, gaps == null ? null : gaps + done, pixels, sums);
             }
         }
 
@@ -81,7 +82,7 @@ namespace FastPoints.Picture
         }
 
         readonly unsafe void DrawSplats(double* x, double* y, double* z, uint* colors, int count, float* sizeOfTile,
-            float* gaps, ulong* pixels)
+            float* gaps, ulong* pixels, ulong* sums)
         {
             int width = Projection.WidthPx, height = Projection.HeightPx;
             int tilesAcross = PointSizing.TilesAlong(width);
@@ -108,6 +109,7 @@ namespace FastPoints.Picture
                 ulong key = KeyOf(depth, radiusPx, colors[i]);
                 // The radius in world units at the rim, the square of its pixels away.
                 double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
+                float nearest = (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
 
                 // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
                 int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
@@ -123,9 +125,17 @@ namespace FastPoints.Picture
                         double distanceSq = dx * dx + dy * dy;
                         if ((IsRound || IsDomed) && distanceSq > half * half)
                             continue;
+                        long pixel = (long)row * width + column;
+                        if (sums != null)
+                        {
+                            if (nearest <= PointProjection.DepthFromBits((uint)(pixels[pixel] >> 32)))
+                                BlendedPixels.Add(sums + pixel * BlendedPixels.WordsPerPixel, colors[i],
+                                    BlendedPixels.WeightOf(distanceSq / (half * half)));
+                            continue;
+                        }
                         if (IsDomed)
                             key = KeyOf((float)(depth + distanceSq * behindPerSq), radiusPx, colors[i]);
-                        Lower(pixels + ((long)row * width + column), key);
+                        Lower(pixels + pixel, key);
                     }
                 }
             }

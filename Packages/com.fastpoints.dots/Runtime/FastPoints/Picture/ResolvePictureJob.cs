@@ -21,6 +21,10 @@ namespace FastPoints.Picture
         const float MaxDifferencePx = 12;
 
         [ReadOnly] public NativeArray<ulong> Pixels;
+
+        /// <summary>Where <see cref="IsBlended"/>, colours come from here: see <see cref="BlendedPixels"/>.</summary>
+        [ReadOnly] public NativeArray<ulong> Sums;
+        public bool IsBlended;
         public PointProjection Projection;
 
         /// <summary>Colour of pixels without a point: bytes red, green, blue, alpha from the lowest.</summary>
@@ -45,7 +49,7 @@ namespace FastPoints.Picture
             int row = index * width;
             for (int x = 0; x < width; x++)
             {
-                ulong pixel = Pixels[row + x];
+                ulong pixel = PixelAt(row + x);
                 if (pixel == PointDrawing.EmptyPixel && FillsHoles)
                     pixel = Fill(x, index);
                 if (pixel == PointDrawing.EmptyPixel)
@@ -55,6 +59,15 @@ namespace FastPoints.Picture
                 else
                     Colors[row + x] = Darken((uint)pixel, Shade(x, index, pixel));
             }
+        }
+
+        ulong PixelAt(int index)
+        {
+            ulong pixel = Pixels[index];
+            if (!IsBlended || pixel == PointDrawing.EmptyPixel)
+                return pixel;
+            index *= BlendedPixels.WordsPerPixel;
+            return pixel & ~0xFFFFFFul | BlendedPixels.ColorOf(Sums[index], Sums[index + 1], (uint)pixel & 0xFFFFFF);
         }
 
         /// <summary>A pixel as if drawn with a point of one pixel, or an empty one.</summary>
@@ -67,7 +80,7 @@ namespace FastPoints.Picture
             {
                 for (int nx = math.max(0, x - 1); nx <= math.min(Projection.WidthPx - 1, x + 1); nx++)
                 {
-                    ulong pixel = Pixels[ny * Projection.WidthPx + nx];
+                    ulong pixel = PixelAt(ny * Projection.WidthPx + nx);
                     if (pixel == PointDrawing.EmptyPixel)
                         continue;
                     count++;

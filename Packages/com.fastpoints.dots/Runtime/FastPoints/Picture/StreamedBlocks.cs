@@ -149,6 +149,7 @@ namespace FastPoints.Picture
                 HiddenClasses = HiddenClasses,
                 Drawing = drawing,
                 Pixels = canvas.Pixels,
+                Sums = canvas.Sums,
             }.ScheduleParallel(m_runs.Length, 1, inputDeps);
         }
 

@@ -50,6 +50,12 @@ namespace FastPoints.Picture
                 m_canvas.Clear();
                 drawn = DrawAll(camera, default);
             }
+            if (m_options.BlendedPoints)
+            {
+                drawn.Complete();
+                m_canvas.BeginBlending();
+                drawn = DrawAll(camera, default);
+            }
             var projection = new PointDrawing
             {
                 Projection = new PointProjection(camera, PositionTransform.Identity, m_canvas.WidthPx, m_canvas.HeightPx),

@@ -1,0 +1,10 @@
+using System;
+
+namespace UnityEngine.Experimental.Rendering
+{
+    [Flags]
+    public enum GraphicsFormatUsage
+    {
+        Blend = 32,
+    }
+}

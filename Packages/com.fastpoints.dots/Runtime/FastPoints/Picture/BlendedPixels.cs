@@ -1,0 +1,58 @@
+using System.Runtime.CompilerServices;
+using System.Threading;
+using Unity.Mathematics;
+
+namespace FastPoints.Picture
+{
+    /// <summary>
+    /// Surface splatting (Botsch, Hornung, Zwicker, Kobbelt, "High-quality surface splatting on today's GPUs", 2005) with discs that
+    /// face the camera: of the points that a pixel lies in, all that are at most a window behind the nearest are averaged, each
+    /// with a weight that falls from its middle to its rim. Sums are whole numbers, so that no order matters:
+    /// <code>
+    /// word 0: bit 63 .. 32 green, 31 .. 0 red     word 1: bit 63 .. 32 weights, 31 .. 0 blue
+    /// </code>
+    /// </summary>
+    public static class BlendedPixels
+    {
+        public const int WordsPerPixel = 2;
+
+        /// <summary>Of a point in its middle; 1 at its rim.</summary>
+        public const int LargestWeight = 32;
+
+        /// <summary>Of a pixel: 255 times as much fits 32 bits. What comes after half a million points is left out.</summary>
+        const uint MostWeights = (1u << 24) - 1024;
+
+        /// <summary>How far behind the nearest point others are blended with it: a point's diameter, in world
+        /// units.</summary>
+        /// <param name="pixelsPerUnit">At the point's depth.</param>
+        public static double WindowOf(float sizePx, double pixelsPerUnit) => sizePx / pixelsPerUnit;
+
+        /// <param name="distanceSq">From the middle, 1 at the rim, squared.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint WeightOf(double distanceSq) =>
+            (uint)math.max(1, (int)math.floor(LargestWeight * (1 - distanceSq) + 0.5));
+
+        /// <summary>Adds a point, whatever other threads do.</summary>
+        /// <param name="pixel">Two words.</param>
+        public static unsafe void Add(ulong* pixel, uint color, uint weight)
+        {
+            if ((uint)(pixel[1] >> 32) > MostWeights)
+                return;
+            ulong red = color & 255, green = color >> 8 & 255, blue = color >> 16 & 255;
+            Interlocked.Add(ref *(long*)pixel, (long)(green * weight << 32 | red * weight));
+            Interlocked.Add(ref *(long*)(pixel + 1), (long)((ulong)weight << 32 | blue * weight));
+        }
+
+        /// <summary>The mean colour, rounded; that of the nearest point where none was added.</summary>
+        public static uint ColorOf(ulong word0, ulong word1, uint nearest)
+        {
+            ulong weights = word1 >> 32, half = weights / 2;
+            if (weights == 0)
+                return nearest;
+            uint red = (uint)(((word0 & uint.MaxValue) + half) / weights);
+            uint green = (uint)(((word0 >> 32) + half) / weights);
+            uint blue = (uint)(((word1 & uint.MaxValue) + half) / weights);
+            return red | green << 8 | blue << 16;
+        }
+    }
+}
