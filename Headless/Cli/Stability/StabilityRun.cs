@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Headless.Graphics;
 using FastPoints.Octree;
 using FastPoints.Picture;
 using FastPoints.Pipeline;
@@ -22,7 +23,8 @@ namespace FastPoints.Cli.Stability
         /// <summary>What one stage came to.</summary>
         /// <param name="Outcome">"ok", "error" for a failure that says what it wanted, or what went wrong.</param>
         /// <param name="Error">Read and build: points too many or too few. Preview and draw: share of the pixels of a picture
-        /// of all points that are left uncovered.</param>
+        /// of all points that are left uncovered. Card: share of the covered pixels that differ from the software
+        /// rasteriser's.</param>
         public sealed record StageResult(string Stage, string Outcome, double Error, double Seconds, long ResidentBytes);
 
         readonly StabilityCase m_case;
@@ -94,6 +96,8 @@ namespace FastPoints.Cli.Stability
                     return ImageError.Compare(draw.Image, reference!, options.Background).Uncovered;
                 });
                 Take("stream", () => StreamStage.Run(target, options, reference!, Problems));
+                if (HeadlessGraphics.IsAvailable)
+                    Take("card", () => CardStage.Run(target, options, Problems));
             }
         }
 

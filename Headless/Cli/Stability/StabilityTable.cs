@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Headless.Graphics;
 using FastPoints.Octree;
 
 namespace FastPoints.Cli.Stability
@@ -13,7 +14,7 @@ namespace FastPoints.Cli.Stability
     {
         public const int DefaultPoints = 200_000;
 
-        static readonly string[] s_stages = ["read", "preview", "build", "draw", "stream"];
+        static readonly string[] s_stages = ["read", "preview", "build", "draw", "stream", "card"];
 
         /// <param name="points">About what a case has.</param>
         public static void Run(int points, CliRun run)
@@ -59,6 +60,8 @@ namespace FastPoints.Cli.Stability
                 run.Out.WriteLine("| " + result.Name + " | " + string.Join(" | ", cells) + " | "
                     + Human.Bytes(result.Stages.Max(s => s.ResidentBytes)) + " | " + (result.Problems.Count == 0 ? "yes" : "NO") + " |");
             }
+            if (!HeadlessGraphics.IsAvailable)
+                run.Out.WriteLine("card: not drawn: " + HeadlessGraphics.WhyNot);
             foreach (var result in results)
                 foreach (string problem in result.Problems)
                     run.Out.WriteLine(result.Name + ": " + problem);
@@ -73,6 +76,7 @@ namespace FastPoints.Cli.Stability
                 return "";
             string error = stage.Error == 0 ? "" : stage.Stage is "preview" or "draw" or "stream"
                 ? ", " + (100 * stage.Error).ToString("0.##", CultureInfo.InvariantCulture) + " % bare"
+                : stage.Stage == "card" ? ", " + (100 * stage.Error).ToString("0.###", CultureInfo.InvariantCulture) + " % differ"
                 : ", " + stage.Error.ToString("0", CultureInfo.InvariantCulture) + " points wrong";
             return stage.Outcome + error + ", " + Human.Seconds(stage.Seconds);
         }

@@ -32,12 +32,15 @@ namespace FastPoints.Cli.Stability
             return ImageError.Compare(picture.Draw(plan.Camera), reference, options.Background).Uncovered;
         }
 
-        static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems)
+        /// <summary>Frames until nothing more comes.</summary>
+        public static FrameStats Settle(StreamContext stream, StreamView view, List<string> problems,
+            Action? endFrame = null)
         {
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = view };
             for (int frame = 0; frame < MostFrames; frame++)
             {
                 var stats = FrameStep.Run(stream, views);
+                endFrame?.Invoke();
                 if (stats.IsSettled)
                     return stats;
                 Thread.Yield();

@@ -79,27 +79,8 @@ namespace FastPoints.HostTests.Gpu
 
         /// <summary>Of the pixels that either picture covers, the share that is not the same in both.</summary>
         /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-        public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int mostPerChannel = 0)
-        {
-            int differ = 0;
-            covered = 0;
-            for (int y = 0; y < pictures.Cpu.Height; y++)
-                for (int x = 0; x < pictures.Cpu.Width; x++)
-                {
-                    uint cpu = pictures.Cpu[x, y], gpu = pictures.Gpu[x, y];
-                    covered += cpu != m_options.Background || gpu != m_options.Background ? 1 : 0;
-                    differ += IsNear(cpu, gpu, mostPerChannel) ? 0 : 1;
-                }
-            return differ / (double)Math.Max(1, covered);
-        }
-
-        static bool IsNear(uint a, uint b, int mostPerChannel)
-        {
-            for (int shift = 0; shift < 32; shift += 8)
-                if (Math.Abs((int)(a >> shift & 255) - (int)(b >> shift & 255)) > mostPerChannel)
-                    return false;
-            return true;
-        }
+        public double ShareThatDiffers((RgbaImage Cpu, RgbaImage Gpu) pictures, out int covered, int mostPerChannel = 0) =>
+            ImageError.ShareThatDiffers(pictures.Cpu, pictures.Gpu, m_options.Background, out covered, mostPerChannel);
 
         public void Dispose()
         {

@@ -59,7 +59,7 @@ namespace FastPoints.Rendering.Urp
             var camera = data.CameraData;
             var size = camera.cameraTargetDescriptor;
             // Both eyes of a headset are two slices.
-            bool hasBothEyes = size.volumeDepth > 1;
+            bool hasBothEyes = camera.camera.stereoEnabled && size.volumeDepth > 1;
             var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
             target.WidthPx = size.width;

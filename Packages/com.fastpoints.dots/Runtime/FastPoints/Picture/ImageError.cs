@@ -109,5 +109,33 @@ namespace FastPoints.Picture
                 luma[i] = 0.2126f * image.Rgba[i * 4] + 0.7152f * image.Rgba[i * 4 + 1] + 0.0722f * image.Rgba[i * 4 + 2];
             return luma;
         }
+
+        /// <summary>Of the pixels that either of two pictures of a size covers, the share that is not the same in both.</summary>
+        /// <param name="mostPerChannel">Colours that differ by no more, in 255ths, are the same.</param>
+        /// <param name="covered">How many pixels these are.</param>
+        public static double ShareThatDiffers(in RgbaImage image, in RgbaImage other, uint background, out int covered,
+            int mostPerChannel = 0)
+        {
+            int differ = 0;
+            covered = 0;
+            for (int y = 0; y < image.Height; y++)
+            {
+                for (int x = 0; x < image.Width; x++)
+                {
+                    uint a = image[x, y], b = other[x, y];
+                    covered += a != background || b != background ? 1 : 0;
+                    differ += IsNear(a, b, mostPerChannel) ? 0 : 1;
+                }
+            }
+            return differ / (double)Math.Max(1, covered);
+        }
+
+        static bool IsNear(uint a, uint b, int mostPerChannel)
+        {
+            for (int shift = 0; shift < 32; shift += 8)
+                if (Math.Abs((int)(a >> shift & 255) - (int)(b >> shift & 255)) > mostPerChannel)
+                    return false;
+            return true;
+        }
     }
 }
