@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor
@@ -10,6 +11,11 @@ namespace UnityEditor
         internal string Path;
 
         public string assetPath => Path;
+
+        public static AssetImporter GetAtPath(string path) =>
+            AssetDatabase.Assets.ContainsKey(path) ? new AssetImporter { Path = path } : null;
+
+        public void SaveAndReimport() => AssetDatabase.ImportAsset(Path);
     }
 
     public class AssetPostprocessor
@@ -23,6 +29,8 @@ namespace UnityEditor
         internal static readonly Dictionary<string, Type> Importers = new Dictionary<string, Type>();
         internal static readonly Dictionary<string, Type> Overrides = new Dictionary<string, Type>();
         internal static readonly Dictionary<string, string[]> Dependencies = new Dictionary<string, string[]>();
+
+        internal static readonly Dictionary<string, Hash128> CustomDependencies = new Dictionary<string, Hash128>();
 
         /// <summary>What a host does where Unity would run the importer of an asset's type.</summary>
         internal static Action<string> Importing;
@@ -39,6 +47,9 @@ namespace UnityEditor
             Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
 
         public static void ImportAsset(string path) => Importing?.Invoke(path);
+
+        public static void RegisterCustomDependency(string dependency, Hash128 hashOfValue) =>
+            CustomDependencies[dependency] = hashOfValue;
 
         /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
         public static string[] FindAssets(string filter) =>

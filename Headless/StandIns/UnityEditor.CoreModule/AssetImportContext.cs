@@ -22,6 +22,10 @@ namespace UnityEditor.AssetImporters
 
         public void SetMainObject(Object obj) => mainObject = obj;
 
+        internal readonly List<string> Dependencies = new List<string>();
+
+        public void DependsOnCustomDependency(string dependency) => Dependencies.Add(dependency);
+
         public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
 
         public void LogImportWarning(string msg, Object obj = null) => Warnings.Add(msg);

@@ -32,6 +32,8 @@ namespace UnityEditor
 
         public virtual bool RequiresConstantRepaint() => false;
 
+        public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
+
         public virtual void OnInspectorGUI()
         {
         }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.IO;
 using FastPoints.Base;
 using UnityEditor;
 using UnityEditor.AssetImporters;
@@ -61,6 +62,8 @@ namespace FastPoints.Editor
                 catalog.Refresh();
                 m_handle = PointCloudImports.Current.HandleOf(Asset);
                 m_match = catalog.Find(m_handle, out m_cloud);
+                if (m_match == CatalogMatch.InPlace && !File.Exists(CloudThumbnails.PathOf(m_cloud.Path)))
+                    PointCloudImports.Current.Thumbnails.Add(m_cloud.Path);
             }
             catch (PointCloudException e)
             {

@@ -27,6 +27,7 @@ namespace FastPoints.Editor
             m_settings = settings;
             Queue = new ImportQueue(paths, settings.ForConversion);
             Queue.Ended += End;
+            Thumbnails.Drawn += ShowThumbnail;
             Catalog = new CloudCatalog(paths);
         }
 
@@ -37,6 +38,12 @@ namespace FastPoints.Editor
         /// <summary>Clouds that somebody wants verified.</summary>
         public EditorChecks Checks { get; } = new EditorChecks();
 
+        /// <summary>Clouds that are copied out and in.</summary>
+        public CloudTransfers Transfers { get; } = new CloudTransfers();
+
+        /// <summary>Pictures of clouds for the Project window.</summary>
+        public CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
+
         /// <summary>Bytes of a file that may be copied into the project.</summary>
         public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
 
@@ -45,6 +52,8 @@ namespace FastPoints.Editor
         {
             Queue.Tick(m_settings.UpdateMs, nowUtc);
             Checks.Update(m_settings.UpdateMs);
+            Transfers.Update();
+            Thumbnails.Update(m_settings.UpdateMs);
             if (nowUtc < m_nextReport)
                 return;
             m_nextReport = nowUtc + s_reportAfter;
@@ -67,7 +76,9 @@ namespace FastPoints.Editor
                     s => Catalog.NewTarget(s, Queue.IsPromised), out var handle);
                 string asset = Paths.Stored(path);
                 AssetDatabase.ImportAsset(asset);
-                if (handle.Sources.Count > 0 && m_settings.ConvertAtOnce)
+                if (handle.Sources.Count == 0)
+                    Thumbnails.Add(Paths.Absolute(handle.CloudPath));
+                else if (m_settings.ConvertAtOnce)
                     Convert(asset, handle);
                 return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             }
@@ -82,8 +93,37 @@ namespace FastPoints.Editor
         public void TakePointFile(string asset)
         {
             var handle = OfPointFile(asset);
-            if (m_settings.ConvertAtOnce && !CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
-                Convert(asset, handle);
+            if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
+            {
+                if (m_settings.ConvertAtOnce)
+                    Convert(asset, handle);
+            }
+            else if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
+            {
+                Debug.LogWarning("FastPoints: " + asset + " has changed since it was converted: its inspector converts it again");
+            }
+        }
+
+        /// <summary>Copies an asset's converted cloud to a folder outside: a name is found for it.</summary>
+        /// <returns>The copy's folder, which is there when the copy is whole; null where nothing can be copied, which is
+        /// logged.</returns>
+        public string Export(PointCloudAsset asset, string folder)
+        {
+            string cloud = Paths.Absolute(asset.ProjectPath);
+            if (File.Exists(Path.Combine(cloud, StoreFormat.ManifestName)))
+                return Transfers.Export(cloud, folder);
+            Debug.LogError("FastPoints: " + asset.name + " is not converted: wanted a cloud in " + cloud);
+            return null;
+        }
+
+        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is whole.</summary>
+        /// <param name="folder">Of the handle: in <c>Assets</c>.</param>
+        public void ImportCopy(string cloud, string folder)
+        {
+            if (CloudSources.IsConverted(cloud))
+                Transfers.Import(cloud, Paths, copy => Selection.activeObject = Take(copy, folder));
+            else
+                Debug.LogError("FastPoints: " + cloud + ": wanted a converted cloud, a folder with " + StoreFormat.ManifestName);
         }
 
         /// <summary>Has an asset's cloud converted, for the first time or again.</summary>
@@ -112,6 +152,8 @@ namespace FastPoints.Editor
                 Progress.Finish(m_progress, Progress.Status.Canceled);
             m_reported = null;
             Checks.Dispose();
+            Transfers.Dispose();
+            Thumbnails.Dispose();
             Queue.Suspend();
         }
 
@@ -129,10 +171,18 @@ namespace FastPoints.Editor
             Queue.Add(request);
         }
 
-        static CloudHandle OfPointFile(string asset)
+        CloudHandle OfPointFile(string asset)
         {
-            var handle = new CloudHandle { CloudPath = PointFileImporter.CloudPath(AssetDatabase.AssetPathToGUID(asset)) };
+            var handle = new CloudHandle { CloudPath = Paths.OfAsset(AssetDatabase.AssetPathToGUID(asset)) };
             handle.Sources.Add(asset);
+            try
+            {
+                handle.Stamp = StampFile.Read(Paths.Absolute(handle.CloudPath));
+            }
+            catch (PointCloudException e)
+            {
+                Debug.LogWarning("FastPoints: " + e.Message);
+            }
             return handle;
         }
 
@@ -192,21 +242,38 @@ namespace FastPoints.Editor
                 return;
             foreach (var warning in session.Source.Warnings)
                 Debug.LogWarning("FastPoints: " + warning);
-            if (asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
-                Update(asset, session);
+            Update(asset, Paths.Absolute(request.Cloud), session);
+            Thumbnails.Add(Paths.Absolute(request.Cloud));
             Reopen(request.Asset);
         }
 
-        void Update(string asset, BuildSession session)
+        void Update(string asset, string cloud, BuildSession session)
         {
             try
             {
+                if (!asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
+                {
+                    StampFile.Write(cloud, session.Stamp);
+                    return;
+                }
                 HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp);
                 AssetDatabase.ImportAsset(asset);
             }
             catch (PointCloudException e)
             {
                 Debug.LogError("FastPoints: " + e.Message);
+            }
+        }
+
+        /// <summary>Unity asks for an asset's picture when it is imported.</summary>
+        void ShowThumbnail(string cloud)
+        {
+            foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
+            {
+                string path = AssetDatabase.GUIDToAssetPath(guid);
+                var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
+                if (asset != null && !string.IsNullOrEmpty(asset.ProjectPath) && Paths.Absolute(asset.ProjectPath) == cloud)
+                    AssetImporter.GetAtPath(path)?.SaveAndReimport();
             }
         }
 

@@ -10,6 +10,10 @@ namespace FastPoints.Editor
     {
         public Sampler Sampler = Sampler.Random;
 
+        /// <summary>Where converted clouds are: relative to the project, or a whole path. Those that are elsewhere stay there, and are
+        /// found where their handles say.</summary>
+        public string Place = ProjectPaths.DefaultClouds;
+
         /// <summary>For all of a conversion that grows with the number of points; what does not fit goes to files.</summary>
         public int MemoryMiB = 1024;
 

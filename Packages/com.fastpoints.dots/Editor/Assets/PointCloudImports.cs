@@ -9,6 +9,9 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudImports
     {
+        /// <summary>What <see cref="FastPointsSettings.Place"/> is for importers.</summary>
+        public const string PlaceDependency = "FastPoints/Place";
+
         static EditorImports s_current;
 
         static PointCloudImports()
@@ -16,19 +19,43 @@ namespace FastPoints.Editor
             // Import workers load scripts as well; there is one queue, the editor's.
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
+            RegisterPlace();
             EditorApplication.update += Update;
             EditorApplication.quitting += Suspend;
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;
         }
 
-        public static EditorImports Current => s_current ??= new EditorImports(
-            new ProjectPaths(Path.GetDirectoryName(Application.dataPath)), FastPointsSettings.instance);
+        public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
+
+        /// <summary>As the settings say; import workers ask too.</summary>
+        public static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
+
+        static string Project => Path.GetDirectoryName(Application.dataPath);
+
+        /// <summary>From now on clouds are converted into another place. A conversion that goes on is suspended, and continued when the
+        /// place is what it was.</summary>
+        /// <returns>Why not, in one line; null where they are.</returns>
+        public static string Move(string place)
+        {
+            string problem = ProjectPaths.FindProblem(Project, place);
+            if (problem != null)
+                return problem;
+            s_current?.Suspend();
+            s_current = null;
+            FastPointsSettings.instance.Place = place;
+            RegisterPlace();
+            return null;
+        }
 
         internal static void TakePointFile(string asset)
         {
             if (!AssetDatabase.IsAssetImportWorkerProcess())
                 Current.TakePointFile(asset);
         }
+
+        /// <summary>Files in <c>Assets</c> are imported again where the place is another.</summary>
+        static void RegisterPlace() =>
+            AssetDatabase.RegisterCustomDependency(PlaceDependency, Hash128.Compute(FastPointsSettings.instance.Place));
 
         static void Update() => Current.Update(DateTime.UtcNow);
 

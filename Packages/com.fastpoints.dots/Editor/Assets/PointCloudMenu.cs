@@ -1,3 +1,4 @@
+using FastPoints.Entities;
 using UnityEditor;
 
 namespace FastPoints.Editor
@@ -12,6 +13,25 @@ namespace FastPoints.Editor
         [MenuItem("Assets/Import point cloud folder...", false, 20)]
         static void ImportFolder() =>
             Take(EditorUtility.OpenFolderPanel("Import Potree, EPT, converted cloud, or a folder of tiles", "", ""));
+
+        [MenuItem("Assets/Import copy of converted point cloud...", false, 20)]
+        static void ImportCopy()
+        {
+            string cloud = EditorUtility.OpenFolderPanel("Import a copy of a converted cloud", "", "");
+            if (!string.IsNullOrEmpty(cloud))
+                PointCloudImports.Current.ImportCopy(cloud, "Assets");
+        }
+
+        [MenuItem("Assets/Export point cloud...", false, 20)]
+        static void Export()
+        {
+            string folder = EditorUtility.OpenFolderPanel("Export point cloud into a folder", "", "");
+            if (!string.IsNullOrEmpty(folder))
+                PointCloudImports.Current.Export((PointCloudAsset)Selection.activeObject, folder);
+        }
+
+        [MenuItem("Assets/Export point cloud...", true, 20)]
+        static bool CanExport() => Selection.activeObject is PointCloudAsset;
 
         static void Take(string source)
         {

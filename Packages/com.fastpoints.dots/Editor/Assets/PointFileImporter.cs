@@ -1,5 +1,4 @@
 using FastPoints.Files;
-using FastPoints.Store;
 using UnityEditor.AssetImporters;
 
 namespace FastPoints.Editor
@@ -14,7 +13,8 @@ namespace FastPoints.Editor
         {
             using (var reader = PointReaders.Open(context.assetPath))
             {
-                var handle = new CloudHandle { CloudPath = CloudPath(guid) };
+                context.DependsOnCustomDependency(PointCloudImports.PlaceDependency);
+                var handle = new CloudHandle { CloudPath = PointCloudImports.Paths.OfAsset(guid) };
                 handle.Sources.Add(context.assetPath);
                 handle.Describe(reader.Info);
                 foreach (var warning in reader.Info.Warnings)
@@ -22,8 +22,5 @@ namespace FastPoints.Editor
                 return handle;
             }
         }
-
-        /// <summary>By the asset's number, which stays when the file is renamed.</summary>
-        public static string CloudPath(string guid) => ProjectPaths.DefaultClouds + "/" + guid + StoreFormat.FolderExtension;
     }
 }

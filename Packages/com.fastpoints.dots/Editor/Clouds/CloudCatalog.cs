@@ -96,6 +96,8 @@ namespace FastPoints.Editor
                     Directory.Delete(gone, true);
                 Directory.Move(path, gone);
                 Directory.Delete(gone, true);
+                File.Delete(StampFile.PathOf(path));
+                File.Delete(CloudThumbnails.PathOf(path));
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

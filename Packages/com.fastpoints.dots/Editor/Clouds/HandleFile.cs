@@ -42,7 +42,9 @@ namespace FastPoints.Editor
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
             foreach (string file in Directory.GetFileSystemEntries(folder))
                 taken.Add(Path.GetFileName(file));
-            string name = AssetNaming.Unique(CloudName.Of(source), n => taken.Contains(n + CloudHandle.Extension));
+            // The folder's extension says what the handle's own does.
+            string wanted = handle.Sources.Count > 0 ? CloudName.Of(source) : Path.GetFileNameWithoutExtension(CloudName.Of(source));
+            string name = AssetNaming.Unique(wanted, n => taken.Contains(n + CloudHandle.Extension));
             string path = Path.Combine(folder, name + CloudHandle.Extension);
             Write(path, handle);
             return path;

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
@@ -9,12 +10,38 @@ namespace FastPoints.Editor
     {
         public const string DefaultClouds = "PointClouds";
 
+        /// <summary>Unity looks into them at every refresh, or deletes what is in them.</summary>
+        static readonly string[] s_unitysOwn = { "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings" };
+
         /// <param name="project">The folder that has <c>Assets</c> in it.</param>
         /// <param name="clouds">Place of converted clouds: relative to the project, or a whole path.</param>
         public ProjectPaths(string project, string clouds = DefaultClouds)
         {
             Project = Path.GetFullPath(project).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
             Clouds = Absolute(clouds);
+        }
+
+        /// <summary>Why converted clouds cannot lie in a place, in one line; null where they can.</summary>
+        /// <param name="place">Relative to the project, or a whole path.</param>
+        public static string FindProblem(string project, string place)
+        {
+            if (string.IsNullOrWhiteSpace(place))
+                return "wanted a folder, got nothing";
+            string full;
+            try
+            {
+                full = Inside(Path.Combine(project, place));
+            }
+            catch (Exception e) when (e is ArgumentException || e is NotSupportedException || e is IOException)
+            {
+                return "not a path: " + place;
+            }
+            if (Inside(project).StartsWith(full, StringComparison.OrdinalIgnoreCase))
+                return "wanted a folder of its own, got one with the project in it: " + place;
+            foreach (string taken in s_unitysOwn)
+                if (full.StartsWith(Inside(Path.Combine(project, taken)), StringComparison.OrdinalIgnoreCase))
+                    return taken + " is Unity's own: " + place;
+            return null;
         }
 
         public string Project { get; }
@@ -30,6 +57,13 @@ namespace FastPoints.Editor
             string stored = full.StartsWith(begin, StringComparison.Ordinal) ? full.Substring(begin.Length) : full;
             return stored.Replace(Path.DirectorySeparatorChar, '/');
         }
+
+        /// <summary>The folder of a point cloud file in <c>Assets</c>, as it is written down: by the asset's number, which stays when
+        /// the file is renamed.</summary>
+        public string OfAsset(string guid) => Stored(Path.Combine(Clouds, guid + StoreFormat.FolderExtension));
+
+        static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
+            Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         /// <summary>The whole path of what was written down.</summary>
         public string Absolute(string stored) => Path.GetFullPath(Path.Combine(Project, stored));

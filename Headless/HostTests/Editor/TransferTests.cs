@@ -1,0 +1,216 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using FastPoints.Cli;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using FastPoints.HostTests.Cli;
+using FastPoints.Picture;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.HostTests.Editor
+{
+    /// <summary>Converted clouds that leave a project and come into it, where they lie, and their pictures.</summary>
+    public sealed class TransferTests
+    {
+        EditorProject m_project;
+        readonly List<string> m_logged = new List<string>();
+
+        [SetUp]
+        public void OpenProject()
+        {
+            m_project = new EditorProject();
+            m_logged.Clear();
+            UnityEngine.Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
+        }
+
+        [TearDown]
+        public void CloseProject()
+        {
+            UnityEngine.Debug.s_sink = null;
+            FastPointsSettings.instance.Place = ProjectPaths.DefaultClouds;
+            m_project.Dispose();
+        }
+
+        PointCloudAsset Converted(string name = "scan")
+        {
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");
+            m_project.UpdateToTheEnd();
+            return asset;
+        }
+
+        void Updates(Func<bool> isDone) =>
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), isDone);
+
+        static void AssertIsWhole(string cloud) =>
+            Assert.That(CliCall.Of("verify", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+
+        [Test]
+        public void Export_ConvertedCloud_IsAWholeCloudUnderItsNameOrTheNextOne()
+        {
+            var asset = Converted();
+            string folder = Directory.CreateDirectory(m_project.Scratch["out"]).FullName;
+
+            string first = m_project.Imports.Export(asset, folder), second = m_project.Imports.Export(asset, folder);
+            Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+            Assert.That(first, Is.EqualTo(Path.Combine(folder, "scan.fastpoints")));
+            Assert.That(second, Is.EqualTo(Path.Combine(folder, "scan 2.fastpoints")));
+            AssertIsWhole(first);
+            AssertIsWhole(second);
+            Assert.That(Progress.Entries.TakeLast(2).Select(e => e.Status), Is.All.EqualTo(Progress.Status.Succeeded));
+        }
+
+        [Test]
+        public void Export_CloudThatIsNotConverted_SaysSo()
+        {
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.name = "scan";
+            asset.ProjectPath = "PointClouds/none.fastpoints";
+            Assert.That(m_project.Imports.Export(asset, m_project.Scratch["out"]), Is.Null);
+            Assert.That(m_logged.Single(), Does.Contain("scan is not converted"));
+        }
+
+        [Test]
+        public void ImportCopy_CloudOfAnotherProject_LiesInThisOneAndHasAnAsset()
+        {
+            string other = m_project.Scratch["other/scan.fastpoints"];
+            Directory.CreateDirectory(m_project.Scratch["other"]);
+            Assert.That(CliCall.Of("convert", m_project.Scratch.Demo(points: 3000), "-o", other, "--quiet").Status, Is.Zero);
+
+            m_project.Imports.ImportCopy(other, "Assets");
+            Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+            var asset = (PointCloudAsset)Selection.activeObject;
+            Assert.That(asset.ProjectPath, Is.EqualTo("PointClouds/scan.fastpoints"));
+            Assert.That(asset.Points, Is.EqualTo(3000));
+            AssertIsWhole(m_project.Paths.Absolute(asset.ProjectPath));
+            Directory.Delete(other, true);
+            Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.pointcloud"), out _),
+                Is.EqualTo(CatalogMatch.InPlace));
+        }
+
+        [Test]
+        public void ImportCopy_SomethingElseOrCancelled_LeavesNothing()
+        {
+            m_project.Imports.ImportCopy(m_project.Scratch["project"], "Assets");
+            Assert.That(m_logged.Single(), Does.Contain("wanted a converted cloud"));
+            var asset = Converted();
+            m_logged.Clear();
+            m_project.Imports.Transfers.Export(m_project.Paths.Absolute(asset.ProjectPath), m_project.Scratch["out"]);
+            m_project.Imports.Suspend();
+            Assert.That(m_project.Imports.Transfers.IsCopying, Is.False);
+            Assert.That(m_logged, Is.Empty);
+        }
+
+        [TestCase("PointClouds", null)]
+        [TestCase("Data/Clouds", null)]
+        [TestCase("../elsewhere", null)]
+        [TestCase("Assets/Clouds", "Assets is Unity's own")]
+        [TestCase("library", "Library is Unity's own")]
+        [TestCase(".", "with the project in it")]
+        [TestCase("..", "with the project in it")]
+        [TestCase(" ", "got nothing")]
+        public void FindProblem_OfAPlace_SaysWhatIsWrong(string place, string wanted)
+        {
+            string problem = ProjectPaths.FindProblem(m_project.Paths.Project, place);
+            Assert.That(problem, wanted == null ? Is.Null : Does.Contain(wanted));
+        }
+
+        [Test]
+        public void Move_ToAnotherPlace_CloudsAreConvertedThereAndOldOnesStay()
+        {
+            var before = Converted("before");
+            Assert.That(PointCloudImports.Move("Assets/x"), Does.Contain("Unity's own"));
+            Assert.That(FastPointsSettings.instance.Place, Is.EqualTo("PointClouds"));
+
+            Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
+
+            using (var imports = new EditorImports(PointCloudImports.Paths, FastPointsSettings.instance))
+            {
+                var after = imports.Take(m_project.Scratch.Demo("after.las", 3000), "Assets");
+                Assert.That(after.ProjectPath, Is.EqualTo("Data/Clouds/after.fastpoints"));
+                ImportProject.Updates(() => imports.Update(DateTime.UtcNow), () => imports.Queue.Requests.Count == 0);
+                AssertIsWhole(m_project.Paths.Absolute(after.ProjectPath));
+                Assert.That(after.PlayerPath, Does.StartWith("PointClouds/after-"), "a player has one place for all");
+                Assert.That(imports.Catalog.Find(imports.HandleOf("Assets/before.pointcloud"), out _), Is.EqualTo(CatalogMatch.InPlace));
+            }
+            Assert.That(before.ProjectPath, Is.EqualTo("PointClouds/before.fastpoints"));
+            Assert.That(AssetDatabase.CustomDependencies[PointCloudImports.PlaceDependency], Is.EqualTo(Hash128.Compute("Data/Clouds")));
+        }
+
+        [Test]
+        public void TakePointFile_ThatHasChangedSinceItWasConverted_IsOfferedAndNotConverted()
+        {
+            string path = m_project.Paths.Absolute("Assets/tile.las");
+            File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
+            m_project.Import("Assets/tile.las");
+            Assert.That(m_project.LastImport.Dependencies, Does.Contain(PointCloudImports.PlaceDependency));
+            m_project.Imports.TakePointFile("Assets/tile.las");
+            m_project.UpdateToTheEnd();
+            var handle = m_project.Imports.HandleOf("Assets/tile.las");
+            Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
+
+            File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddDays(1));
+            m_project.Imports.TakePointFile("Assets/tile.las");
+            Assert.That(m_logged, Is.Empty, "a time alone is no change");
+            File.Copy(m_project.Scratch.Demo("other.las", 4000), path, true);
+            m_project.Imports.TakePointFile("Assets/tile.las");
+            Assert.That(m_logged.Single(), Does.Contain("Assets/tile.las has changed"));
+            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+            string cloud = m_project.Paths.Absolute(handle.CloudPath);
+            CloudCatalog.Delete(cloud);
+            Assert.That(File.Exists(StampFile.PathOf(cloud)), Is.False);
+        }
+
+        [Test]
+        public void Thumbnail_OfAConvertedCloud_IsDrawnInSlicesAndShown()
+        {
+            var asset = Converted();
+            double longest = 0;
+            var watch = new System.Diagnostics.Stopwatch();
+            ImportProject.Updates(() =>
+            {
+                watch.Restart();
+                m_project.Imports.Thumbnails.Update(1);
+                longest = Math.Max(longest, watch.Elapsed.TotalMilliseconds);
+            }, () => !m_project.Imports.Thumbnails.IsDrawing);
+            TestContext.Progress.WriteLine("longest update of a thumbnail: " + longest + " ms");
+
+            string cloud = m_project.Paths.Absolute(asset.ProjectPath);
+            var picture = Png.Read(CloudThumbnails.PathOf(cloud));
+            Assert.That((picture.Width, picture.Height), Is.EqualTo((CloudThumbnails.SizePx, CloudThumbnails.SizePx)));
+            Assert.That(picture.Rgba.Distinct().Count(), Is.GreaterThan(50), "there is something in it");
+
+            var editor = ScriptableObject.CreateInstance<PointCloudAssetEditor>();
+            editor.target = asset;
+            var texture = editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32);
+            Assert.That((texture.width, texture.height), Is.EqualTo((64, 32)));
+            Assert.That(texture.Bytes.Distinct().Count(), Is.GreaterThan(50));
+            File.WriteAllText(CloudThumbnails.PathOf(cloud), "no picture");
+            Assert.That(editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32), Is.Null);
+            Directory.Delete(cloud, true);
+            m_project.Imports.Thumbnails.Add(cloud);
+            Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
+            Assert.That(m_logged, Is.Empty);
+        }
+
+        [Test]
+        public void Resized_Picture_IsTheMeanFromTheBottomUp()
+        {
+            var image = new RgbaImage(4, 2);
+            for (int x = 0; x < 4; x++)
+                for (int y = 0; y < 2; y++)
+                    image[x, y] = Palettes.Pack((byte)(x * 10), (byte)(y * 100), 7, 255);
+            Assert.That(ThumbnailImage.Resized(image, 2, 2), Is.EqualTo(new byte[]
+            {
+                5, 100, 7, 255, 25, 100, 7, 255,
+                5, 0, 7, 255, 25, 0, 7, 255,
+            }));
+            Assert.That(ThumbnailImage.Resized(image, 8, 1).Length, Is.EqualTo(32), "larger ones repeat");
+        }
+    }
+}

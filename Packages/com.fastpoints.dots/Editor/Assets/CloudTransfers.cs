@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Store;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line in the
+    /// Progress window.</summary>
+    public sealed class CloudTransfers : IDisposable
+    {
+        sealed class Transfer
+        {
+            public CloudCopy Copy;
+            public string To;
+            public int Progress;
+            public Action<string> Done;
+        }
+
+        readonly List<Transfer> m_transfers = new List<Transfer>();
+
+        public bool IsCopying => m_transfers.Count > 0;
+
+        /// <summary>Copies a finished cloud out: <c>NAME.fastpoints</c> in a folder, with a number where that is taken.</summary>
+        /// <returns>The copy's folder, which is there when the copy is whole.</returns>
+        public string Export(string cloud, string folder)
+        {
+            string to = FreeName(cloud, folder);
+            Begin("Export ", cloud, to, null);
+            return to;
+        }
+
+        /// <summary>Copies a finished cloud to where the project has its own.</summary>
+        /// <param name="done">Gets the copy's folder when it is whole.</param>
+        public void Import(string cloud, ProjectPaths paths, Action<string> done)
+        {
+            Directory.CreateDirectory(paths.Clouds);
+            Begin("Import ", cloud, FreeName(cloud, paths.Clouds), done);
+        }
+
+        /// <summary>Once an update of the editor.</summary>
+        public void Update()
+        {
+            for (int i = m_transfers.Count - 1; i >= 0; i--)
+            {
+                var transfer = m_transfers[i];
+                if (!transfer.Copy.Work.IsCompleted)
+                {
+                    Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.To);
+                    continue;
+                }
+                m_transfers.RemoveAt(i);
+                End(transfer);
+            }
+        }
+
+        /// <summary>Calls off what goes on; copies that are not whole go.</summary>
+        public void Dispose()
+        {
+            foreach (var transfer in m_transfers)
+            {
+                transfer.Copy.Dispose();
+                Progress.Finish(transfer.Progress, Progress.Status.Canceled);
+            }
+            m_transfers.Clear();
+        }
+
+        void Begin(string what, string cloud, string to, Action<string> done)
+        {
+            var transfer = new Transfer { Copy = new CloudCopy(cloud, to), To = to, Done = done };
+            transfer.Progress = Progress.Start(what + Path.GetFileName(to), to, Progress.Options.Managed);
+            Progress.RegisterCancelCallback(transfer.Progress, () =>
+            {
+                transfer.Copy.Cancel();
+                return true;
+            });
+            m_transfers.Add(transfer);
+        }
+
+        static void End(Transfer transfer)
+        {
+            if (transfer.Copy.Work.Status == TaskStatus.RanToCompletion)
+            {
+                Progress.Finish(transfer.Progress, Progress.Status.Succeeded);
+                Debug.Log("FastPoints: copied to " + transfer.To);
+                transfer.Done?.Invoke(transfer.To);
+                return;
+            }
+            var failure = transfer.Copy.Work.Exception?.InnerException;
+            // Unity itself ends what was cancelled in its window.
+            if (failure == null || failure is OperationCanceledException)
+                return;
+            Progress.Finish(transfer.Progress, Progress.Status.Failed);
+            if (failure is PointCloudException)
+                Debug.LogError("FastPoints: " + failure.Message);
+            else
+                Debug.LogException(failure);
+        }
+
+        /// <summary>No copy takes a name that another one is under way to.</summary>
+        string FreeName(string cloud, string folder)
+        {
+            string PathOf(string name) => Path.Combine(folder, name + StoreFormat.FolderExtension);
+            string name = AssetNaming.Unique(Path.GetFileNameWithoutExtension(cloud.TrimEnd('/', '\\')), n =>
+                Directory.Exists(PathOf(n)) || File.Exists(PathOf(n)) || m_transfers.Exists(t => t.To == PathOf(n)));
+            return PathOf(name);
+        }
+    }
+}
