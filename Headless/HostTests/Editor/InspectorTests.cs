@@ -15,12 +15,14 @@ namespace FastPoints.HostTests.Editor
         [Test]
         public void ClassesOf_KnownRange_AreThoseThatMeanSomethingAndThoseThatAreHidden()
         {
-            Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }), "8 is reserved");
-            Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22), Is.EqualTo(new[] { 8, 64, 65, 66 }),
-                "the least is there for sure");
+            Assert.That(ClassFilter.ClassesOf(2, 9, new[] { 40 }), Is.EqualTo(new[] { 2, 3, 4, 5, 6, 7, 9, 40 }),
+                "8 is reserved");
+            Assert.That(ClassFilter.ClassesOf(8, 66, new int[0]).Where(c => c == 8 || c > 22),
+                Is.EqualTo(new[] { 8, 64, 65, 66 }), "the least is there for sure");
             Assert.That(ClassFilter.ClassesOf(double.NaN, double.NaN, new int[0]), Does.Contain(2).And.Not.Contains(64));
             Assert.That(ClassFilter.ClassesOf(5, 5, new int[0]), Is.EqualTo(new[] { 5 }));
-            Assert.That(new[] { 2, 8, 64 }.Select(ClassFilter.Label), Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
+            Assert.That(new[] { 2, 8, 64 }.Select(ClassFilter.Label),
+                Is.EqualTo(new[] { "2 ground", "8 reserved", "64 of the user" }));
         }
 
         [Test]
@@ -72,7 +74,8 @@ namespace FastPoints.HostTests.Editor
                     CloudCheck Verify()
                     {
                         project.Imports.Checks.Begin(path);
-                        ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow), () => !project.Imports.Checks.IsChecking);
+                        ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
+                            () => !project.Imports.Checks.IsChecking);
                         return project.Imports.Checks.Check;
                     }
                     Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));

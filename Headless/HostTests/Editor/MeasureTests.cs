@@ -158,7 +158,8 @@ namespace FastPoints.HostTests.Editor
             {
                 var ray = Down();
                 m_cloud.enabled = false;
-                Frames(() => m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream.Clouds.All(c => c == null || c.IsLeaving));
+                var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+                Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
                 Assert.That(Find(picker, ray).Point, Is.Null);
                 m_world.Dispose();
                 Assert.That(picker.Begin(ray), Is.False);
@@ -188,10 +189,11 @@ namespace FastPoints.HostTests.Editor
                 using (var picker = new ScenePicker())
                     eye = (float3)Find(picker, Down(east)).Point.PlaceWorld + new float3(0, 1, 0);
                 view.camera.transform.position = new Vector3(eye.x, eye.y, eye.z);
-                HandleUtility.PointedAlong = new Ray(view.camera.transform.position + new Vector3(0, -0.1f, 0), new Vector3(0, -1, 0));
-                var down = new Event { type = EventType.MouseDown };
-                Send(down);
-                Assert.That(down.type, Is.EqualTo(EventType.Used));
+                var down = new Vector3(0, -1, 0);
+                HandleUtility.PointedAlong = new Ray(view.camera.transform.position + down * 0.1f, down);
+                var press = new Event { type = EventType.MouseDown };
+                Send(press);
+                Assert.That(press.type, Is.EqualTo(EventType.Used));
                 int count = tool.Session.Picks.Count;
                 Frames(() => tool.Session.Picks.Count > count);
                 Event.current = new Event { type = EventType.Repaint };
@@ -220,7 +222,8 @@ namespace FastPoints.HostTests.Editor
                 tool.OnWillBeDeactivated();
                 UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
             }
-            Assert.That(EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0], Has.None.SameAs(tool));
+            var updated = EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0];
+            Assert.That(updated, Has.None.SameAs(tool));
         }
 
         [TestCase(0.001, "690052.801, 5330006.106, 528.000")]
@@ -237,7 +240,7 @@ namespace FastPoints.HostTests.Editor
             camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(200, 100));
             camera.projectionMatrix = Matrix4x4.Perspective(90, 2, 0.5f, 1000);
             var ray = CameraViews.PickRayOf(camera, new Ray(new Vector3(0, 0, 0.5f), new Vector3(0, 0, 1)), 5);
-            Assert.That(ray.RadiusAt(10), Is.EqualTo(5.0 / 50 * 10).Within(1e-6), "50 pixels are as far as the picture's edge, 10 units");
+            Assert.That(ray.RadiusAt(10), Is.EqualTo(5.0 / 50 * 10).Within(1e-6), "50 pixels are 10 units there");
             Assert.That(ray.From, Is.EqualTo(0.5).Within(1e-6));
             camera.projectionMatrix = Matrix4x4.Ortho(-20, 20, -10, 10, 0.5f, 1000);
             var parallel = CameraViews.PickRayOf(camera, new Ray(new Vector3(3, 4, 0.5f), new Vector3(0, 0, 1)), 5);

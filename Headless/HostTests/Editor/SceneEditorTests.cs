@@ -16,7 +16,8 @@ namespace FastPoints.HostTests.Editor
         /// <summary>As the Scene view asks an editor: by the methods' names, whether they are public or not.</summary>
         static Bounds? FrameBounds(UnityEditor.Editor editor)
         {
-            const BindingFlags Any = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.FlattenHierarchy;
+            const BindingFlags Any = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance |
+                BindingFlags.FlattenHierarchy;
             bool hasBounds = (bool)editor.GetType().GetMethod("HasFrameBounds", Any).Invoke(editor, null);
             return hasBounds ? (Bounds)editor.GetType().GetMethod("OnGetFrameBounds", Any).Invoke(editor, null) : null;
         }

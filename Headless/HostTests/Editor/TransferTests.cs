@@ -136,10 +136,12 @@ namespace FastPoints.HostTests.Editor
                 ImportProject.Updates(() => imports.Update(DateTime.UtcNow), () => imports.Queue.Requests.Count == 0);
                 AssertIsWhole(m_project.Paths.Absolute(after.ProjectPath));
                 Assert.That(after.PlayerPath, Does.StartWith("PointClouds/after-"), "a player has one place for all");
-                Assert.That(imports.Catalog.Find(imports.HandleOf("Assets/before.pointcloud"), out _), Is.EqualTo(CatalogMatch.InPlace));
+                Assert.That(imports.Catalog.Find(imports.HandleOf("Assets/before.pointcloud"), out _),
+                    Is.EqualTo(CatalogMatch.InPlace));
             }
             Assert.That(before.ProjectPath, Is.EqualTo("PointClouds/before.fastpoints"));
-            Assert.That(AssetDatabase.CustomDependencies[PointCloudImports.PlaceDependency], Is.EqualTo(Hash128.Compute("Data/Clouds")));
+            Assert.That(AssetDatabase.CustomDependencies[PointCloudImports.PlaceDependency],
+                Is.EqualTo(Hash128.Compute("Data/Clouds")));
         }
 
         [Test]

@@ -135,7 +135,8 @@ namespace FastPoints.Editor
                 return;
             var check = imports.Checks.Check;
             if (check != null && check.Path == m_cloud.Path)
-                EditorGUILayout.HelpBox(check.Describe(), check.IsDone && !check.Result.Ok ? MessageType.Error : MessageType.Info);
+                EditorGUILayout.HelpBox(check.Describe(),
+                    check.IsDone && !check.Result.Ok ? MessageType.Error : MessageType.Info);
             if (!imports.Checks.IsChecking && GUILayout.Button("Verify"))
                 imports.Checks.Begin(m_cloud.Path);
             if (GUILayout.Button("Show the folder"))

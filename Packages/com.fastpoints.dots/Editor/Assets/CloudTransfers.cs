@@ -9,7 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line in the
+    /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line
+    /// in the
     /// Progress window.</summary>
     public sealed class CloudTransfers : IDisposable
     {

@@ -116,7 +116,8 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is whole.</summary>
+        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is
+        /// whole.</summary>
         /// <param name="folder">Of the handle: in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {

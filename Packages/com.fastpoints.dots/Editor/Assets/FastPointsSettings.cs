@@ -10,7 +10,8 @@ namespace FastPoints.Editor
     {
         public Sampler Sampler = Sampler.Random;
 
-        /// <summary>Where converted clouds are: relative to the project, or a whole path. Those that are elsewhere stay there, and are
+        /// <summary>Where converted clouds are: relative to the project, or a whole path. Those that are elsewhere stay there,
+        /// and are
         /// found where their handles say.</summary>
         public string Place = ProjectPaths.DefaultClouds;
 

@@ -32,7 +32,8 @@ namespace FastPoints.Editor
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
-        /// <summary>From now on clouds are converted into another place. A conversion that goes on is suspended, and continued when the
+        /// <summary>From now on clouds are converted into another place. A conversion that goes on is suspended, and continued
+        /// when the
         /// place is what it was.</summary>
         /// <returns>Why not, in one line; null where they are.</returns>
         public static string Move(string place)

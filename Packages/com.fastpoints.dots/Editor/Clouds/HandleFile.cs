@@ -43,7 +43,9 @@ namespace FastPoints.Editor
             foreach (string file in Directory.GetFileSystemEntries(folder))
                 taken.Add(Path.GetFileName(file));
             // The folder's extension says what the handle's own does.
-            string wanted = handle.Sources.Count > 0 ? CloudName.Of(source) : Path.GetFileNameWithoutExtension(CloudName.Of(source));
+            string wanted = CloudName.Of(source);
+            if (handle.Sources.Count == 0)
+                wanted = Path.GetFileNameWithoutExtension(wanted);
             string name = AssetNaming.Unique(wanted, n => taken.Contains(n + CloudHandle.Extension));
             string path = Path.Combine(folder, name + CloudHandle.Extension);
             Write(path, handle);

@@ -11,7 +11,10 @@ namespace FastPoints.Editor
         public const string DefaultClouds = "PointClouds";
 
         /// <summary>Unity looks into them at every refresh, or deletes what is in them.</summary>
-        static readonly string[] s_unitysOwn = { "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings" };
+        static readonly string[] s_unitysOwn =
+        {
+            "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings",
+        };
 
         /// <param name="project">The folder that has <c>Assets</c> in it.</param>
         /// <param name="clouds">Place of converted clouds: relative to the project, or a whole path.</param>
@@ -58,7 +61,8 @@ namespace FastPoints.Editor
             return stored.Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <summary>The folder of a point cloud file in <c>Assets</c>, as it is written down: by the asset's number, which stays when
+        /// <summary>The folder of a point cloud file in <c>Assets</c>, as it is written down: by the asset's number, which
+        /// stays when
         /// the file is renamed.</summary>
         public string OfAsset(string guid) => Stored(Path.Combine(Clouds, guid + StoreFormat.FolderExtension));
 

@@ -4,7 +4,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The stamp of a source that has no handle to keep it, a file in <c>Assets</c>: beside the converted cloud.</summary>
+    /// <summary>The stamp of a source that has no handle to keep it, a file in <c>Assets</c>: beside the converted
+    /// cloud.</summary>
     public static class StampFile
     {
         const string Extension = ".source.json";

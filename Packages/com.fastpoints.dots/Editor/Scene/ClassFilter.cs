@@ -8,7 +8,8 @@ namespace FastPoints.Editor
     /// <summary>The list of classes that an inspector shows, and what switching one does.</summary>
     public static class ClassFilter
     {
-        /// <summary>Classes that a cloud may have: all from its least to its largest that mean something, and those that are hidden
+        /// <summary>Classes that a cloud may have: all from its least to its largest that mean something, and those that are
+        /// hidden
         /// already.</summary>
         /// <param name="min">Of its classification; NaN where nobody knows, as <paramref name="max"/>.</param>
         public static List<int> ClassesOf(double min, double max, int[] hidden)
@@ -26,8 +27,8 @@ namespace FastPoints.Editor
         }
 
         /// <summary>"2 ground".</summary>
-        public static string Label(int c) =>
-            c.ToString(CultureInfo.InvariantCulture) + " " + (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
+        public static string Label(int c) => c.ToString(CultureInfo.InvariantCulture) + " " +
+            (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
 
         /// <summary>The hidden classes after one was switched, rising; the same array where nothing changes.</summary>
         public static int[] Switch(int[] hidden, int c, bool isShown)

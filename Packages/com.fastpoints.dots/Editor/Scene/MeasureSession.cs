@@ -40,7 +40,8 @@ namespace FastPoints.Editor
             var pick = m_picker.Pick;
             if (pick.Point != null)
                 m_picks.Add(pick);
-            Tell(pick.Failure ?? (pick.Point == null ? "no point here" : pick.IsPartial ? "perhaps not the nearest: too many points" : null));
+            Tell(pick.Failure ?? (pick.Point == null ? "no point here"
+                : pick.IsPartial ? "perhaps not the nearest: too many points" : null));
             return true;
         }
 

@@ -40,7 +40,8 @@ namespace FastPoints.Editor
                 return lines;
             }
             bool hasMetres = measured.MetresPerUnit == measured.MetresPerUnit;
-            lines.Add("Distance  " + (hasMetres ? Rounded(measured.LengthMetres) + " m" : Rounded(measured.LengthGeo) + " units"));
+            lines.Add("Distance  " +
+                (hasMetres ? Rounded(measured.LengthMetres) + " m" : Rounded(measured.LengthGeo) + " units"));
             if (hasMetres && measured.MetresPerUnit != 1)
                 lines.Add("Distance  " + Rounded(measured.LengthGeo) + " units of " + Rounded(measured.MetresPerUnit) + " m");
             lines.Add("Across  " + Rounded(hasMetres ? measured.HorizontalGeo * measured.MetresPerUnit : measured.HorizontalGeo) +
@@ -50,14 +51,14 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Three numbers with as many decimals as the grid's steps have.</summary>
-        public static string Coordinates(double3 place, double3 step) => Number(place.x, step.x) + ", " + Number(place.y, step.y) +
-            ", " + Number(place.z, step.z);
+        public static string Coordinates(double3 place, double3 step) =>
+            Number(place.x, step.x) + ", " + Number(place.y, step.y) + ", " + Number(place.z, step.z);
 
         static string Number(double value, double step)
         {
             int decimals = 0;
-            // A step of 0.001 has three, one of 2^-7 seven; what double keeps of 1 / step is near enough to whole.
-            for (double scaled = step; decimals < MostDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * step * Math.Pow(10, decimals);)
+            // A step of 0.001 has three, one of 2^-7 seven: enough that it is whole, but for what double cannot hold.
+            for (double scaled = step; decimals < MostDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * scaled;)
                 scaled = step * Math.Pow(10, ++decimals);
             return value.ToString("F" + decimals, CultureInfo.InvariantCulture);
         }

@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Entities;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -8,7 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The inspector of a cloud in a scene: what it is coloured by, which classes it shows, what all clouds together take and
+    /// <summary>The inspector of a cloud in a scene: what it is coloured by, which classes it shows, what all clouds together
+    /// take and
     /// look like, and what the last frame did. F frames it.</summary>
     [CustomEditor(typeof(PointCloud))]
     [CanEditMultipleObjects]
@@ -55,8 +57,8 @@ namespace FastPoints.Editor
         void DrawClasses(PointCloud cloud)
         {
             var hidden = cloud.HiddenClasses;
-            m_showsClasses = EditorGUILayout.Foldout(m_showsClasses, hidden.Length == 0 ? "Classes" : "Classes (" + hidden.Length +
-                " hidden)", true);
+            m_showsClasses = EditorGUILayout.Foldout(m_showsClasses,
+                hidden.Length == 0 ? "Classes" : "Classes (" + hidden.Length + " hidden)", true);
             if (!m_showsClasses)
                 return;
             if (!TryGetClasses(cloud, out double min, out double max))
@@ -66,7 +68,10 @@ namespace FastPoints.Editor
             }
             var shown = hidden;
             foreach (int c in ClassFilter.ClassesOf(min, max, hidden))
-                shown = ClassFilter.Switch(shown, c, EditorGUILayout.ToggleLeft(ClassFilter.Label(c), System.Array.IndexOf(hidden, c) < 0));
+            {
+                bool isShown = EditorGUILayout.ToggleLeft(ClassFilter.Label(c), Array.IndexOf(hidden, c) < 0);
+                shown = ClassFilter.Switch(shown, c, isShown);
+            }
             if (shown == hidden)
                 return;
             Undo.RecordObject(cloud, "Show classes");

@@ -6,7 +6,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Picks points of all clouds that a world shows, as it shows them: what is clipped away or of a hidden class is looked
+    /// <summary>Picks points of all clouds that a world shows, as it shows them: what is clipped away or of a hidden class is
+    /// looked
     /// through. <see cref="Begin"/>, then <see cref="Update"/> once a frame until that says it is done. In players and in edit
     /// mode.</summary>
     public sealed class ScenePicker : IDisposable

@@ -10,7 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The first hit of a ray among the points of one node and its guests: at most a few times 50,000, block by block. What
+    /// <summary>The first hit of a ray among the points of one node and its guests: at most a few times 50,000, block by block.
+    /// What
     /// was read is checked before it is unpacked.</summary>
     [BurstCompile]
     public unsafe struct PickNodeJob : IJob

@@ -13,7 +13,8 @@ namespace FastPoints.Picking
         /// <summary>Classes whose points are not shown. Nothing where the cloud has no classes.</summary>
         public ClassMask HiddenClasses;
 
-        /// <summary>Of a node whose points lie nearer to each other than this share of the ray's radius, nothing below is looked at:
+        /// <summary>Of a node whose points lie nearer to each other than this share of the ray's radius, nothing below is
+        /// looked at:
         /// a screen shows no more. 0 looks at every point.</summary>
         public double FinestSpacing = 0.1;
 

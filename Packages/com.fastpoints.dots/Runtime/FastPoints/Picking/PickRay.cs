@@ -19,7 +19,8 @@ namespace FastPoints.Picking
         /// <summary>World units more for each unit along the ray.</summary>
         public double RadiusPerUnit;
 
-        /// <summary>Distances along the ray, in world units, that hits lie between: a camera's clip planes, for example.</summary>
+        /// <summary>Distances along the ray, in world units, that hits lie between: a camera's clip planes, for
+        /// example.</summary>
         public double From;
         public double To;
 
