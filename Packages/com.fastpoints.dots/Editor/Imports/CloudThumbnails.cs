@@ -80,7 +80,10 @@ namespace FastPoints.Editor
             try
             {
                 m_folder = CloudFolder.Open(m_current);
-                m_drawing = new DrawStored(m_folder, new PictureOptions { WidthPx = SizePx, HeightPx = SizePx }, Budget);
+                m_drawing = new DrawStored(m_folder, new PictureOptions { WidthPx = SizePx, HeightPx = SizePx }, Budget)
+                {
+                    PlansByManifest = true,
+                };
                 m_work = new WorkPump(m_drawing.Run(null));
             }
             catch (PointCloudException)

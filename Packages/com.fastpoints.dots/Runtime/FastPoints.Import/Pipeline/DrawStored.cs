@@ -30,6 +30,10 @@ namespace FastPoints.Pipeline
             m_budget = budget > 0 ? budget : DefaultBudget;
         }
 
+        /// <summary>Camera and colours follow from the ranges that the manifest has, and no point is looked at: nothing takes the main
+        /// thread long. Points that lie far out make the rest small then, and degrees are drawn as they are.</summary>
+        public bool PlansByManifest { get; set; }
+
         /// <summary>Points that were drawn, those out of the picture included.</summary>
         public long PointsDrawn { get; private set; }
         public int NodesDrawn { get; private set; }
@@ -45,18 +49,21 @@ namespace FastPoints.Pipeline
             progress?.Begin("select");
             var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
             var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
-            var ranges = new DisplayRanges();
+            var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest) : new DisplayRanges();
             using (var selection = new NodeSelection(m_folder))
             {
-                selection.Choose(null, 0, 0, PointsToPlanWith);
-                using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
+                if (!PlansByManifest)
                 {
-                    using (var loading = LoadNodes.Run(m_folder, selection, batch, null))
-                        while (loading.MoveNext())
-                            yield return loading.Current;
-                    using (var measuring = ranges.Measure(batch, transform, m_options.UpAxis))
-                        while (measuring.MoveNext())
-                            yield return measuring.Current;
+                    selection.Choose(null, 0, 0, PointsToPlanWith);
+                    using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
+                    {
+                        using (var loading = LoadNodes.Run(m_folder, selection, batch, null))
+                            while (loading.MoveNext())
+                                yield return loading.Current;
+                        using (var measuring = ranges.Measure(batch, transform, m_options.UpAxis))
+                            while (measuring.MoveNext())
+                                yield return measuring.Current;
+                    }
                 }
                 Plan = new PicturePlan(m_options, ranges, transform);
 
