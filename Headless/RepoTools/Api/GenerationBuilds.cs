@@ -13,8 +13,8 @@ namespace FastPoints.RepoTools.Api
         {
             "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp",
             "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Scenes", "FastPoints.Benchmarks",
-            "FastPoints.Samples", "FastPoints.Samples.Editor",
-            "FastPoints.Tests",
+            "FastPoints.Samples", "FastPoints.Samples.Editor", "FastPoints.Benchmarks.Unity", "FastPoints.Tests",
+            "FastPoints.UnityTests", "FastPoints.UnityTests.Performance",
         };
 
         private readonly Resolver m_resolver = new Resolver();
@@ -30,9 +30,10 @@ namespace FastPoints.RepoTools.Api
                     "dotnet build Headless/Generations.proj");
             }
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Tests", generation));
-            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Benchmarks.Unity", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Editor", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Samples.Editor", generation));
+            m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.UnityTests.Performance", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Urp", generation));
             m_resolver.AddSearchDirectory(repository.BuildOf("FastPoints.Rendering.Hdrp", generation));
             foreach (string folder in NetStandardFolders())

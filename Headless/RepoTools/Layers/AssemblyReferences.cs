@@ -15,6 +15,8 @@ namespace FastPoints.RepoTools.Layers
         private static readonly string[] s_drawing = { "FastPoints", "FastPoints.Rendering" };
         private static readonly string[] s_entities = { "Unity.Entities", "Unity.Entities.Hybrid", "Unity.Transforms" };
 
+        private static readonly string[] s_testRunner = { "UnityEngine.TestRunner", "UnityEditor.TestRunner" };
+
         private static readonly Dictionary<string, string[]> s_mayReference = new Dictionary<string, string[]>
         {
             ["FastPoints"] = s_dots,
@@ -31,7 +33,7 @@ namespace FastPoints.RepoTools.Layers
                 .ToArray(),
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
-                .Concat(new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" }).ToArray(),
+                .Concat(s_testRunner).ToArray(),
             ["FastPoints.Scenes"] = s_shared,
             ["FastPoints.Samples"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
@@ -40,7 +42,14 @@ namespace FastPoints.RepoTools.Layers
                 "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Samples", "Unity.Entities",
                 "Unity.Mathematics",
             },
+            ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
+                .Concat(new[] { "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "Unity.Entities", "Unity.Scenes" })
+                .ToArray(),
+            ["FastPoints.UnityTests.Performance"] = s_testRunner
+                .Concat(new[] { "FastPoints.Editor", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
             ["FastPoints.Benchmarks"] = s_shared.Append("FastPoints.Scenes").ToArray(),
+            ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
+                .Concat(s_testRunner).ToArray(),
         };
 
         /// <summary>What an asmdef says against the table; an assembly that is not in the table needs its row first.</summary>
@@ -62,13 +71,13 @@ namespace FastPoints.RepoTools.Layers
 
         /// <summary>
         /// What the asmdef and the csproj of an assembly reference differently. Modules of the engine and the editor need no line
-        /// in an asmdef, and Unity's test runner has no stand-in.
+        /// in an asmdef, and Unity's test runner is NUnit here.
         /// </summary>
         public static IEnumerable<string> CheckProject(Asmdef asmdef, string project)
         {
             List<string> inProject = XDocument.Load(project).Descendants("ProjectReference")
-                .Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include")!.Value)).ToList();
-            List<string> wanted = asmdef.References.Where(r => !r.EndsWith(".TestRunner", System.StringComparison.Ordinal)).ToList();
+                .Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include")!.Value)).Except(s_testRunner).ToList();
+            List<string> wanted = asmdef.References.Except(s_testRunner).ToList();
             foreach (string missing in wanted.Except(inProject))
                 yield return $"{asmdef.Name}.csproj does not reference {missing}, the asmdef does";
             foreach (string extra in inProject.Except(wanted).Where(r => !IsEngineModule(r)))

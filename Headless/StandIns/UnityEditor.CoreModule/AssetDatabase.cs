@@ -55,6 +55,15 @@ namespace UnityEditor
         public static string[] FindAssets(string filter) =>
             Assets.Where(a => "t:" + a.Value.GetType().Name == filter).Select(a => GuidOf(a.Key)).ToArray();
 
+        public static string[] FindAssets(string filter, string[] searchInFolders) =>
+            throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
+
+        public static string CreateFolder(string parentFolder, string newFolderName) => throw EditorOnly.NotHere(nameof(CreateFolder));
+
+        public static bool DeleteAsset(string path) => throw EditorOnly.NotHere(nameof(DeleteAsset));
+
+        public static void Refresh() => throw EditorOnly.NotHere(nameof(Refresh));
+
         public static bool IsValidFolder(string path) => System.IO.Directory.Exists(path);
 
         public static string[] GetDependencies(string[] pathNames, bool recursive) =>

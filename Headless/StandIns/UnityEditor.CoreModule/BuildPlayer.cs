@@ -6,6 +6,10 @@ namespace UnityEditor
     public struct BuildPlayerOptions
     {
         public string[] scenes { get; set; }
+
+        public string locationPathName { get; set; }
+
+        public BuildTarget target { get; set; }
     }
 }
 

@@ -49,6 +49,8 @@ namespace UnityEditor
 
         public static Object[] objectReferences { get; set; } = new Object[0];
 
+        public static void PrepareStartDrag() => (paths, objectReferences) = (new string[0], new Object[0]);
+
         public static void AcceptDrag()
         {
         }

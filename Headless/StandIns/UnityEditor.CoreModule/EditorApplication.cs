@@ -15,6 +15,8 @@ namespace UnityEditor
 
         public static event Action quitting;
 
+        public static bool isPlaying { get; set; }
+
         public static void QueuePlayerLoopUpdate()
         {
         }

@@ -1,6 +1,13 @@
 using UnityEngine;
 using UnityEngine.SceneManagement;
 
+namespace UnityEditor
+{
+    public class SceneAsset : UnityEngine.Object
+    {
+    }
+}
+
 namespace UnityEditor.SceneManagement
 {
     public enum NewSceneSetup
@@ -29,5 +36,7 @@ namespace UnityEditor.SceneManagement
                 Camera.main = new GameObject("Main Camera").AddComponent<Camera>();
             return default;
         }
+
+        public static bool SaveScene(Scene scene, string dstScenePath) => throw EditorOnly.NotHere(nameof(SaveScene));
     }
 }

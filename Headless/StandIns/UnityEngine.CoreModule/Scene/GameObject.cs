@@ -28,6 +28,9 @@ namespace UnityEngine
                     SceneLoop.Refresh(behaviour);
         }
 
+        /// <summary>Nothing here keeps a list of a scene's objects.</summary>
+        public static GameObject Find(string name) => throw new System.NotSupportedException("there are no scenes here to find " + name + " in");
+
         /// <summary>Without its mesh.</summary>
         public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
 

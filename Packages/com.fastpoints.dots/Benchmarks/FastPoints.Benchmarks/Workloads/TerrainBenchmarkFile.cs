@@ -7,7 +7,7 @@ namespace FastPoints.Benchmarks
 {
     /// <summary>A seeded LAS file of a hilly surface with a few things on it, in strips as an airborne scan comes: point format
     /// 2, centimetres, coloured.</summary>
-    static unsafe class TerrainBenchmarkFile
+    public static unsafe class TerrainBenchmarkFile
     {
         public const int RecordBytes = 26;
 

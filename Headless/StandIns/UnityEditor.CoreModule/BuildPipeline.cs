@@ -1,0 +1,26 @@
+using UnityEditor.Build.Reporting;
+
+namespace UnityEditor
+{
+    public enum BuildTarget
+    {
+        StandaloneOSX = 2,
+        StandaloneWindows64 = 19,
+        StandaloneLinux64 = 24,
+    }
+
+    public class BuildPipeline
+    {
+        public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) => throw EditorOnly.NotHere(nameof(BuildPlayer));
+    }
+
+    public class EditorUserBuildSettings : UnityEngine.Object
+    {
+        public static BuildTarget activeBuildTarget => BuildTarget.StandaloneLinux64;
+    }
+
+    public class FileUtil
+    {
+        public static string GetUniqueTempPathInProject() => throw EditorOnly.NotHere(nameof(GetUniqueTempPathInProject));
+    }
+}

@@ -1,0 +1,79 @@
+using System.IO;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.UnityTests
+{
+    /// <summary>The drop handlers over the editor's own asset database and scenes. That the windows call them, and copy nothing
+    /// when they have taken a drop, takes a hand with a mouse.</summary>
+    public sealed class DropTests : TestProjectFixture
+    {
+        int m_copiedMiB;
+
+        /// <summary>Every file is large.</summary>
+        [SetUp]
+        public void CopyNothing()
+        {
+            m_copiedMiB = FastPointsSettings.instance.CopiedMiB;
+            FastPointsSettings.instance.CopiedMiB = 0;
+        }
+
+        [TearDown]
+        public void CopyAsBefore()
+        {
+            FastPointsSettings.instance.CopiedMiB = m_copiedMiB;
+            DragAndDrop.PrepareStartDrag();
+        }
+
+        static void Drag(params string[] paths)
+        {
+            DragAndDrop.PrepareStartDrag();
+            DragAndDrop.paths = paths;
+        }
+
+        [Test]
+        public void OnProject_LargeFile_BecomesAHandleAndIsNotCopied()
+        {
+            string scan = TestProject.MakeScan();
+            Drag(scan);
+
+            Assert.That(PointCloudDrops.OnProject(TestProject.Folder, false), Is.EqualTo(DragAndDropVisualMode.Link));
+            Assert.That(AssetDatabase.FindAssets("", new[] { TestProject.Folder }), Is.Empty, "nothing happens before the drop");
+            Assert.That(PointCloudDrops.OnProject(TestProject.Folder, true), Is.EqualTo(DragAndDropVisualMode.Link));
+
+            string handle = TestProject.Folder + "/" + Path.GetFileNameWithoutExtension(scan) + CloudHandle.Extension;
+            Assert.That(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(handle), Is.Not.Null);
+            Assert.That(AssetDatabase.FindAssets("", new[] { TestProject.Folder }), Has.Length.EqualTo(1));
+        }
+
+        [Test]
+        public void OnProject_SomethingElse_IsLeftToOthers()
+        {
+            string text = Path.ChangeExtension(TestProject.MakeScan(), ".md");
+            File.WriteAllText(text, "no cloud");
+            Drag(text);
+
+            Assert.That(PointCloudDrops.OnProject(TestProject.Folder, true), Is.EqualTo(DragAndDropVisualMode.None));
+        }
+
+        [Test]
+        public void OnScene_AssetOfACloud_BecomesAGameObjectThatUndoTakesAway()
+        {
+            var asset = TestProject.TakeScan();
+            DragAndDrop.PrepareStartDrag();
+            DragAndDrop.objectReferences = new Object[] { asset };
+
+            Assert.That(PointCloudDrops.OnScene(new Vector3(1, 2, 3), null, true), Is.EqualTo(DragAndDropVisualMode.Copy));
+
+            var scene = GameObject.Find(asset.name);
+            Assert.That(scene, Is.Not.Null);
+            Assert.That(scene.GetComponent<PointCloud>().Cloud, Is.EqualTo(asset));
+            Assert.That(scene.transform.position, Is.EqualTo(new Vector3(1, 2, 3)));
+            Undo.PerformUndo();
+            Assert.That(GameObject.Find(asset.name), Is.Null);
+        }
+    }
+}

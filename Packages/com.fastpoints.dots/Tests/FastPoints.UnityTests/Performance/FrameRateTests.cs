@@ -1,0 +1,31 @@
+using System.Collections;
+using NUnit.Framework;
+using Unity.PerformanceTesting;
+using UnityEngine.TestTools;
+
+namespace FastPoints.UnityTests.Performance
+{
+    /// <summary>How a conversion leaves the editor's frames alone: frames without one and beside one, in one test, so that both see
+    /// the same machine.</summary>
+    public sealed class FrameRateTests : TestProjectFixture
+    {
+        const int Frames = 200;
+        const int WarmUpFrames = 20;
+
+        /// <summary>Enough to last longer than the frames that are measured.</summary>
+        const int Points = 5_000_000;
+
+        [UnityTest, Performance]
+        public IEnumerator EditorFrames_BesideAConversion_AreMeasured()
+        {
+            yield return Measure.Frames().SampleGroup(new SampleGroup("Frame, nothing converted")).WarmupCount(WarmUpFrames)
+                .MeasurementCount(Frames).Run();
+
+            TestProject.TakeScan(Points);
+            yield return Measure.Frames().SampleGroup(new SampleGroup("Frame beside a conversion")).WarmupCount(WarmUpFrames)
+                .MeasurementCount(Frames).Run();
+
+            Assert.That(TestProject.IsConverting, Is.True, "the conversion was over before the frames were");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System.Collections;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+
+namespace FastPoints.UnityTests
+{
+    public sealed class PlayModeTests : TestProjectFixture
+    {
+        const string CloudName = "the tests' cloud";
+
+        [UnityTest]
+        public IEnumerator PlayMode_CloudInTheScene_IsStreamedForTheCamera()
+        {
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
+                Assert.Ignore("without a graphics device no camera draws");
+            // The usual camera looks along Z from ten metres before the cloud.
+            var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
+            PointCloudDrops.Show(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;
+            EditorSceneManager.SaveScene(scene, TestProject.Scene);
+            var deadline = TestProject.Deadline();
+            while (TestProject.IsConverting)
+            {
+                TestProject.AssertBefore(deadline, "the conversion");
+                yield return null;
+            }
+
+            yield return TestProject.EnterPlayMode();
+            deadline = TestProject.Deadline();
+            while (TestProject.DrawnNodes() == 0)
+            {
+                TestProject.AssertBefore(deadline, "the first drawn node");
+                yield return null;
+            }
+            yield return new ExitPlayMode();
+
+            Assert.That(EditorApplication.isPlaying, Is.False);
+            Assert.That(GameObject.Find(CloudName), Is.Not.Null, "the scene is as it was");
+        }
+
+        /// <summary>The conversion that runs when play mode begins is suspended and comes to its end all the same.</summary>
+        [UnityTest]
+        public IEnumerator PlayMode_DuringAConversion_LosesNothing()
+        {
+            const int Points = 2_000_000;
+            TestProject.TakeScan(Points);
+            yield return null;
+
+            yield return TestProject.EnterPlayMode();
+            yield return null;
+            yield return new ExitPlayMode();
+            var deadline = TestProject.Deadline();
+            while (TestProject.IsConverting)
+            {
+                TestProject.AssertBefore(deadline, "the conversion");
+                yield return null;
+            }
+
+            string[] made = AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset), new[] { TestProject.Folder });
+            Assert.That(made, Has.Length.EqualTo(1));
+            Assert.That(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(made[0])).Points, Is.EqualTo(Points));
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using System.Collections;
+using System.IO;
+using FastPoints.Editor;
+using FastPoints.Store;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.Build.Reporting;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace FastPoints.UnityTests
+{
+    public sealed class PlayerBuildTests : TestProjectFixture
+    {
+        /// <summary>Builds a player for the target that is chosen: minutes at the first time. Run it by hand.</summary>
+        [UnityTest]
+        [Explicit("builds a whole player")]
+        public IEnumerator BuildPlayer_SceneWithACloud_HasItsFolderInStreamingAssets()
+        {
+            var asset = TestProject.TakeScan();
+            var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
+            PointCloudDrops.Show(asset, Vector3.zero, null);
+            EditorSceneManager.SaveScene(scene, TestProject.Scene);
+            var deadline = TestProject.Deadline();
+            while (TestProject.IsConverting)
+            {
+                TestProject.AssertBefore(deadline, "the conversion");
+                yield return null;
+            }
+
+            string folder = FileUtil.GetUniqueTempPathInProject();
+            try
+            {
+                BuildReport report = BuildPipeline.BuildPlayer(new BuildPlayerOptions
+                {
+                    scenes = new[] { TestProject.Scene },
+                    target = EditorUserBuildSettings.activeBuildTarget,
+                    locationPathName = Path.Combine(folder, "player"),
+                });
+
+                Assert.That(report.summary.result, Is.EqualTo(BuildResult.Succeeded));
+                string[] manifests = Directory.GetFiles(folder, StoreFormat.ManifestName, SearchOption.AllDirectories);
+                Assert.That(manifests, Has.Length.EqualTo(1), "clouds in the player");
+                Assert.That(Path.GetDirectoryName(manifests[0]).Replace('\\', '/'), Does.EndWith("StreamingAssets/" + asset.PlayerPath));
+            }
+            finally
+            {
+                if (Directory.Exists(folder))
+                    Directory.Delete(folder, true);
+            }
+        }
+    }
+}

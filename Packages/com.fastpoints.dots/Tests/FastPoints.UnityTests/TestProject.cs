@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Benchmarks;
+using FastPoints.Editor;
+using FastPoints.Entities;
+using NUnit.Framework;
+using Unity.Entities;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace FastPoints.UnityTests
+{
+    /// <summary>
+    /// What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it, and what was
+    /// converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a test.
+    /// </summary>
+    public static class TestProject
+    {
+        public const string Folder = "Assets/FastPointsUnityTests";
+        public const string Scene = Folder + "/main.unity";
+
+        /// <summary>How long a test waits for something that takes a second or two.</summary>
+        const double PatienceSeconds = 120;
+
+        static string Outside => Path.Combine(Path.GetTempPath(), "fastpoints-unity-tests");
+
+        static EditorImports Imports => PointCloudImports.Current;
+
+        /// <summary>Conversions that wait or run. A failed one stays in the queue: its reason is the test's.</summary>
+        public static bool IsConverting
+        {
+            get
+            {
+                foreach (var request in Imports.Queue.Requests)
+                    Assert.That(request.State, Is.Not.EqualTo(ImportState.Failed), request.Failure);
+                return Imports.Queue.Requests.Count > 0;
+            }
+        }
+
+        public static void Begin()
+        {
+            Clean();
+            Directory.CreateDirectory(Outside);
+            AssetDatabase.CreateFolder(Path.GetDirectoryName(Folder), Path.GetFileName(Folder));
+        }
+
+        /// <summary>Takes everything away, an empty scene included; also what an earlier run left.</summary>
+        public static void Clean()
+        {
+            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
+            foreach (var request in new List<ImportRequest>(Imports.Queue.Requests))
+                if (AssetDatabase.GUIDToAssetPath(request.Asset).StartsWith(Folder, StringComparison.Ordinal))
+                    Imports.Queue.Cancel(request);
+            if (AssetDatabase.IsValidFolder(Folder))
+            {
+                foreach (string file in Directory.GetFiles(Imports.Paths.Absolute(Folder)))
+                    DeleteConverted(Imports.Paths.Stored(file));
+                AssetDatabase.DeleteAsset(Folder);
+            }
+            if (Directory.Exists(Outside))
+                Directory.Delete(Outside, true);
+        }
+
+        /// <summary>A seeded LAS file of hills outside of the project, about a twelfth of a metre between its points.</summary>
+        public static string MakeScan(int points = 20_000) =>
+            TerrainBenchmarkFile.Make(new WorkloadContext { ScratchFolder = Outside, Points = points });
+
+        /// <summary>A handle in the tests' folder for a scan outside; its conversion begins.</summary>
+        public static PointCloudAsset TakeScan(int points = 20_000)
+        {
+            var asset = Imports.Take(MakeScan(points), Folder);
+            Assert.That(asset, Is.Not.Null, "the Console says why");
+            return asset;
+        }
+
+        /// <summary>The folder of an asset's converted cloud; it may not be there.</summary>
+        public static string ConvertedFolder(PointCloudAsset asset) => Imports.Paths.Absolute(asset.ProjectPath);
+
+        /// <summary>When a test that begins to wait now gives up.</summary>
+        public static DateTime Deadline() => DateTime.UtcNow.AddSeconds(PatienceSeconds);
+
+        public static void AssertBefore(DateTime deadline, string what) =>
+            Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
+
+        /// <summary>Nodes that the world's clouds have in the list of what to draw.</summary>
+        public static int DrawnNodes() => Count(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Drawn>());
+
+        /// <summary>Entities that are converted clouds on disk.</summary>
+        public static int CloudFiles() => Count(ComponentType.ReadOnly<PointCloudFile>());
+
+        /// <summary>To go into play mode as the project's settings do.</summary>
+        public static EnterPlayMode EnterPlayMode() => new EnterPlayMode(!EditorSettings.enterPlayModeOptionsEnabled ||
+            (EditorSettings.enterPlayModeOptions & EnterPlayModeOptions.DisableDomainReload) == 0);
+
+        static int Count(params ComponentType[] types)
+        {
+            var world = World.DefaultGameObjectInjectionWorld;
+            if (world == null || !world.IsCreated)
+                return 0;
+            using (var query = world.EntityManager.CreateEntityQuery(types))
+                return query.CalculateEntityCount();
+        }
+
+        static void DeleteConverted(string asset)
+        {
+            try
+            {
+                if (AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset) == null)
+                    return;
+                string folder = Imports.Paths.Absolute(Imports.HandleOf(asset).CloudPath);
+                if (folder.StartsWith(Imports.Paths.Clouds, StringComparison.Ordinal) && Directory.Exists(folder))
+                    Directory.Delete(folder, true);
+            }
+            catch (PointCloudException)
+            {
+                // A handle that a test has damaged names no folder.
+            }
+        }
+    }
+}
