@@ -5,6 +5,7 @@ using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.Meta;
+using FastPoints.RepoTools.Package;
 
 namespace FastPoints.RepoTools
 {
@@ -12,16 +13,18 @@ namespace FastPoints.RepoTools
     public static class Program
     {
         private const string Usage = """
-            usage: RepoTools VERB [--check] [--root DIR]
+            usage: RepoTools VERB [--check] [--root DIR] [--tag TAG]
 
               meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
               api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
                         (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
               hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
+              package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
               --check   writes nothing; says what is not as it should be
               --root    the repository (default: the one that this program was built in)
+              --tag     with package: the tag of a release, which is the version and has an entry with a date
 
             Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
             """;
@@ -31,6 +34,7 @@ namespace FastPoints.RepoTools
         {
             string? verb = null;
             string? root = null;
+            string? tag = null;
             bool check = false;
             for (int i = 0; i < args.Length; i++)
             {
@@ -41,6 +45,9 @@ namespace FastPoints.RepoTools
                         break;
                     case "--root" when i + 1 < args.Length:
                         root = args[++i];
+                        break;
+                    case "--tag" when i + 1 < args.Length:
+                        tag = args[++i];
                         break;
                     case "-h":
                     case "--help":
@@ -58,7 +65,7 @@ namespace FastPoints.RepoTools
             try
             {
                 Repository repository = root == null ? Repository.Find() : new Repository(root);
-                return Report(verb, Run(verb, repository, check));
+                return Report(verb, Run(verb, repository, check, tag));
             }
             catch (ToolException failure)
             {
@@ -76,7 +83,7 @@ namespace FastPoints.RepoTools
             }
         }
 
-        private static ToolResult Run(string verb, Repository repository, bool check)
+        private static ToolResult Run(string verb, Repository repository, bool check, string? tag)
         {
             switch (verb)
             {
@@ -88,6 +95,8 @@ namespace FastPoints.RepoTools
                     return HlslCommand.Run(repository, check);
                 case "formats":
                     return FormatCommand.Run(repository);
+                case "package":
+                    return PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot));
                 default:
                     throw new ArgumentException("no such verb", nameof(verb));
             }

@@ -55,6 +55,19 @@ namespace FastPoints.HostTests.Repository
             Assert.That(project, Is.EqualTo(version));
         }
 
+        /// <summary>The workflow runs Unity's test runner with an editor of each generation, in each project.</summary>
+        [Test]
+        public void Workflow_OfTests_HasEachGenerationAndProject()
+        {
+            string root = Checkout.Repository.Root;
+            string workflow = File.ReadAllText(Path.Combine(root, ".github", "workflows", "test.yml"));
+            string versions = Regex.Match(workflow, @"version: \[(.*)\]").Groups[1].Value;
+            List<string> projects = Regex.Matches(workflow, @"project: \[?(\w+)\]?$", RegexOptions.Multiline).Select(m => m.Groups[1].Value).ToList();
+
+            Assert.That(versions.Split(", ").Select(v => v[..v.LastIndexOf('.')]), Is.EqualTo(RepoTools.Repository.Generations));
+            Assert.That(projects, Is.EquivalentTo(Directory.GetDirectories(Path.Combine(root, "Projects")).Select(Path.GetFileName)));
+        }
+
         private static List<string> Foreign(string text) => s_foreign.Where(p => text.Contains(p)).ToList();
     }
 }
