@@ -47,6 +47,7 @@ namespace FastPoints.HostTests.Benchmarks
         [TestCase(SeriesUnit.Millisecond, SampleUnit.Millisecond)]
         [TestCase(SeriesUnit.Byte, SampleUnit.Byte)]
         [TestCase(SeriesUnit.Undefined, SampleUnit.Undefined)]
-        public void Units_OfTheSeries_AreThoseOfThePackage(SeriesUnit ours, SampleUnit unitys) => Assert.That((int)ours, Is.EqualTo((int)unitys));
+        public void Units_OfTheSeries_AreThoseOfThePackage(SeriesUnit ours, SampleUnit unitys) =>
+            Assert.That((int)ours, Is.EqualTo((int)unitys));
     }
 }

@@ -9,7 +9,9 @@ namespace FastPoints.HostTests.Repository
     /// <summary>A package that is in order, and each rule against one that is not.</summary>
     public sealed class PackageRulesTests
     {
-        const string Asmdef = "{ \"name\": \"NAME\", \"includePlatforms\": [PLATFORMS], \"precompiledReferences\": [REFERENCES], \"defineConstraints\": [DEFINES] }";
+        const string Asmdef = "{ \"name\": \"NAME\", \"includePlatforms\": [PLATFORMS], \"precompiledReferences\": [REFERENCES], "
+            + "\"defineConstraints\": [DEFINES] }";
+        const string Described = "Something that is described in more than fifty characters, as it should be.";
 
         string m_root;
 
@@ -19,19 +21,21 @@ namespace FastPoints.HostTests.Repository
         public void MakePackage()
         {
             m_root = Directory.CreateTempSubdirectory("fastpoints-package-").FullName;
-            Put("package.json", """
-                { "name": "com.fastpoints.dots", "version": "1.2.0", "displayName": "Fast Points", "unity": "6000.0", "license": "MIT",
-                  "description": "Something that is described in more than fifty characters, as it should be.",
+            Put("package.json", $$"""
+                { "name": "com.fastpoints.dots", "version": "1.2.0", "displayName": "Fast Points", "unity": "6000.0",
+                  "license": "MIT", "description": "{{Described}}",
                   "dependencies": { "com.unity.burst": "1.8.21" },
                   "samples": [ { "displayName": "First", "description": "The first.", "path": "Samples~/First" } ] }
                 """);
             Put("CHANGELOG.md", "# Changelog\n\n## [1.2.0] - 2026-03-04\n\n### Added\n- [a] thing\n\n## [1.1.0] - 2026-01-02\n");
             Put("LICENSE.md", "MIT License");
             Put("README.md", "[Manual](Documentation~/index.md)");
-            Put("Documentation~/index.md", "Put `Cloud` on a GameObject. See [above](../README.md), [here](#there) and [there](https://example.org).");
+            Put("Documentation~/index.md", "Put `Cloud` on a GameObject. See [above](../README.md), [here](#there) and "
+                + "[there](https://example.org).");
             Put("Samples~/First/Start.cs", "");
             PutAsmdef("Samples~/First/Samples.First.asmdef");
-            Put("Runtime/A/Cloud.cs", "// UnityEditor is not here\n#if UNITY_EDITOR\nusing UnityEditor;\n#endif\npublic sealed class Cloud : MonoBehaviour\n{\n}");
+            Put("Runtime/A/Cloud.cs", "// UnityEditor is not here\n"
+                + "#if UNITY_EDITOR\nusing UnityEditor;\n#endif\npublic sealed class Cloud : MonoBehaviour\n{\n}");
             Put("Runtime/A/Cloud.cs.meta", "");
             PutAsmdef("Runtime/A/A.asmdef");
             Put("Editor/E.cs", "using UnityEditor;");
@@ -82,7 +86,7 @@ namespace FastPoints.HostTests.Repository
         [TestCase("package.json", "\"1.2.0\"", "\"1.2\"", "version: wanted a semantic version, got \"1.2\"")]
         [TestCase("package.json", "com.fastpoints.dots", "com.FastPoints", "name: wanted")]
         [TestCase("package.json", "Fast Points", "Fast: Points", "displayName: wanted")]
-        [TestCase("package.json", "Something that is described in more than fifty characters, as it should be.", "Short.", "description: wanted")]
+        [TestCase("package.json", Described, "Short.", "description: wanted")]
         [TestCase("package.json", "6000.0", "6000.0.78f1", "unity: wanted MAJOR.MINOR")]
         [TestCase("package.json", "\"unity\"", "\"unityRelease\": \"78\", \"unity\"", "unityRelease: wanted")]
         [TestCase("package.json", "\"MIT\"", "\"\"", "license: wanted")]
@@ -145,7 +149,8 @@ namespace FastPoints.HostTests.Repository
         [TestCase("1.2.0", true)]
         [TestCase("v1.2.0", true)]
         [TestCase("v1.3.0", false)]
-        public void Check_Tag_IsTheVersion(string tag, bool isRight) => Assert.That(Problems(tag), isRight ? Is.Empty : Has.Some.Contains("the tag: wanted 1.2.0"));
+        public void Check_Tag_IsTheVersion(string tag, bool isRight) =>
+            Assert.That(Problems(tag), isRight ? Is.Empty : Has.Some.Contains("the tag: wanted 1.2.0"));
 
         [Test]
         public void Check_ReleaseOfWhatIsUnreleased_IsReported()

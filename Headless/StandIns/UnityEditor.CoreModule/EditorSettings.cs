@@ -16,9 +16,4 @@ namespace UnityEditor
 
         public static EnterPlayModeOptions enterPlayModeOptions { get; set; }
     }
-
-    public class Undo
-    {
-        public static void PerformUndo() => throw EditorOnly.NotHere(nameof(PerformUndo));
-    }
 }

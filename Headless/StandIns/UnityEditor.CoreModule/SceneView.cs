@@ -63,6 +63,8 @@ namespace UnityEditor
 
     public class Undo
     {
+        public static void PerformUndo() => throw EditorOnly.NotHere(nameof(PerformUndo));
+
         public static void RecordObject(Object objectToUndo, string name)
         {
         }
