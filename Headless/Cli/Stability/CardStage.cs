@@ -22,7 +22,8 @@ namespace FastPoints.Cli.Stability
                 WidthPx = from.WidthPx,
                 HeightPx = from.HeightPx,
                 Camera = from.Camera,
-                Color = from.Color,
+                // By place: of points in one place a card shows the last, the software rasteriser that of the smallest colour.
+                Color = ColorMode.Elevation,
                 PointSizePx = 3,
                 RoundPoints = true,
                 EdlStrength = 0,
@@ -41,7 +42,8 @@ namespace FastPoints.Cli.Stability
             return differ;
         }
 
-        static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options, List<string> problems)
+        static RgbaImage Draw(string target, StreamContext stream, FlightPicture picture, PictureOptions options,
+            List<string> problems)
         {
             var plan = FlightCloud.Add(target, stream, options, CancellationToken.None, out _, out int cloud);
             picture.Add(cloud, plan);
