@@ -38,7 +38,7 @@ namespace FastPoints.Cli
                     return AddSample(reader, stream, options, cancellation, out ranges, out number);
                 WorkPump.RunToEnd(TreeSource.FindTop(reader), cancellation);
                 ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
-                using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color)))
+                using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
                     WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
                 var source = new TreeSource(reader, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
                 var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
@@ -98,35 +98,11 @@ namespace FastPoints.Cli
             }
         }
 
-        /// <summary>The points of the upper levels, as far as they are needed; nodes that are damaged give what they have.</summary>
-        static PointBatch ReadTop(PointReader reader, string[] attributes)
+        static PointBatch ReadTop(PointReader reader, string[] attributes, CancellationToken cancellation)
         {
-            var blocks = new List<int>();
-            int points = 0, most = 1;
-            for (int node = 0; node < reader.Tree.NodeCount && points < PointsToPlanWith; node++)
-            {
-                if (reader.Tree[node].Block < 0)
-                    continue;
-                blocks.Add(reader.Tree[node].Block);
-                points += reader.Tree[node].PointCount;
-                most = Math.Max(most, reader.Tree[node].PointCount);
-            }
-            var schema = reader.Info.Schema.Select([AttributeNames.X, AttributeNames.Y, AttributeNames.Z, .. attributes]);
-            var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
-            using var read = reader.CreateRead(schema, most, Allocator.Persistent);
-            foreach (int block in blocks)
-            {
-                read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                read.Complete();
-                for (int c = 0; c < schema.Count; c++)
-                {
-                    int size = schema[c].Type.SizeOf();
-                    NativeArray<byte>.Copy(read.Points.Bytes, read.Points.Column(c).OffsetBytes, top.Bytes,
-                        top.Column(c).OffsetBytes + top.Count * size, read.Points.Count * size);
-                }
-                top.Count += read.Points.Count;
-            }
-            return top;
+            PointBatch? top = null;
+            WorkPump.RunToEnd(TreeTop.Read(reader, attributes, PointsToPlanWith, read => top = read), cancellation);
+            return top!;
         }
     }
 }

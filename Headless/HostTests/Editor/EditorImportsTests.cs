@@ -34,6 +34,7 @@ namespace FastPoints.HostTests.Editor
         {
             UnityEngine.Debug.s_sink = null;
             FastPointsSettings.instance.ConvertAtOnce = true;
+            FastPointsSettings.instance.ConvertOctrees = false;
             m_project.Dispose();
         }
 
@@ -172,29 +173,101 @@ namespace FastPoints.HostTests.Editor
             Assert.That(m_project.Asset(path).Points, Is.EqualTo(-1));
         }
 
-        /// <summary>A component in the scene streams the cloud as soon as there is something of it.</summary>
         [Test]
-        public void PointCloud_OfACloudThatIsBeingConverted_ShowsItWhenItIsThere()
+        public void Take_Copc_IsStreamedAsItIsUnlessTheSettingsSayOtherwise()
         {
-            using var world = new World("default");
+            var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");
+
+            Assert.That(m_logged, Is.Empty);
+            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+            Assert.That(asset.File().FullSources().Single(), Does.EndWith("scan.copc.laz"));
+            Assert.That(asset.PlayerSource, Does.Match("^PointClouds/[0-9a-f]{8}/scan.copc.laz$"));
+
+            FastPointsSettings.instance.ConvertOctrees = true;
+            m_project.Imports.Take(m_project.Copc("other.copc.laz"), "Assets");
+            Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(1));
+        }
+
+        [Test]
+        public void Take_ConvertAtOnceOff_LeavesTheFileToItsPreview()
+        {
+            FastPointsSettings.instance.ConvertAtOnce = false;
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
+            Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
+            using var world = StreamingWorld();
+            var cloud = PointCloudDrops.Show(asset, null, null);
+            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+            Assert.That(cloud.Error, Is.Null);
+            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+        }
+
+        static World StreamingWorld()
+        {
+            var world = new World("default");
             World.DefaultGameObjectInjectionWorld = world;
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem));
+                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
+                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem));
             world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
+            return world;
+        }
+
+        /// <summary>A component in the scene shows the file at once, then the cloud, in the same place; and so does the next
+        /// session.</summary>
+        [Test]
+        public void PointCloud_OfACloudThatIsBeingConverted_ShowsThePreviewAndThenTheCloudWhereItWas()
+        {
+            using var world = StreamingWorld();
+            var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
             var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
             var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
-            for (int frame = 0; frame < 1000 && m_logged.Count == 0; frame++)
-            {
-                world.Update();
-                Thread.Yield();
-            }
-            Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.False);
+            Assert.That(cloud.transform.position.z, Is.EqualTo(3));
+            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
+            var entity = cloud.Entity;
+            Assert.That(cloud.TryGetSpace(out var space), Is.True);
 
             m_project.UpdateToTheEnd();
 
-            ImportProject.Updates(world.Update, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
-            Assert.That(cloud.transform.position.z, Is.EqualTo(3));
+            NodeSource Shown() => stream.Clouds[world.EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Source;
+            ImportProject.Updates(world.Update, () => Shown() is FolderSource);
+            Assert.That(cloud.Entity, Is.EqualTo(entity), "it was not opened anew");
+            Assert.That(cloud.TryGetSpace(out var later) && later.Equals(space), Is.True);
+            var origin = HandleFile.Read(HandlePath("scan.pointcloud")).Origin;
+            Assert.That(origin, Is.EqualTo(space.OriginGeo));
+            Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
+
+            CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
+            EditorImports.LookAgain("Assets/scan.pointcloud");
+            ImportProject.Updates(world.Update, () => Shown() is TreeSource);
+            Assert.That(m_logged, Is.Empty);
             UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+        }
+
+        /// <summary>There are no frames in edit mode but those that are asked for.</summary>
+        [Test]
+        public void EditModeFrames_CloudThatComes_AreAskedForUntilItIsThere()
+        {
+            using var world = StreamingWorld();
+            int Asked()
+            {
+                int before = EditorApplication.s_queuedUpdates;
+                EditModeFrames.Update();
+                return EditorApplication.s_queuedUpdates - before;
+            }
+            void Rest() => ImportProject.Updates(world.Update, () => Asked() == 0);
+            Rest();
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            var cloud = PointCloudDrops.Show(asset, null, null);
+            world.Update();
+            Assert.That(Asked(), Is.EqualTo(1));
+            Rest();
+            Assert.That(world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity), Is.True);
+            EditorApplication.isPlaying = true;
+            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
+            world.Update();
+            Assert.That(Asked(), Is.Zero, "the player loop runs anyway");
+            EditorApplication.isPlaying = false;
         }
     }
 }

@@ -2,7 +2,9 @@ using System;
 using System.IO;
 using FastPoints.Editor;
 using FastPoints.Entities;
+using FastPoints.Feeds;
 using FastPoints.HostTests.Cli;
+using FastPoints.Pipeline;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;
@@ -22,6 +24,7 @@ namespace FastPoints.HostTests.Editor
             Application.AssetsPath = Scratch["project/Assets"];
             AssetDatabase.Importing = Import;
             Paths = new ProjectPaths(Scratch["project"]);
+            PointFileReaders.Register();
             Imports = new EditorImports(Paths, FastPointsSettings.instance);
         }
 
@@ -31,6 +34,13 @@ namespace FastPoints.HostTests.Editor
 
         /// <summary>What the last import said.</summary>
         public AssetImportContext LastImport { get; private set; }
+
+        /// <summary>A file that is COPC by its name: nobody opens it.</summary>
+        public string Copc(string name)
+        {
+            File.WriteAllText(Scratch[name], "LASF");
+            return Scratch[name];
+        }
 
         public PointCloudAsset Asset(string path) => AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
 
@@ -53,8 +63,12 @@ namespace FastPoints.HostTests.Editor
             var made = (PointCloudAsset)LastImport.mainObject;
             if (Asset(path) is { } before)
                 // Who refers to it goes on doing so.
+            {
                 (before.ProjectPath, before.PlayerPath, before.Points, before.BoundsMin, before.BoundsMax, before.Crs) =
                     (made.ProjectPath, made.PlayerPath, made.Points, made.BoundsMin, made.BoundsMax, made.Crs);
+                (before.ProjectSources, before.PlayerSource, before.HasOrigin, before.Origin) =
+                    (made.ProjectSources, made.PlayerSource, made.HasOrigin, made.Origin);
+            }
             else
                 AssetDatabase.Assets[path] = made;
         }
@@ -73,6 +87,7 @@ namespace FastPoints.HostTests.Editor
             DragAndDrop.paths = Array.Empty<string>();
             DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
             Application.AssetsPath = null;
+            CloudFeeds.Register(null);
             Environment.CurrentDirectory = m_before;
             Scratch.Dispose();
         }

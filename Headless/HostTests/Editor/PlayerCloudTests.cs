@@ -85,6 +85,22 @@ namespace FastPoints.HostTests.Editor
         }
 
         [Test]
+        public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
+        {
+            string source = m_project.Copc("a.copc.laz");
+            AssetDatabase.Dependencies["Assets/main.unity"] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
+            var asset = m_project.Imports.Take(source, "Assets");
+
+            var added = Build().FolderOfPlayerPath;
+
+            Assert.That(added.Single().Key, Is.EqualTo(asset.PlayerSource));
+            Assert.That(added.Single().Value, Is.EqualTo(source));
+            Assert.That(m_logged.Single(), Does.Contain("as it is, with FastPoints.Import"));
+            File.Delete(source);
+            Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
+        }
+
+        [Test]
         public void Build_NoClouds_SaysNothing()
         {
             Assert.That(Build().FolderOfPlayerPath, Is.Empty);

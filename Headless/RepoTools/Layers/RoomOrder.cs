@@ -16,7 +16,7 @@ namespace FastPoints.RepoTools.Layers
     {
         private static readonly (string Assembly, string[] Rooms)[] s_order =
         {
-            ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture" }),
+            ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
             ("FastPoints.Import", new[] { "Files", "Preview", "Octree", "Store", "Streaming", "Pipeline" }),
         };
 

@@ -13,13 +13,14 @@ namespace UnityEditor
 
         public static CallbackFunction update;
 
-        public static event Action quitting;
+        /// <summary>How often frames were asked for.</summary>
+        internal static int s_queuedUpdates;
 
         public static bool isPlaying { get; set; }
 
-        public static void QueuePlayerLoopUpdate()
-        {
-        }
+        public static event Action quitting;
+
+        public static void QueuePlayerLoopUpdate() => s_queuedUpdates++;
 
         internal static void Quit() => quitting?.Invoke();
     }

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
     public abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised where the asset comes out otherwise.</summary>
-        protected const int Version = 1;
+        protected const int Version = 2;
 
         /// <summary>Reads the asset's file.</summary>
         /// <param name="guid">The asset's.</param>
@@ -39,6 +39,10 @@ namespace FastPoints.Editor
         {
             asset.ProjectPath = handle.CloudPath;
             asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
+            asset.ProjectSources = handle.Sources.ToArray();
+            asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
+            asset.HasOrigin = handle.Origin.HasValue;
+            asset.Origin = handle.Origin ?? default;
             asset.Points = handle.Points;
             // Infinity is no number that Unity's text files keep.
             var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;

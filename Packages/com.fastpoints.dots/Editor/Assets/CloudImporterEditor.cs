@@ -152,6 +152,7 @@ namespace FastPoints.Editor
             {
                 CloudCatalog.Delete(m_cloud.Path);
                 Look();
+                EditorImports.LookAgain(Asset);
             }
             catch (PointCloudException e)
             {

@@ -1,8 +1,10 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Store;
+using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;
 
@@ -18,7 +20,6 @@ namespace FastPoints.Editor
         DateTime m_nextReport;
         BuildSession m_reported;
         int m_progress;
-        bool m_isShown;
         string m_problem;
 
         public EditorImports(ProjectPaths paths, FastPointsSettings settings)
@@ -78,7 +79,7 @@ namespace FastPoints.Editor
                 AssetDatabase.ImportAsset(asset);
                 if (handle.Sources.Count == 0)
                     Thumbnails.Add(Paths.Absolute(handle.CloudPath));
-                else if (m_settings.ConvertAtOnce)
+                else if (IsConvertedAtOnce(handle))
                     Convert(asset, handle);
                 return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             }
@@ -95,7 +96,7 @@ namespace FastPoints.Editor
             var handle = OfPointFile(asset);
             if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
             {
-                if (m_settings.ConvertAtOnce)
+                if (IsConvertedAtOnce(handle))
                     Convert(asset, handle);
             }
             else if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
@@ -172,10 +173,14 @@ namespace FastPoints.Editor
             Queue.Add(request);
         }
 
+        bool IsConvertedAtOnce(CloudHandle handle) =>
+            m_settings.ConvertAtOnce && (!handle.IsOctree || m_settings.ConvertOctrees);
+
         CloudHandle OfPointFile(string asset)
         {
             var handle = new CloudHandle { CloudPath = Paths.OfAsset(AssetDatabase.AssetPathToGUID(asset)) };
             handle.Sources.Add(asset);
+            handle.IsOctree = CloudSources.BringsOctree(asset);
             try
             {
                 handle.Stamp = StampFile.Read(Paths.Absolute(handle.CloudPath));
@@ -195,17 +200,12 @@ namespace FastPoints.Editor
             Progress.Report(m_progress, (float)session.Share, BuildProgress.Describe(session.Progress));
             if (session.SecondsLeft < int.MaxValue)
                 Progress.SetRemainingTime(m_progress, (long)session.SecondsLeft);
-            if (m_isShown || !CloudFolder.IsCloud(Paths.Absolute(Queue.Running.Cloud)))
-                return;
-            m_isShown = true;
-            Reopen(Queue.Running.Asset);
         }
 
         void Begin(BuildSession session)
         {
             var request = Queue.Running;
             m_reported = session;
-            m_isShown = false;
             m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
                 Progress.Options.Managed);
             Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
@@ -245,7 +245,7 @@ namespace FastPoints.Editor
                 Debug.LogWarning("FastPoints: " + warning);
             Update(asset, Paths.Absolute(request.Cloud), session);
             Thumbnails.Add(Paths.Absolute(request.Cloud));
-            Reopen(request.Asset);
+            LookAgain(asset);
         }
 
         void Update(string asset, string cloud, BuildSession session)
@@ -257,7 +257,7 @@ namespace FastPoints.Editor
                     StampFile.Write(cloud, session.Stamp);
                     return;
                 }
-                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp);
+                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp, OriginShown(asset));
                 AssetDatabase.ImportAsset(asset);
             }
             catch (PointCloudException e)
@@ -279,15 +279,31 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Has the scenes' clouds of an asset look for its folder again.</summary>
-        static void Reopen(string guid)
+        /// <param name="asset">Its path.</param>
+        public static void LookAgain(string asset)
         {
-            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(guid));
+            foreach (var cloud in CloudsOf(asset))
+                cloud.LookAgain();
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
+
+        /// <summary>The place that the scenes' clouds of an asset count from; null where none is shown.</summary>
+        static double3? OriginShown(string asset)
+        {
+            foreach (var cloud in CloudsOf(asset))
+                if (cloud.TryGetSpace(out var space))
+                    return space.OriginGeo;
+            return null;
+        }
+
+        static IEnumerable<PointCloud> CloudsOf(string path)
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
             if (asset == null)
-                return;
+                yield break;
             foreach (var cloud in Resources.FindObjectsOfTypeAll<PointCloud>())
                 if (cloud.Cloud == asset)
-                    cloud.Reopen();
-            EditorApplication.QueuePlayerLoopUpdate();
+                    yield return cloud;
         }
     }
 }

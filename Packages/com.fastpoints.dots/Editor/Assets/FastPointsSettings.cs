@@ -27,6 +27,9 @@ namespace FastPoints.Editor
         /// <summary>Whether what is imported is converted at once, or when somebody asks for it.</summary>
         public bool ConvertAtOnce = true;
 
+        /// <summary>Whether that holds for COPC, Potree and EPT too, which can be streamed as they are.</summary>
+        public bool ConvertOctrees;
+
         /// <summary>Keeps what was changed.</summary>
         public void Save() => Save(true);
 

@@ -21,6 +21,8 @@ namespace FastPoints.Editor
                 EditorGUILayout.HelpBox(s_problem, MessageType.Error);
             EditorGUI.BeginChangeCheck();
             settings.ConvertAtOnce = EditorGUILayout.Toggle("Convert what is imported", settings.ConvertAtOnce);
+            if (settings.ConvertAtOnce)
+                settings.ConvertOctrees = EditorGUILayout.Toggle("COPC, Potree and EPT, too", settings.ConvertOctrees);
             settings.Sampler = (Sampler)EditorGUILayout.EnumPopup("Sampler", settings.Sampler);
             settings.MemoryMiB = EditorGUILayout.IntSlider("Memory of a conversion (MiB)", settings.MemoryMiB, 64, 65536);
             settings.UpdateMs = EditorGUILayout.IntSlider("Main thread of an update (ms)", settings.UpdateMs, 1, 30);

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.Pipeline;
 using UnityEditor;
 using UnityEngine;
 
@@ -20,6 +21,7 @@ namespace FastPoints.Editor
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
             RegisterPlace();
+            PointFileReaders.Register();
             EditorApplication.update += Update;
             EditorApplication.quitting += Suspend;
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;

@@ -16,6 +16,7 @@ namespace FastPoints.Editor
                 context.DependsOnCustomDependency(PointCloudImports.PlaceDependency);
                 var handle = new CloudHandle { CloudPath = PointCloudImports.Paths.OfAsset(guid) };
                 handle.Sources.Add(context.assetPath);
+                handle.IsOctree = reader.Tree != null;
                 handle.Describe(reader.Info);
                 foreach (var warning in reader.Info.Warnings)
                     context.LogImportWarning(warning.ToString());

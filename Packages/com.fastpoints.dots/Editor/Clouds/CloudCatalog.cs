@@ -37,7 +37,7 @@ namespace FastPoints.Editor
             foreach (string folder in FolderNames(m_paths.Clouds))
             {
                 bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
-                string path = isPart ? folder.Substring(0, folder.Length - StoreFormat.PartSuffix.Length) : folder;
+                string path = StoreFormat.FinishedPath(folder);
                 // While a cloud is made anew the old one is there.
                 if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     !(isPart && Directory.Exists(path)))
@@ -75,8 +75,7 @@ namespace FastPoints.Editor
         {
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
             foreach (string folder in FolderNames(m_paths.Clouds))
-                taken.Add(folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal)
-                    ? folder.Substring(0, folder.Length - StoreFormat.PartSuffix.Length) : folder);
+                taken.Add(StoreFormat.FinishedPath(folder));
             string name = AssetNaming.Unique(CloudName.Of(source), n => taken.Contains(PathOf(n)) || isPromised(PathOf(n)));
             return PathOf(name);
         }

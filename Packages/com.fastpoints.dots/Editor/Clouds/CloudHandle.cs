@@ -3,6 +3,7 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Store;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 
 namespace FastPoints.Editor
@@ -26,6 +27,12 @@ namespace FastPoints.Editor
         /// <summary>Files and folders that the cloud is made of, written alike; none for a cloud that came converted.</summary>
         public List<string> Sources = new List<string>();
 
+        /// <summary>Whether they bring an octree along (COPC, Potree, EPT): they can be streamed as they are.</summary>
+        public bool IsOctree;
+
+        /// <summary>The place that transforms move, georeferenced: where the cloud was shown first. Null until then.</summary>
+        public double3? Origin;
+
         /// <summary>Of the sources when they were taken; null without any.</summary>
         public SourceStamp Stamp;
 
@@ -47,6 +54,9 @@ namespace FastPoints.Editor
         /// <summary>Takes over what a source's header claims.</summary>
         public void Describe(SourceInfo info)
         {
+            // The same at each import, whatever a conversion finds.
+            if (info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty)
+                Origin = UnitySpace.Of(info.BoundsClaimed, info.Crs.MetresPerUnit).OriginGeo;
             Format = info.Format;
             Points = info.PointsReadable >= 0 ? info.PointsReadable
                 : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
@@ -72,6 +82,10 @@ namespace FastPoints.Editor
             foreach (string source in Sources)
                 json.Add(null, source);
             json.EndArray();
+            if (IsOctree)
+                json.Add("octree", true);
+            if (Origin is double3 origin)
+                json.Add("origin", origin.x, origin.y, origin.z);
             Stamp?.Write(json, "stamp");
             json.Add("sourceFormat", Format).Add("points", Points);
             if (!BoundsGeo.IsEmpty)
@@ -98,6 +112,8 @@ namespace FastPoints.Editor
                 CloudId = json.Hex("cloudId"),
                 CloudPath = json.Text("cloud"),
                 Sources = json.Texts("sources"),
+                IsOctree = json.Flag("octree"),
+                Origin = json.Has("origin") ? Place(json, "origin") : (double3?)null,
                 Stamp = stamp == null ? null : SourceStamp.Read(stamp),
                 Format = json.TextOrNull("sourceFormat"),
                 Points = json.Long("points"),

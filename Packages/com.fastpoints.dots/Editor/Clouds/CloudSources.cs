@@ -13,6 +13,8 @@ namespace FastPoints.Editor
         /// <summary>Of files that an importer takes where they lie in a project's assets.</summary>
         public static readonly string[] ImportedExtensions = { "las", "laz", "ply" };
 
+        const string CopcExtension = ".copc.laz";
+
         static readonly string[] s_extensions = { ".las", ".laz", ".ply", ".e57" };
 
         /// <summary>What to do with files that are dropped into a project's assets.</summary>
@@ -44,6 +46,11 @@ namespace FastPoints.Editor
             // Others call a file metadata.json too.
             return index != null && (Path.GetFileName(index) != "metadata.json" || File.Exists(Path.Combine(path, "octree.bin")));
         }
+
+        /// <summary>Whether files bring an octree along, by their names: COPC, Potree, EPT.</summary>
+        public static bool BringsOctree(string path) => File.Exists(path)
+            ? path.EndsWith(CopcExtension, StringComparison.OrdinalIgnoreCase)
+            : SourceFolder.FindIndex(path) != null && IsCloud(path);
 
         /// <summary>A folder that needs no conversion.</summary>
         public static bool IsConverted(string path) =>

@@ -4,6 +4,8 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
@@ -38,6 +40,7 @@ namespace FastPoints.Editor
             {
                 handle.CloudPath = paths.Stored(newTarget(source));
                 handle.Sources.Add(paths.Stored(source));
+                handle.IsOctree = CloudSources.BringsOctree(source);
             }
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
             foreach (string file in Directory.GetFileSystemEntries(folder))
@@ -53,11 +56,13 @@ namespace FastPoints.Editor
         }
 
         /// <summary>After a conversion: what was found, and the stamp that its source had.</summary>
-        public static void Update(string path, CloudManifest manifest, SourceStamp stamp)
+        /// <param name="origin">Where scenes show the cloud; kept from then on. Null for where the manifest puts it.</param>
+        public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null)
         {
             var handle = Read(path);
             string before = handle.ToJson();
             handle.Describe(manifest);
+            handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit).OriginGeo;
             // A time that version control has touched is no reason to write.
             if (handle.Stamp == null || !handle.Stamp.HasBytesOf(stamp))
                 handle.Stamp = stamp;

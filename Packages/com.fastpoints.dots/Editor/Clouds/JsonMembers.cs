@@ -34,6 +34,12 @@ namespace FastPoints.Editor
         public string TextOrNull(string name) =>
             m_members.TryGetValue(name, out object value) && value != null ? Text(name) : null;
 
+        public bool Has(string name) => m_members.ContainsKey(name);
+
+        /// <summary>False where there is no such member.</summary>
+        public bool Flag(string name) => Has(name) &&
+            Member(name, v => v is bool flag ? flag : throw new FormatException("wanted true or false"));
+
         public List<string> Texts(string name) =>
             Items(name).ConvertAll(i => i as string ?? throw Wrong(name, m_path, "wanted strings", null));
 

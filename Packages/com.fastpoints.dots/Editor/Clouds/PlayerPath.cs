@@ -17,7 +17,15 @@ namespace FastPoints.Editor
             if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));
-            return place + name + "-" + asset.Substring(0, Math.Min(8, asset.Length)) + StoreFormat.FolderExtension;
+            return place + name + "-" + Short(asset) + StoreFormat.FolderExtension;
         }
+
+        /// <summary>Of a file or folder that is streamed as it is.</summary>
+        /// <param name="source">As a handle says it.</param>
+        /// <param name="asset">The asset's number.</param>
+        public static string OfSource(string source, string asset) => ProjectPaths.DefaultClouds + "/" + Short(asset) + "/" +
+            AssetNaming.Safe(Path.GetFileName(source.TrimEnd('/', '\\')));
+
+        static string Short(string asset) => asset.Substring(0, Math.Min(8, asset.Length));
     }
 }

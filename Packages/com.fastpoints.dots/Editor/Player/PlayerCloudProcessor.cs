@@ -2,14 +2,16 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Entities;
+using FastPoints.Store;
 using UnityEditor;
 using UnityEditor.Build;
 using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Adds the converted clouds that a player's scenes and resources refer to to its streaming assets, and tells their
-    /// sizes. A cloud that is not converted ends the build: without it the player would show nothing.</summary>
+    /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and tells their sizes:
+    /// converted ones, and those that can be streamed as they are. One that is neither ends the build: without it the player would
+    /// show nothing.</summary>
     public sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
@@ -21,8 +23,13 @@ namespace FastPoints.Editor
                 foreach (string path in AssetsOf(buildPlayerContext.BuildPlayerOptions.scenes))
                 {
                     var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                    if (asset != null)
-                        clouds.Add(path, paths.Absolute(asset.ProjectPath ?? ""), asset.PlayerPath);
+                    if (asset == null)
+                        continue;
+                    string folder = paths.Absolute(asset.ProjectPath ?? "");
+                    if (string.IsNullOrEmpty(asset.PlayerSource) || CloudFolder.IsCloud(folder))
+                        clouds.Add(path, folder, asset.PlayerPath);
+                    else
+                        clouds.AddSource(path, paths.Absolute(asset.ProjectSources[0]), asset.PlayerSource, asset.Points);
                 }
             }
             catch (PointCloudException e)

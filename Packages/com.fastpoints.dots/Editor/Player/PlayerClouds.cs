@@ -11,15 +11,20 @@ namespace FastPoints.Editor
     /// <summary>The converted clouds that go into a player, and how large they are.</summary>
     public sealed class PlayerClouds
     {
-        /// <summary>A cloud's folder and its place.</summary>
+        /// <summary>A cloud's folder or file, and its place.</summary>
         public struct Entry
         {
             public string Folder;
 
             /// <summary>Below the player's streaming assets.</summary>
             public string PlayerPath;
+
+            /// <summary>-1 where nobody has counted them.</summary>
             public long Points;
             public long Bytes;
+
+            /// <summary>Not converted: read by FastPoints.Import, which has to be in the player.</summary>
+            public bool IsSource;
         }
 
         readonly List<Entry> m_entries = new List<Entry>();
@@ -32,14 +37,8 @@ namespace FastPoints.Editor
         /// place.</exception>
         public void Add(string asset, string folder, string playerPath)
         {
-            var known = m_entries.FindIndex(e => string.Equals(e.PlayerPath, playerPath, StringComparison.OrdinalIgnoreCase));
-            if (known >= 0)
-            {
-                if (m_entries[known].Folder != folder)
-                    throw PointCloudException.Wanted(FailureCode.WriteFailed, asset, -1, "place in the player " + playerPath,
-                        folder, m_entries[known].Folder);
+            if (IsKnown(asset, folder, playerPath))
                 return;
-            }
             string manifestPath = Path.Combine(folder, StoreFormat.ManifestName);
             if (!File.Exists(manifestPath))
                 throw new PointCloudException(FailureCode.NotFound, asset, -1, "is not converted: wanted a cloud in " + folder +
@@ -50,9 +49,47 @@ namespace FastPoints.Editor
                 PlayerPath = playerPath,
                 Points = CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath).Points,
             };
-            foreach (var file in new DirectoryInfo(folder).GetFiles("*", SearchOption.AllDirectories))
-                entry.Bytes += file.Length;
+            entry.Bytes = BytesOf(folder);
             m_entries.Add(entry);
+        }
+
+        /// <summary>Adds a cloud that is streamed as it is; once where several assets say the same.</summary>
+        /// <param name="asset">Whose cloud it is, for messages.</param>
+        /// <param name="source">The file or folder.</param>
+        /// <param name="points">-1 where nobody has counted them.</param>
+        /// <exception cref="PointCloudException">It is not there, or another cloud has its place.</exception>
+        public void AddSource(string asset, string source, string playerPath, long points)
+        {
+            if (IsKnown(asset, source, playerPath))
+                return;
+            if (!File.Exists(source) && !Directory.Exists(source))
+                throw new PointCloudException(FailureCode.NotFound, asset, -1, "is neither converted nor is there its source: wanted " +
+                    source);
+            m_entries.Add(new Entry
+            {
+                Folder = source,
+                PlayerPath = playerPath,
+                Points = points,
+                Bytes = File.Exists(source) ? new FileInfo(source).Length : BytesOf(source),
+                IsSource = true,
+            });
+        }
+
+        bool IsKnown(string asset, string folder, string playerPath)
+        {
+            int known = m_entries.FindIndex(e => string.Equals(e.PlayerPath, playerPath, StringComparison.OrdinalIgnoreCase));
+            if (known >= 0 && m_entries[known].Folder != folder)
+                throw PointCloudException.Wanted(FailureCode.WriteFailed, asset, -1, "place in the player " + playerPath,
+                    folder, m_entries[known].Folder);
+            return known >= 0;
+        }
+
+        static long BytesOf(string folder)
+        {
+            long bytes = 0;
+            foreach (var file in new DirectoryInfo(folder).GetFiles("*", SearchOption.AllDirectories))
+                bytes += file.Length;
+            return bytes;
         }
 
         /// <summary>A line a cloud, the largest first, and their sum.</summary>
@@ -64,8 +101,9 @@ namespace FastPoints.Editor
             long bytes = 0;
             foreach (var entry in sorted)
             {
-                text.AppendFormat(CultureInfo.InvariantCulture, "\n{0,10:0.0} MB  {1,15:N0} points  {2}", entry.Bytes * 1e-6,
-                    entry.Points, entry.PlayerPath);
+                text.AppendFormat(CultureInfo.InvariantCulture, "\n{0,10:0.0} MB  {1,15} points  {2}{3}", entry.Bytes * 1e-6,
+                    entry.Points < 0 ? "?" : entry.Points.ToString("N0", CultureInfo.InvariantCulture), entry.PlayerPath,
+                    entry.IsSource ? " as it is, with FastPoints.Import" : "");
                 bytes += entry.Bytes;
             }
             return string.Format(CultureInfo.InvariantCulture, "{0} point clouds in the player, {1:0.0} MB", sorted.Count,

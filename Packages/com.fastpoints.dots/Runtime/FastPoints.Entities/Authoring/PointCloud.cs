@@ -1,14 +1,15 @@
 using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Picture;
+using FastPoints.Streaming;
 using Unity.Entities;
 using UnityEngine;
 using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A converted cloud in a scene of GameObjects: makes the entity that streams it, which stands where the GameObject
-    /// does, in edit mode too.</summary>
+    /// <summary>A cloud in a scene of GameObjects: makes the entity that streams it, which stands where the GameObject does, in edit
+    /// mode too.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud")]
@@ -19,7 +20,8 @@ namespace FastPoints.Entities
         PointCloudAsset m_cloud;
 
         [SerializeField]
-        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets.")]
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets. Where readers are loaded, any " +
+            "point cloud.")]
         string m_path;
 
         [SerializeField]
@@ -43,7 +45,9 @@ namespace FastPoints.Entities
             set => Set(ref m_cloud, value);
         }
 
-        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets.</summary>
+        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets. Where readers
+        /// are loaded (FastPoints.Import), any point cloud: COPC, Potree and EPT are streamed as they are, of others a preview is
+        /// shown.</summary>
         public string Path
         {
             get => m_path;
@@ -78,8 +82,27 @@ namespace FastPoints.Entities
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity => m_entity.Value;
 
-        /// <summary>Opens the folder anew: it was not there, or is another now, or other planes may have to be
-        /// streamed.</summary>
+        /// <summary>What went wrong when the cloud was opened, in a line; null where nothing did.</summary>
+        public string Error => m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
+
+        /// <summary>The space that the transform moves, where the cloud is shown.</summary>
+        public bool TryGetSpace(out UnitySpace space)
+        {
+            bool isThere = m_entity.TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
+            space = isThere ? entities.GetComponentData<PointCloudSpace>(Entity).Value : default;
+            return isThere;
+        }
+
+        /// <summary>There may be something new on disk: it is shown when it is there, and what is shown stays until then.</summary>
+        public void LookAgain()
+        {
+            if (m_entity.TryGet(out var entities))
+                entities.GetComponentObject<PointCloudFile>(Entity).LooksAgain = true;
+            else
+                Reopen();
+        }
+
+        /// <summary>Opens the cloud anew, from nothing: other planes may have to be streamed.</summary>
         public void Reopen()
         {
             if (!isActiveAndEnabled)

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud that scenes refer to: where its converted folder is, and what is known of it. Of the points there is
+    /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. Of the points there is
     /// nothing in it. The editor makes it, of a <c>.pointcloud</c> handle or of a file in <c>Assets</c>.</summary>
     public sealed class PointCloudAsset : ScriptableObject
     {
@@ -12,6 +12,14 @@ namespace FastPoints.Entities
 
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
+
+        /// <summary>Files and folders that the cloud is made of, in an editor: in the project, with '/', or absolute. Shown until
+        /// there is a converted folder.</summary>
+        public string[] ProjectSources = new string[0];
+
+        /// <summary>Below a player's streaming assets, where the cloud can be streamed without conversion; empty where it
+        /// cannot.</summary>
+        public string PlayerSource;
 
         /// <summary>-1 where nobody has counted them.</summary>
         public long Points = -1;
@@ -26,7 +34,22 @@ namespace FastPoints.Entities
         /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
         public double MetresPerUnit;
 
+        /// <summary>Whether <see cref="Origin"/> is known: where the cloud was shown first, so that another conversion moves
+        /// nothing.</summary>
+        public bool HasOrigin;
+
+        /// <summary>Georeferenced, in CRS units: the place that transforms move.</summary>
+        public double3 Origin;
+
         /// <summary>What an entity says to have the cloud streamed.</summary>
-        public PointCloudFile File() => new PointCloudFile { Path = PlayerPath, ProjectPath = ProjectPath };
+        public PointCloudFile File() => new PointCloudFile
+        {
+            Path = PlayerPath,
+            ProjectPath = ProjectPath,
+            ProjectSources = ProjectSources,
+            PlayerSource = PlayerSource,
+            HasOrigin = HasOrigin,
+            OriginGeo = Origin,
+        };
     }
 }

@@ -1,10 +1,11 @@
+using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Clouds whose entities came go into the stream, those whose entities are gone leave it; placements
-    /// follow.</summary>
+    /// <summary>Clouds whose entities came go into the stream, those whose entities are gone leave it; placements follow; newer
+    /// states take the place of older ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     public partial class AddCloudsSystem : StreamSystem
@@ -32,8 +33,7 @@ namespace FastPoints.Entities
                 Add();
             using (var entities = m_streamed.ToEntityArray(Allocator.Temp))
                 foreach (var entity in entities)
-                    Group.Stream.Clouds[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number].Placement =
-                        EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
+                    Follow(entity, EntityManager.GetComponentObject<PointCloudStates>(entity));
         }
 
         void Add()
@@ -44,19 +44,87 @@ namespace FastPoints.Entities
                     var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
                     if (source.Source == null)
                         continue;
-                    var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
-                    int number = Group.Stream.Add(source.Source, placement);
+                    var states = new PointCloudStates { Succession = new CloudSuccession(Group.Stream) };
+                    states.Succession.Add(source.Source, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value,
+                        source.Stage);
                     source.Source = null;
-                    EntityManager.AddComponentData(entity, new StreamedPointCloud { Number = number });
+                    EntityManager.AddComponentData(entity, StreamedOf(states));
+                    EntityManager.AddComponentObject(entity, states);
+                    SetLook(entity, source.Look);
                 }
         }
+
+        void Follow(Entity entity, PointCloudStates states)
+        {
+            var succession = states.Succession;
+            int shown = succession.Cloud;
+            if (EntityManager.HasComponent<PointCloudSource>(entity))
+                TakeNext(entity, EntityManager.GetComponentObject<PointCloudSource>(entity), states);
+            succession.Update();
+            if (succession.Cloud != shown)
+                Show(entity, states, shown);
+            succession.Place(EntityManager.GetComponentData<PointCloudPlacement>(entity).Value);
+            EntityManager.SetComponentData(entity, StreamedOf(states));
+        }
+
+        void TakeNext(Entity entity, PointCloudSource source, PointCloudStates states)
+        {
+            if (source.WithdrawsBuild)
+                states.Succession.Withdraw();
+            source.WithdrawsBuild = false;
+            if (source.Source == null)
+                return;
+            states.Succession.Add(source.Source, null, source.Stage);
+            source.Source = null;
+            if (source.Look.HasValue)
+                states.Looks[states.Succession.Next] = source.Look.Value;
+            else if (EntityManager.HasComponent<PointCloudLook>(entity))
+                states.Looks[states.Succession.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
+        }
+
+        /// <summary>Another state is shown from now on.</summary>
+        /// <param name="before">What was shown: it may stay beside.</param>
+        void Show(Entity entity, PointCloudStates states, int before)
+        {
+            int shown = states.Succession.Cloud;
+            if (states.Looks.TryGetValue(shown, out var look))
+            {
+                states.Looks.Remove(shown);
+                if (EntityManager.HasComponent<PointCloudLook>(entity))
+                    states.Looks[before] = EntityManager.GetComponentData<PointCloudLook>(entity);
+                SetLook(entity, look);
+            }
+            EntityManager.SetComponentData(entity, new PointCloudPlacement { Value = Group.Stream.Clouds[shown].Placement });
+        }
+
+        void SetLook(Entity entity, PointCloudLook? look)
+        {
+            if (!look.HasValue)
+                return;
+            if (EntityManager.HasComponent<PointCloudLook>(entity))
+                EntityManager.SetComponentData(entity, look.Value);
+            else
+                EntityManager.AddComponentData(entity, look.Value);
+        }
+
+        static StreamedPointCloud StreamedOf(PointCloudStates states) => new StreamedPointCloud
+        {
+            Number = states.Succession.Cloud,
+            Beside = states.Succession.Beside,
+            Next = states.Succession.Next,
+        };
 
         void Remove()
         {
             using (var entities = m_leaving.ToEntityArray(Allocator.Temp))
                 foreach (var entity in entities)
                 {
-                    Group.Stream.Remove(EntityManager.GetComponentData<StreamedPointCloud>(entity).Number);
+                    var leaving = EntityManager.GetComponentData<StreamedPointCloud>(entity);
+                    Group.Stream.Remove(leaving.Number);
+                    if (leaving.Beside != CloudSuccession.None)
+                        Group.Stream.Remove(leaving.Beside);
+                    if (leaving.Next != CloudSuccession.None)
+                        Group.Stream.Remove(leaving.Next);
                     EntityManager.RemoveComponent<StreamedPointCloud>(entity);
                 }
         }

@@ -14,7 +14,11 @@ namespace FastPoints.Entities
             var scene = PointScene.Current;
             if (scene == null || scene.Stream != Group.Stream)
                 return;
-            Group.Views.AddRange(scene.NextViews);
+            // In edit mode there are frames between two pictures, and after the last.
+            if (scene.NextViews.Length > 0)
+                Group.Views.AddRange(scene.NextViews);
+            else
+                Group.KeepViews();
             scene.BeginFrame();
         }
     }

@@ -1,106 +1,149 @@
 using System;
 using System.Collections.Generic;
-using System.Threading.Tasks;
-using FastPoints.Picture;
-using FastPoints.Rendering;
-using FastPoints.Store;
+using FastPoints.Base;
+using FastPoints.Feeds;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Opens the folders of clouds that are there as files only: on threads of the pool, so that a slow disk stops
-    /// nobody.</summary>
+    /// <summary>Opens clouds that are there as files only, and brings each of their states into the stream: waves of a preview,
+    /// generations of a build, what was built.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(AddCloudsSystem))]
     public partial class OpenCloudsSystem : StreamSystem
     {
-        readonly Dictionary<Entity, Task<CloudFolder>> m_opening = new Dictionary<Entity, Task<CloudFolder>>();
-        readonly List<Entity> m_opened = new List<Entity>();
-        EntityQuery m_closed;
+        /// <summary>Of the main thread, a frame: for all previews together.</summary>
+        const double BudgetMs = 2;
+
+        readonly Dictionary<Entity, OpenedCloud> m_opened = new Dictionary<Entity, OpenedCloud>();
+        readonly List<OpenedCloud> m_leaving = new List<OpenedCloud>();
+        readonly List<Entity> m_ended = new List<Entity>();
+        EntityQuery m_files;
+
+        /// <summary>Whether states are expected that did not come yet.</summary>
+        public bool IsBusy { get; private set; }
 
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_closed = new EntityQueryBuilder(Allocator.Temp).WithAll<PointCloudFile>().WithNone<PointCloudSource>().Build(this);
+            m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>());
         }
 
         protected override void OnUpdate()
         {
-            if (!m_closed.IsEmpty)
+            IsBusy = false;
+            if (!m_files.IsEmpty)
                 Begin();
-            if (m_opening.Count > 0)
-                End();
+            if (m_opened.Count > 0)
+                UpdateOpened();
+            for (int i = m_leaving.Count - 1; i >= 0; i--)
+            {
+                if (!m_leaving[i].IsOpen)
+                    continue;
+                m_leaving[i].Dispose();
+                m_leaving.RemoveAt(i);
+            }
         }
 
         protected override void OnDestroy()
         {
-            foreach (var opening in m_opening.Values)
-                opening.ContinueWith(t => t.Result.Dispose(), TaskContinuationOptions.OnlyOnRanToCompletion);
-            m_opening.Clear();
+            foreach (var opened in m_opened.Values)
+                opened.Dispose();
+            foreach (var leaving in m_leaving)
+                leaving.Dispose();
+            m_opened.Clear();
+            m_leaving.Clear();
             base.OnDestroy();
         }
 
         void Begin()
         {
-            using (var entities = m_closed.ToEntityArray(Allocator.Temp))
+            using (var entities = m_files.ToEntityArray(Allocator.Temp))
                 foreach (var entity in entities)
                 {
-                    var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-                    if (file.Error != null || string.IsNullOrEmpty(file.Path) || m_opening.ContainsKey(entity))
+                    if (m_opened.ContainsKey(entity))
                         continue;
-                    string path = file.FullPath;
-                    m_opening.Add(entity, Task.Run(() => CloudFolder.Open(path)));
+                    var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
+                    bool isNew = file.Error == null && !EntityManager.HasComponent<PointCloudSource>(entity);
+                    if (string.IsNullOrEmpty(file.Path) || !isNew && !file.LooksAgain)
+                        continue;
+                    file.Error = null;
+                    file.LooksAgain = false;
+                    m_opened.Add(entity, new OpenedCloud(file.FullPath, file.FullSources()));
                 }
         }
 
-        void End()
+        void UpdateOpened()
         {
-            m_opened.Clear();
-            foreach (var opening in m_opening)
-                if (opening.Value.IsCompleted)
-                    m_opened.Add(opening.Key);
-            foreach (var entity in m_opened)
+            m_ended.Clear();
+            double budgetMs = BudgetMs / m_opened.Count;
+            foreach (var opened in m_opened)
+                if (!TryUpdate(opened.Key, opened.Value, budgetMs))
+                    m_ended.Add(opened.Key);
+            foreach (var entity in m_ended)
             {
-                var opening = m_opening[entity];
-                m_opening.Remove(entity);
-                if (opening.IsFaulted)
-                    Fail(entity, opening.Exception.InnerException);
-                else if (!EntityManager.HasComponent<PointCloudFile>(entity))
-                    opening.Result.Dispose();
-                else
-                    Add(entity, opening.Result, EntityManager.GetComponentObject<PointCloudFile>(entity));
+                m_leaving.Add(m_opened[entity]);
+                m_opened.Remove(entity);
             }
         }
 
-        void Add(Entity entity, CloudFolder folder, PointCloudFile file)
-        {
-            var manifest = folder.Manifest;
-            var space = UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit);
-            EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
-            EntityManager.AddComponentData(entity, new PointCloudPlacement());
-            var ranges = DisplayRanges.Of(manifest);
-            var mode = ranges.Resolve(file.Color);
-            var source = new FolderSource(folder, CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
-            var colors = ColorMapping.Of(mode, ranges, manifest.Grid.FromCorner(manifest.Root.Corner));
-            EntityManager.AddComponentData(entity, new PointCloudLook
-            {
-                Mode = mode,
-                Gradient = file.Gradient,
-                Value = CloudLooks.Of(colors, source, file.HiddenClasses),
-            });
-            EntityManager.AddComponentObject(entity, new PointCloudSource { Source = source });
-        }
-
-        void Fail(Entity entity, Exception failure)
+        /// <returns>Whether there may be more.</returns>
+        bool TryUpdate(Entity entity, OpenedCloud cloud, double budgetMs)
         {
             if (!EntityManager.HasComponent<PointCloudFile>(entity))
-                return;
+                return false;
             var file = EntityManager.GetComponentObject<PointCloudFile>(entity);
-            file.Error = failure.Message;
-            Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Message));
+            try
+            {
+                if (file.LooksAgain)
+                    cloud.LookAgain();
+                file.LooksAgain = false;
+                cloud.Update(budgetMs);
+                if (cloud.Newest != null)
+                    Take(entity, cloud, file);
+                if (cloud.IsBuildGone && EntityManager.HasComponent<PointCloudSource>(entity))
+                    EntityManager.GetComponentObject<PointCloudSource>(entity).WithdrawsBuild = true;
+                IsBusy |= !cloud.IsEnded;
+                return true;
+            }
+            catch (PointCloudException failure)
+            {
+                file.Error = failure.Message;
+                Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Message));
+                return false;
+            }
+        }
+
+        /// <summary>One state after the other: the next is taken when the one before is shown.</summary>
+        void Take(Entity entity, OpenedCloud cloud, PointCloudFile file)
+        {
+            if (!EntityManager.HasComponent<PointCloudSource>(entity))
+            {
+                var facts = cloud.Newest;
+                var first = new PointCloudSource();
+                cloud.TakeInto(first, file);
+                Place(entity, facts, file);
+                EntityManager.AddComponentObject(entity, first);
+                return;
+            }
+            var source = EntityManager.GetComponentObject<PointCloudSource>(entity);
+            bool isPending = source.Source != null || !EntityManager.HasComponent<StreamedPointCloud>(entity) ||
+                EntityManager.GetComponentData<StreamedPointCloud>(entity).Next != CloudSuccession.None;
+            if (!isPending)
+                cloud.TakeInto(source, file);
+        }
+
+        /// <summary>Where all states stand: what comes first decides, so that nothing moves when it is replaced.</summary>
+        void Place(Entity entity, CloudFacts facts, PointCloudFile file)
+        {
+            var space = UnitySpace.Of(facts.BoundsGeo, facts.MetresPerUnit);
+            if (file.HasOrigin)
+                space.OriginGeo = file.OriginGeo;
+            EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });
+            EntityManager.AddComponentData(entity, new PointCloudPlacement());
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using UnityEngine;
 
@@ -34,7 +35,14 @@ namespace FastPoints.Entities
         /// <summary>Graphics memory where no <see cref="PointCloudBudget"/> says otherwise.</summary>
         const long DefaultPoolBytes = 512 << 20;
 
+        /// <summary>Without reads and uploads, so many frames are rest: a node that was dropped is tried again within
+        /// them.</summary>
+        const int FramesToRest = 40;
+
         NativeList<StreamView> m_views;
+        NativeList<StreamView> m_lastViews;
+        OpenCloudsSystem m_opening;
+        int m_quietFrames;
         EntityQuery m_files;
         bool m_isWarned;
         FrameStats m_stats;
@@ -52,6 +60,18 @@ namespace FastPoints.Entities
         /// <summary>The cameras of the next frame: whoever draws adds his, and the frame takes them all.</summary>
         public NativeList<StreamView> Views => m_views;
 
+        /// <summary>Whether another frame would change something: clouds are opened, nodes are on their way, or a camera has
+        /// moved. In edit mode there are frames only when somebody asks for them.</summary>
+        public bool WantsFrame
+        {
+            get
+            {
+                if (Stream == null)
+                    return !m_isWarned && !m_files.IsEmpty;
+                return m_quietFrames < FramesToRest || Scene != null && HasMoved(Scene.NextViews);
+            }
+        }
+
         /// <summary>Begins to stream, with memory that becomes the stream's.</summary>
         public void Begin(NodePool pool)
         {
@@ -64,6 +84,7 @@ namespace FastPoints.Entities
         {
             base.OnCreate();
             m_views = new NativeList<StreamView>(Allocator.Persistent);
+            m_lastViews = new NativeList<StreamView>(Allocator.Persistent);
             m_files = GetEntityQuery(ComponentType.ReadOnly<PointCloudFile>());
         }
 
@@ -73,7 +94,13 @@ namespace FastPoints.Entities
                 return;
             m_stats = default;
             base.OnUpdate();
+            m_lastViews.Clear();
+            m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
+            m_opening ??= World.GetExistingSystemManaged<OpenCloudsSystem>();
+            bool isBusy = m_stats.ReadsUnderWay > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
+                Stream.HasLeaving || m_opening != null && m_opening.IsBusy;
+            m_quietFrames = isBusy ? 0 : m_quietFrames + 1;
         }
 
         protected override void OnDestroy()
@@ -83,9 +110,18 @@ namespace FastPoints.Entities
             Stream?.Dispose();
             Stream = null;
             if (m_views.IsCreated)
+            {
                 m_views.Dispose();
+                m_lastViews.Dispose();
+            }
             base.OnDestroy();
         }
+
+        /// <summary>Takes the cameras of the last frame again.</summary>
+        internal void KeepViews() => m_views.AddRange(m_lastViews.AsArray());
+
+        unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||
+            UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(), (long)next.Length * sizeof(StreamView)) != 0);
 
         /// <summary>With the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()

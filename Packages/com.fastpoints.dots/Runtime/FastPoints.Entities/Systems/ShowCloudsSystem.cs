@@ -1,5 +1,6 @@
 using FastPoints.Picture;
 using FastPoints.Rendering;
+using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
 
@@ -32,6 +33,7 @@ namespace FastPoints.Entities
                 return;
             if (!m_styles.IsEmpty)
                 UseStyle(scene);
+            using (var entities = m_shown.ToEntityArray(Allocator.Temp))
             using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
             using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
             {
@@ -40,11 +42,25 @@ namespace FastPoints.Entities
                 for (int i = 0; i < clouds.Length; i++)
                 {
                     scene.SetLook(clouds[i].Number, looks[i].Value);
+                    ShowOthers(scene, entities[i], clouds[i]);
                     first = first < 0 && looks[i].Mode != ColorMode.Rgb ? i : first;
                 }
                 if (first >= 0)
                     UsePalette(scene, looks[first].Mode, looks[first].Gradient);
             }
+        }
+
+        /// <summary>States of a cloud that are drawn with it.</summary>
+        void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud)
+        {
+            if (cloud.Beside == CloudSuccession.None && cloud.Next == CloudSuccession.None ||
+                !EntityManager.HasComponent<PointCloudStates>(entity))
+                return;
+            var looks = EntityManager.GetComponentObject<PointCloudStates>(entity).Looks;
+            if (looks.TryGetValue(cloud.Beside, out var beside))
+                scene.SetLook(cloud.Beside, beside.Value);
+            if (looks.TryGetValue(cloud.Next, out var next))
+                scene.SetLook(cloud.Next, next.Value);
         }
 
         void UseStyle(PointScene scene)

@@ -124,7 +124,14 @@ namespace FastPoints.Entities
                 m_entityOfCloud.Add(Entity.Null);
             using (var entities = m_clouds.ToEntityArray(Allocator.Temp))
                 foreach (var entity in entities)
-                    m_entityOfCloud[EntityManager.GetComponentData<StreamedPointCloud>(entity).Number] = entity;
+                {
+                    var streamed = EntityManager.GetComponentData<StreamedPointCloud>(entity);
+                    m_entityOfCloud[streamed.Number] = entity;
+                    if (streamed.Beside != CloudSuccession.None)
+                        m_entityOfCloud[streamed.Beside] = entity;
+                    if (streamed.Next != CloudSuccession.None)
+                        m_entityOfCloud[streamed.Next] = entity;
+                }
         }
     }
 }

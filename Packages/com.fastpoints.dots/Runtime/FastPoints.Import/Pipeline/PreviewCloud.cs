@@ -37,7 +37,7 @@ namespace FastPoints.Pipeline
         }
 
         /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is
-        /// that of the wave until the work goes on.</summary>
+        /// that of the wave until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
         public PreviewSample Sample { get; private set; }
@@ -178,6 +178,7 @@ namespace FastPoints.Pipeline
             }
             var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
             Add(Sample, wave, m_watch.Elapsed.TotalSeconds, 0);
+            yield return default;
         }
 
         IEnumerator<JobHandle> TakeWaves(StageProgress progress)

@@ -100,6 +100,8 @@ namespace FastPoints.Preview
                         }
                         TellWave();
                         Report(progress);
+                        // Whoever steps the work has the wave to himself until the next step.
+                        yield return default;
                     }
                     if (isLast)
                         break;

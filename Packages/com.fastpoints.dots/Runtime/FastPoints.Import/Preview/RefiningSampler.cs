@@ -121,6 +121,8 @@ namespace FastPoints.Preview
                         while (ending.MoveNext())
                             yield return ending.Current;
                     TellWave();
+                    // Whoever steps the work has the wave to himself until the next step.
+                    yield return default;
                 }
             }
             finally

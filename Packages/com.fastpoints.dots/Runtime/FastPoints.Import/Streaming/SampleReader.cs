@@ -1,8 +1,10 @@
 using System;
+using System.Collections.Generic;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Preview;
 using Unity.Collections;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Streaming
@@ -21,9 +23,14 @@ namespace FastPoints.Streaming
 
         /// <summary>Copies a sample, which its sampler goes on with: about a millisecond for ten megabytes.</summary>
         /// <param name="path">Of the source, for messages.</param>
-        public SampleReader(PreviewSample sample, string path)
+        public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path)
         {
-            Points = Copy(sample);
+        }
+
+        /// <param name="points">All of the sample's; become this reader's.</param>
+        SampleReader(PreviewSample sample, PointBatch points, string path)
+        {
+            Points = points;
             int count = Points.Count;
             m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
             var bounds = sample.Bounds.IsEmpty ? new BoundsGeo(0, 0) : sample.Bounds;
@@ -79,14 +86,57 @@ namespace FastPoints.Streaming
             Points.Dispose();
         }
 
-        static PointBatch Copy(PreviewSample sample)
+        /// <summary>Work for a pump: copies a sample in jobs. It stays as it is until the work has ended.</summary>
+        /// <param name="path">Of the source, for messages.</param>
+        /// <param name="copied">Takes the reader over.</param>
+        public static IEnumerator<JobHandle> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
         {
-            var copy = new PointBatch(sample.Points.Schema, Math.Max(1, sample.Count), Allocator.Persistent);
-            copy.Count = sample.Count;
-            for (int c = 0; c < copy.Schema.Count; c++)
-                NativeArray<byte>.Copy(sample.Points.Bytes, sample.Points.Column(c).OffsetBytes, copy.Bytes,
-                    copy.Column(c).OffsetBytes, sample.Count * copy.Schema[c].Type.SizeOf());
-            return copy;
+            var points = RoomFor(sample);
+            JobHandle copying = default;
+            bool isDone = false;
+            try
+            {
+                foreach (var job in CopyJobs(sample, points))
+                    copying = job.Schedule(copying);
+                yield return copying;
+                copying.Complete();
+                isDone = true;
+            }
+            finally
+            {
+                copying.Complete();
+                if (!isDone)
+                    points.Dispose();
+            }
+            copied(new SampleReader(sample, points, path));
+        }
+
+        static PointBatch CopyNow(PreviewSample sample)
+        {
+            var points = RoomFor(sample);
+            foreach (var job in CopyJobs(sample, points))
+                job.Run();
+            return points;
+        }
+
+        static PointBatch RoomFor(PreviewSample sample) =>
+            new PointBatch(sample.Points.Schema, Math.Max(1, sample.Count), Allocator.Persistent) { Count = sample.Count };
+
+        static IEnumerable<CopyColumnJob> CopyJobs(PreviewSample sample, PointBatch to)
+        {
+            for (int c = 0; c < to.Schema.Count; c++)
+            {
+                int size = to.Schema[c].Type.SizeOf(), pointsOfSlice = CopyColumnJob.BytesOfSlice / size;
+                for (int first = 0; first < to.Count; first += pointsOfSlice)
+                    yield return new CopyColumnJob
+                    {
+                        From = sample.Points.Bytes,
+                        To = to.Bytes,
+                        FirstByteOfFrom = sample.Points.Column(c).OffsetBytes + first * size,
+                        FirstByteOfTo = to.Column(c).OffsetBytes + first * size,
+                        Count = Math.Min(pointsOfSlice, to.Count - first) * size,
+                    };
+            }
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 
 namespace FastPoints.Store
@@ -30,6 +31,11 @@ namespace FastPoints.Store
         /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>
         public static string GenerationName(string name, long generation) =>
             name.Replace(".bin", "-" + generation.ToString(CultureInfo.InvariantCulture) + ".bin");
+
+        /// <summary>A folder's path under the name that it has when it is finished.</summary>
+        public static string FinishedPath(string path) => path.EndsWith(PartSuffix, StringComparison.Ordinal)
+            ? path.Substring(0, path.Length - PartSuffix.Length)
+            : path;
 
         /// <summary>Path of a chunk's file in the folder.</summary>
         public static string ChunkPath(int number) =>

@@ -22,6 +22,10 @@ namespace FastPoints.Streaming
         public static CloudPlacement Geo(CloudGrid grid, GridCube root) =>
             new CloudPlacement(double3x3.identity, grid.ToGeo(root.Corner));
 
+        /// <summary>Where another state of the same cloud stands, when this is where one stands.</summary>
+        public CloudPlacement Along(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
+            math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)));
+
         /// <summary>Whether it has a volume: a cloud that is flattened to nothing is not shown.</summary>
         public bool IsSound
         {

@@ -1,9 +1,12 @@
+using Unity.Mathematics;
+
 namespace FastPoints.Streaming
 {
     /// <summary>
     /// One cloud in several states, each better than the one before: waves of a preview, generations of a build, what was built.
-    /// A newer state is streamed beside the one that is shown, and takes its place when nearly all that is selected of it is
-    /// there. Main thread.
+    /// A newer state is streamed beside what is shown, and takes its place when nearly all that is selected of it is
+    /// there. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
+    /// takes the place of both: so each region only ever gains. Main thread.
     /// </summary>
     public sealed class CloudSuccession
     {
@@ -13,8 +16,9 @@ namespace FastPoints.Streaming
         const double ReadyShare = 0.95;
 
         readonly StreamContext m_stream;
+        CloudStage m_stage;
+        CloudStage m_nextStage;
         uint m_frameAdded;
-        int m_next = None;
 
         public CloudSuccession(StreamContext stream)
         {
@@ -24,48 +28,126 @@ namespace FastPoints.Streaming
         /// <summary>Number of the state that is shown; <see cref="None"/> before the first.</summary>
         public int Cloud { get; private set; } = None;
 
+        /// <summary>Number of the preview that is shown beside a build in progress, or <see cref="None"/>.</summary>
+        public int Beside { get; private set; } = None;
+
+        /// <summary>Number of the state that is to come, or <see cref="None"/>.</summary>
+        public int Next { get; private set; } = None;
+
         /// <summary>Whether the newest state is the one that is shown.</summary>
-        public bool IsCurrent => m_next == None;
+        public bool IsCurrent => Next == None;
 
         /// <summary>Adds a newer state. One before it that is not shown yet never is.</summary>
         /// <param name="source">Becomes the stream's.</param>
-        /// <param name="placement">Null for georeferenced space.</param>
-        public void Add(NodeSource source, CloudPlacement? placement = null)
+        /// <param name="placement">Null for where the shown state stands; georeferenced space where there is none.</param>
+        public void Add(NodeSource source, CloudPlacement? placement = null, CloudStage stage = CloudStage.Whole)
         {
-            int added = m_stream.Add(source, placement ?? CloudPlacement.Geo(source.Grid, source.Root));
+            int added = m_stream.Add(source, placement ?? PlacementLike(source));
             m_frameAdded = m_stream.Selector.Frame;
             if (Cloud == None)
             {
                 Cloud = added;
+                m_stage = stage;
                 return;
             }
-            if (m_next != None)
-                m_stream.Remove(m_next);
-            m_next = added;
+            if (Next != None)
+                m_stream.Remove(Next);
+            Next = added;
+            m_nextStage = stage;
+        }
+
+        /// <summary>Moves all states that are in the stream.</summary>
+        /// <param name="placement">Of the one that is shown.</param>
+        public void Place(in CloudPlacement placement)
+        {
+            var shown = m_stream.Clouds[Cloud];
+            shown.Placement = placement;
+            if (Beside != None)
+                m_stream.Clouds[Beside].Placement = placement.Along(shown.Source, m_stream.Clouds[Beside].Source);
+            if (Next != None)
+                m_stream.Clouds[Next].Placement = placement.Along(shown.Source, m_stream.Clouds[Next].Source);
         }
 
         /// <summary>Once a frame, after it.</summary>
-        public void Update()
+        /// <returns>Whether <see cref="Cloud"/> is another now.</returns>
+        public bool Update()
         {
-            if (m_next == None || !IsReady(m_next))
-                return;
-            m_stream.Remove(Cloud);
-            Cloud = m_next;
-            m_next = None;
+            if (Next == None || !IsReady(Next))
+                return false;
+            int next = Next;
+            Next = None;
+            if (m_nextStage == CloudStage.Preview && m_stage == CloudStage.Building)
+            {
+                Remove(Beside);
+                Beside = next;
+                return false;
+            }
+            if (m_nextStage == CloudStage.Building && m_stage == CloudStage.Preview)
+            {
+                Beside = Cloud;
+            }
+            else
+            {
+                m_stream.Remove(Cloud);
+                if (m_nextStage != CloudStage.Building)
+                {
+                    Remove(Beside);
+                    Beside = None;
+                }
+            }
+            Cloud = next;
+            m_stage = m_nextStage;
+            return true;
         }
+
+        /// <summary>A build in progress was broken off: what is shown of it gives way to the preview beside it, or to the next
+        /// one.</summary>
+        /// <returns>Whether <see cref="Cloud"/> is another now.</returns>
+        public bool Withdraw()
+        {
+            if (Next != None && m_nextStage == CloudStage.Building)
+            {
+                m_stream.Remove(Next);
+                Next = None;
+            }
+            if (Cloud == None || m_stage != CloudStage.Building)
+                return false;
+            m_stage = CloudStage.Preview;
+            if (Beside == None)
+                return false;
+            m_stream.Remove(Cloud);
+            Cloud = Beside;
+            Beside = None;
+            return true;
+        }
+
+        void Remove(int cloud)
+        {
+            if (cloud != None)
+                m_stream.Remove(cloud);
+        }
+
+        CloudPlacement PlacementLike(NodeSource source) => Cloud == None
+            ? CloudPlacement.Geo(source.Grid, source.Root)
+            : m_stream.Clouds[Cloud].Placement.Along(m_stream.Clouds[Cloud].Source, source);
 
         bool IsReady(int cloud)
         {
-            int selected = 0, drawn = 0;
-            foreach (var node in m_stream.Selector.Selected)
-                selected += node.Cloud == cloud ? 1 : 0;
-            foreach (var node in m_stream.Drawn)
-                drawn += node.Cloud == cloud ? 1 : 0;
+            // A hole is not waited for.
+            var selected = m_stream.Selector.Selected;
+            int count = 0, shown = 0;
+            for (int i = 0; i < math.min(selected.Length, m_stream.DrawnOfSelected.Length); i++)
+            {
+                if (selected[i].Cloud != cloud)
+                    continue;
+                count++;
+                shown += m_stream.DrawnOfSelected[i] != StreamContext.NotShown ? 1 : 0;
+            }
             foreach (var missing in m_stream.Selector.Missing)
                 if (missing.Cloud == cloud)
                     return false;
             // Out of view there is nothing to wait for, once a selection has had it.
-            return drawn >= ReadyShare * selected && m_stream.Selector.Frame != m_frameAdded;
+            return shown >= ReadyShare * count && m_stream.Selector.Frame != m_frameAdded;
         }
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Store;
 
@@ -11,17 +10,10 @@ namespace FastPoints.Streaming
     /// </summary>
     public sealed class FollowedFolder : IDisposable
     {
-        /// <summary>Frames from one look at the folder to the next: a second.</summary>
-        public const int FramesPerLook = 60;
-
         readonly CloudSuccession m_succession;
-        readonly string m_path;
+        readonly FolderGenerations m_generations;
         readonly string[] m_planes;
         readonly CloudPlacement? m_placement;
-        Task<CloudFolder> m_opening;
-        long m_generation;
-        bool m_isBuilding;
-        int m_framesToLook;
 
         /// <param name="path">With or without the suffix of a folder in the making.</param>
         /// <param name="placement">Null for georeferenced space.</param>
@@ -40,78 +32,40 @@ namespace FastPoints.Streaming
         public FollowedFolder(CloudSuccession succession, string path, CloudPlacement? placement, params string[] planes)
         {
             m_succession = succession;
-            m_path = path.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal)
-                ? path.Substring(0, path.Length - StoreFormat.PartSuffix.Length)
-                : path;
             m_planes = planes;
             m_placement = placement;
-            Add(CloudFolder.Open(m_path));
-            m_framesToLook = FramesPerLook;
+            m_generations = new FolderGenerations(CloudFolder.Open(StoreFormat.FinishedPath(path)));
+            Add(m_generations.Take());
         }
 
         /// <summary>Number of the generation that is shown.</summary>
         public int Cloud => m_succession.Cloud;
 
         /// <summary>Of the newest generation that was found.</summary>
-        public long Generation => m_generation;
+        public long Generation => m_generations.Generation;
 
         /// <summary>Whether newer generations are looked for.</summary>
-        public bool IsBuilding => m_isBuilding;
+        public bool IsBuilding => m_generations.IsBuilding;
 
         /// <summary>Whether the newest generation that was found is the one that is shown.</summary>
-        public bool IsCurrent => m_succession.IsCurrent && m_opening == null;
+        public bool IsCurrent => m_succession.IsCurrent && m_generations.IsIdle && m_generations.Newest == null;
 
         /// <summary>Once a frame, after it. Never waits.</summary>
         public void Update()
         {
             m_succession.Update();
-            if (m_opening != null && m_opening.IsCompleted)
-            {
-                var opened = m_opening.Result;
-                m_opening = null;
-                if (opened != null)
-                    Add(opened);
-            }
-            if (m_isBuilding && m_succession.IsCurrent && m_opening == null && --m_framesToLook <= 0)
-            {
-                m_framesToLook = FramesPerLook;
-                long seen = m_generation;
-                string path = m_path;
-                m_opening = Task.Run(() => OpenNewer(path, seen));
-            }
+            if (!m_succession.IsCurrent)
+                return;
+            m_generations.Update();
+            if (m_generations.Newest != null)
+                Add(m_generations.Take());
         }
 
         /// <summary>Waits for a folder that is being opened. What is streamed stays the stream's.</summary>
-        public void Dispose()
-        {
-            m_opening?.Result?.Dispose();
-            m_opening = null;
-            m_isBuilding = false;
-        }
+        public void Dispose() => m_generations.Dispose();
 
-        /// <returns>Null where there is none newer, or where it cannot be opened at this moment.</returns>
-        static CloudFolder OpenNewer(string path, long seen)
-        {
-            CloudFolder folder = null;
-            try
-            {
-                folder = CloudFolder.Open(path);
-                if (folder.Manifest.Generation > seen || !folder.Manifest.IsBuilding)
-                    return folder;
-            }
-            catch (PointCloudException)
-            {
-                // Between two generations, or gone: the next look tells.
-            }
-            folder?.Dispose();
-            return null;
-        }
-
-        void Add(CloudFolder folder)
-        {
-            m_generation = folder.Manifest.Generation;
-            m_isBuilding = folder.Manifest.IsBuilding;
-            m_succession.Add(new FolderSource(folder, m_planes), m_placement);
-        }
+        void Add(CloudFolder folder) => m_succession.Add(new FolderSource(folder, m_planes),
+            m_placement ?? CloudPlacement.Geo(folder.Manifest.Grid, folder.Manifest.Root),
+            folder.Manifest.IsBuilding ? CloudStage.Building : CloudStage.Whole);
     }
 }

@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Streaming
             using (var stream = StreamedTestCloud.Stream())
             using (var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null))
             {
-                for (int i = 0; i < 3 * FollowedFolder.FramesPerLook; i++)
+                for (int i = 0; i < 3 * FolderGenerations.FramesPerLook; i++)
                 {
                     StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
                     followed.Update();

@@ -1,0 +1,96 @@
+using System;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Feeds;
+using FastPoints.Picture;
+using FastPoints.Rendering;
+using FastPoints.Streaming;
+
+namespace FastPoints.Entities
+{
+    /// <summary>A cloud's states while its entity is there: opened on a thread of the pool, so that a slow disk stops nobody, then
+    /// stepped on the main thread.</summary>
+    sealed class OpenedCloud : IDisposable
+    {
+        Task<CloudFeed> m_opening;
+        CloudFeed m_feed;
+        DisplayRanges m_rangesWithoutStrays;
+
+        public OpenedCloud(string path, string[] sources)
+        {
+            m_opening = Task.Run(() => CloudFeeds.Open(path, sources));
+        }
+
+        /// <summary>Whether it can be disposed without waiting for a disk.</summary>
+        public bool IsOpen => m_opening == null || m_opening.IsCompleted;
+
+        /// <summary>Whether nothing newer is expected.</summary>
+        public bool IsEnded => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsEnded);
+
+        public bool IsBuildGone => m_feed != null && m_feed.IsBuildGone;
+
+        /// <summary>What can be taken; null for nothing.</summary>
+        public CloudFacts Newest => m_feed?.Newest;
+
+        /// <exception cref="PointCloudException">The cloud cannot be opened, or not be read.</exception>
+        public void Update(double budgetMs)
+        {
+            if (m_opening != null && m_opening.IsCompleted)
+            {
+                var opened = m_opening;
+                m_opening = null;
+                m_feed = opened.GetAwaiter().GetResult();
+            }
+            m_feed?.Update(budgetMs);
+        }
+
+        public void LookAgain() => m_feed?.LookAgain();
+
+        /// <summary>Makes the newest state something to stream, with what its colours need and no more.</summary>
+        /// <exception cref="PointCloudException">It cannot be streamed.</exception>
+        public void TakeInto(PointCloudSource source, PointCloudFile file)
+        {
+            var facts = m_feed.Newest;
+            var mode = facts.Ranges.Resolve(file.Color);
+            var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
+            var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode),
+                taken.Grid.FromCorner(taken.Root.Corner));
+            source.Source = taken;
+            source.Stage = facts.Stage;
+            source.Look = new PointCloudLook
+            {
+                Mode = mode,
+                Gradient = file.Gradient,
+                Value = CloudLooks.Of(colors, taken, file.HiddenClasses),
+            };
+        }
+
+        /// <summary>Waits for headers that are being read, and for slices that are running.</summary>
+        public void Dispose()
+        {
+            if (m_opening != null)
+            {
+                try
+                {
+                    m_feed = m_opening.GetAwaiter().GetResult();
+                }
+                catch (PointCloudException)
+                {
+                    // Nobody asks for it any more.
+                }
+                m_opening = null;
+            }
+            m_feed?.Dispose();
+            m_feed = null;
+        }
+
+        /// <summary>What follows a preview has its colours, so that they stay what they are.</summary>
+        DisplayRanges RangesFor(CloudFacts facts, ColorMode wanted, ColorMode mode)
+        {
+            if (!facts.RangesHaveStrays)
+                m_rangesWithoutStrays = facts.Ranges;
+            bool isKnownBetter = m_rangesWithoutStrays != null && m_rangesWithoutStrays.Resolve(wanted) == mode;
+            return isKnownBetter ? m_rangesWithoutStrays : facts.Ranges;
+        }
+    }
+}

@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Streaming;
+
+namespace FastPoints.Feeds
+{
+    /// <summary>
+    /// The states of a cloud that has files and, now or one day, a converted folder: what the files show until the folder is
+    /// there, which takes over as it is built. A build that is broken off leaves the cloud to its files again.
+    /// </summary>
+    public sealed class FileFeed : CloudFeed
+    {
+        readonly string m_folder;
+        readonly IReadOnlyList<string> m_files;
+        CloudFeed m_source;
+        Task<CloudFeed> m_opening;
+        FolderFeed m_converted;
+        bool m_isSourceWhole;
+        bool m_isBuildGone;
+
+        /// <param name="folder">The converted cloud's, which may not be there.</param>
+        /// <param name="files">What it is made of; none where nobody knows.</param>
+        /// <param name="source">Of the files, or null; becomes this feed's.</param>
+        /// <param name="converted">Of the folder; becomes this feed's.</param>
+        public FileFeed(string folder, IReadOnlyList<string> files, CloudFeed source, FolderFeed converted)
+        {
+            m_folder = folder;
+            m_files = files;
+            m_source = source;
+            m_converted = converted;
+        }
+
+        public override CloudFacts Newest => m_converted.Newest ?? m_source?.Newest;
+
+        public override bool IsEnded => m_converted.IsEnded || !m_converted.IsThere && m_opening == null &&
+            (m_source == null || m_source.IsEnded);
+
+        public override bool IsBuildGone => m_isBuildGone;
+
+        public override NodeSource Take(params string[] planes)
+        {
+            if (m_converted.Newest == null)
+            {
+                m_isSourceWhole = m_source.Newest.Stage == CloudStage.Whole;
+                return m_source.Take(planes);
+            }
+            m_isBuildGone = false;
+            if (m_converted.Newest.Stage == CloudStage.Whole)
+                EndSource();
+            return m_converted.Take(planes);
+        }
+
+        public override void Update(double budgetMs)
+        {
+            m_converted.Update(budgetMs);
+            // A source that is streamed as it is shows all that a build in progress does.
+            if (m_isSourceWhole && m_converted.Newest?.Stage == CloudStage.Building)
+                m_converted.Skip();
+            if (m_converted.IsBuildGone && m_converted.IsThere)
+                BeginAgain();
+            if (m_opening != null && m_opening.IsCompleted)
+                EndOpening();
+            if (m_source != null)
+                UpdateSource(budgetMs);
+        }
+
+        public override void LookAgain() => m_converted.LookAgain();
+
+        public override void Dispose()
+        {
+            EndSource();
+            m_converted.Dispose();
+        }
+
+        void UpdateSource(double budgetMs)
+        {
+            if (m_converted.IsThere)
+                m_source.Hurry();
+            try
+            {
+                m_source.Update(budgetMs);
+            }
+            catch (PointCloudException) when (m_converted.IsThere)
+            {
+                // What the build shows does without the preview.
+                EndSource();
+            }
+        }
+
+        void BeginAgain()
+        {
+            m_isBuildGone = true;
+            m_isSourceWhole &= m_source != null;
+            m_converted.Dispose();
+            m_converted = new FolderFeed(new FolderGenerations(m_folder));
+            if (m_source == null && m_opening == null && m_files.Count > 0)
+                m_opening = Task.Run(() => CloudFeeds.OpenSource(m_files));
+        }
+
+        void EndOpening()
+        {
+            try
+            {
+                m_source = m_opening.GetAwaiter().GetResult();
+            }
+            finally
+            {
+                m_opening = null;
+            }
+        }
+
+        void EndSource()
+        {
+            m_source?.Dispose();
+            m_source = null;
+            if (m_opening == null)
+                return;
+            try
+            {
+                m_opening.GetAwaiter().GetResult().Dispose();
+            }
+            catch (PointCloudException)
+            {
+                // Nobody asks for it any more.
+            }
+            m_opening = null;
+        }
+    }
+}

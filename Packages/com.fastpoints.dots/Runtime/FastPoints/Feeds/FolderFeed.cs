@@ -1,0 +1,59 @@
+using FastPoints.Picture;
+using FastPoints.Store;
+using FastPoints.Streaming;
+
+namespace FastPoints.Feeds
+{
+    /// <summary>The states of a converted cloud: what was built, or the generations of a build in progress.</summary>
+    public sealed class FolderFeed : CloudFeed
+    {
+        readonly FolderGenerations m_generations;
+        CloudFacts m_facts;
+        CloudFolder m_described;
+
+        /// <param name="generations">Become this feed's.</param>
+        public FolderFeed(FolderGenerations generations)
+        {
+            m_generations = generations;
+        }
+
+        public override CloudFacts Newest
+        {
+            get
+            {
+                if (m_described != m_generations.Newest)
+                {
+                    m_described = m_generations.Newest;
+                    m_facts = m_described != null ? Describe(m_described.Manifest) : null;
+                }
+                return m_facts;
+            }
+        }
+
+        /// <summary>Whether there was a state, and is one.</summary>
+        public bool IsThere => m_generations.Generation > 0 || !m_generations.IsBuilding;
+
+        public override bool IsEnded => !m_generations.IsBuilding && m_generations.IsIdle;
+        public override bool IsBuildGone => m_generations.IsGone;
+
+        public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
+
+        /// <summary>Does without the newest state.</summary>
+        public void Skip() => m_generations.Take()?.Dispose();
+
+        public override void Update(double budgetMs) => m_generations.Update();
+
+        public override void LookAgain() => m_generations.LookAgain();
+
+        public override void Dispose() => m_generations.Dispose();
+
+        static CloudFacts Describe(CloudManifest manifest) => new CloudFacts
+        {
+            Stage = manifest.IsBuilding ? CloudStage.Building : CloudStage.Whole,
+            BoundsGeo = manifest.BoundsGeo,
+            MetresPerUnit = manifest.MetresPerUnit,
+            Ranges = DisplayRanges.Of(manifest),
+            RangesHaveStrays = true,
+        };
+    }
+}

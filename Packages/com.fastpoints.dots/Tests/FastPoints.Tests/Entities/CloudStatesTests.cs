@@ -1,0 +1,212 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Threading;
+using FastPoints.Entities;
+using FastPoints.Feeds;
+using FastPoints.Pipeline;
+using FastPoints.Streaming;
+using FastPoints.Tests.Feeds;
+using FastPoints.Tests.Streaming;
+using NUnit.Framework;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
+using Camera = FastPoints.Picture.Camera;
+
+namespace FastPoints.Tests.Entities
+{
+    /// <summary>Entities whose clouds are not converted yet, or never are.</summary>
+    public sealed class CloudStatesTests
+    {
+        static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(1);
+
+        World m_world;
+        PointCloudSystemGroup m_group;
+        Entity m_cloud;
+
+        EntityManager Entities => m_world.EntityManager;
+
+        StreamedPointCloud Streamed => Entities.GetComponentData<StreamedPointCloud>(m_cloud);
+
+        [SetUp]
+        public void MakeWorld()
+        {
+            m_world = new World("clouds");
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
+                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
+                typeof(TrackNodesSystem));
+            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            m_group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
+            m_group.Stream.Settings.Selection = StreamedTestCloud.Selection;
+        }
+
+        [TearDown]
+        public void EndWorld()
+        {
+            if (m_world.IsCreated)
+                m_world.Dispose();
+            CloudFeeds.Register(null);
+        }
+
+        void Add(PointCloudFile file)
+        {
+            m_cloud = Entities.CreateEntity();
+            Entities.AddComponentObject(m_cloud, file);
+            Entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
+        }
+
+        static PointCloudFile FileOf(GrowingCloud cloud) =>
+            new PointCloudFile { Path = cloud.Folder, PlayerSource = cloud.Source };
+
+        FrameStats Frame()
+        {
+            var camera = Camera.Perspective(new double3(0, 180, -260), new double3(0, 0, 0), new double3(0, 1, 0), 60);
+            m_group.Views.Add(camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
+            m_world.Update();
+            return m_group.Stats;
+        }
+
+        void Frames(Func<bool> isDone, Action more = null)
+        {
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_mostTime && !isDone();)
+            {
+                Frame();
+                more?.Invoke();
+                Thread.Yield();
+            }
+            Assert.That(isDone(), Is.True, "nothing came of it");
+        }
+
+        bool IsStreamed => Entities.HasComponent<StreamedPointCloud>(m_cloud);
+
+        [Test]
+        public void File_NotConvertedYet_IsShownFromThePreviewToTheWholeAndNeverMovesNorThinsOut()
+        {
+            using (var cloud = new GrowingCloud())
+            {
+                Add(FileOf(cloud));
+                Frames(() => m_group.Stats.DrawnPoints > 0);
+                var space = Entities.GetComponentData<PointCloudSpace>(m_cloud).Value;
+                Assert.That(cloud.IsBuilt, Is.False);
+                // Beside a build all of the preview has room.
+                m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
+                m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
+                m_group.Stream.Settings.Selection.SmallestNodePx = 0;
+                Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
+                void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
+                Frames(() => Streamed.Beside != CloudSuccession.None, () =>
+                {
+                    if (!File.Exists(cloud.Manifest))
+                        cloud.Build();
+                    Look();
+                });
+                Frames(() => cloud.IsBuilt, () =>
+                {
+                    cloud.Build();
+                    Look();
+                });
+                Frames(() => Streamed.Beside == CloudSuccession.None && Streamed.Next == CloudSuccession.None, Look);
+                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+                Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
+                Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
+                Assert.That(Streamed.Next, Is.EqualTo(CloudSuccession.None));
+                Assert.That(Entities.GetComponentData<PointCloudSpace>(m_cloud).Value, Is.EqualTo(space));
+                Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
+                var shown = m_group.Stream.Clouds[Streamed.Number];
+                Assert.That(shown.Placement, Is.EqualTo(space.Place(shown.Source.Grid, shown.Source.Root, double4x4.identity)));
+            }
+        }
+
+        [Test]
+        public void File_BuildBrokenOff_GoesOnShowingThePreview()
+        {
+            using (var cloud = new GrowingCloud())
+            {
+                Add(FileOf(cloud));
+                Frames(() => m_group.Stats.DrawnPoints > 0);
+                while (!File.Exists(cloud.Manifest))
+                    cloud.Build();
+                Frames(() => Streamed.Beside != CloudSuccession.None);
+                cloud.Cancel();
+                Frames(() => m_group.Stream.Clouds[Streamed.Number].Source is TreeSource);
+                Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
+                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+                Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThan(0));
+            }
+        }
+
+        [Test]
+        public void File_OctreeOfAnotherFormat_IsStreamedAsItIs()
+        {
+            PointFileReaders.Register();
+            using (var cloud = new TreeTestCloud(TreeTestCloud.Copc))
+            {
+                Add(new PointCloudFile { Path = cloud.Path });
+                Frames(() => m_group.Stats.DrawnPoints > 0);
+                Assert.That(m_group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
+                Assert.That(Entities.GetComponentObject<PointCloudFile>(m_cloud).Error, Is.Null);
+                m_world.Dispose();
+            }
+        }
+
+        [Test]
+        public void LooksAgain_CloudThatWasNotThere_IsShownWhenItIs()
+        {
+            using (var cloud = new StreamedTestCloud(20_000, 8000))
+            {
+                string away = cloud.Path + ".away";
+                Directory.Move(cloud.Path, away);
+                Add(new PointCloudFile { Path = cloud.Path });
+                var file = Entities.GetComponentObject<PointCloudFile>(m_cloud);
+                Frames(() => file.Error != null);
+                Directory.Move(away, cloud.Path);
+                file.LooksAgain = true;
+                Frames(() => IsStreamed);
+                Assert.That(file.Error, Is.Null);
+                m_world.Dispose();
+            }
+        }
+
+        [Test]
+        public void DestroyEntity_InTheMiddleOfAPreview_LetsGoOfAll()
+        {
+            UnsafeUtility.ForgiveLeaks();
+            using (var cloud = new GrowingCloud())
+            {
+                for (int frames = 1; frames < 60; frames += 7)
+                {
+                    Add(FileOf(cloud));
+                    for (int i = 0; i < frames; i++)
+                        Frame();
+                    Entities.DestroyEntity(m_cloud);
+                    Frame();
+                }
+                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+                Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
+                m_world.Dispose();
+            }
+            Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+        }
+
+        /// <summary>A reload of scripts at any moment.</summary>
+        [Test]
+        public void Dispose_OfTheWorldInTheMiddleOfAPreview_FreesAll()
+        {
+            m_world.Dispose();
+            UnsafeUtility.ForgiveLeaks();
+            using (var cloud = new GrowingCloud())
+                for (int frames = 0; frames < 60; frames += 7)
+                {
+                    MakeWorld();
+                    Add(FileOf(cloud));
+                    for (int i = 0; i < frames; i++)
+                        Frame();
+                    m_world.Dispose();
+                    Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+                }
+        }
+    }
+}

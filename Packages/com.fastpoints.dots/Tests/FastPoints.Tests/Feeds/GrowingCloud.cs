@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Feeds;
+using FastPoints.Pipeline;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Tests.Octree;
+using FastPoints.Tests.Streaming;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Feeds
+{
+    /// <summary>A scan that is a file at first, then a build in progress, then a converted cloud; and readers that know it, until
+    /// this is disposed.</summary>
+    sealed class GrowingCloud : IDisposable
+    {
+        public const int Points = 150_000;
+        public const int PreviewPoints = 50_000;
+
+        readonly string m_scratch;
+        readonly int3[] m_places = new int3[Points];
+        IEnumerator<JobHandle> m_build;
+
+        public GrowingCloud()
+        {
+            var random = new Unity.Mathematics.Random(3);
+            for (int i = 0; i < Points; i++)
+                m_places[i] = new int3(random.NextInt2(20000), random.NextInt(100));
+            m_scratch = Path.Combine(Path.GetTempPath(), "fastpoints-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(m_scratch);
+            Folder = Path.Combine(m_scratch, "cloud" + StoreFormat.FolderExtension);
+            Source = Path.Combine(m_scratch, "scan");
+            CloudFeeds.Register(paths => new SourceFeed(Open(), PreviewPoints));
+        }
+
+        /// <summary>The converted cloud's.</summary>
+        public string Folder { get; }
+
+        /// <summary>A file that is there when something of the build can be seen.</summary>
+        public string Manifest => Path.Combine(Folder + StoreFormat.PartSuffix, StoreFormat.ManifestName);
+
+        /// <summary>What the readers know.</summary>
+        public string Source { get; }
+
+        /// <summary>Whether the build is at its end.</summary>
+        public bool IsBuilt { get; private set; }
+
+        MemoryReader Open()
+        {
+            var centimetres = new PositionTransform { Scale = 0.01, Offset = StreamedTestCloud.OriginGeo };
+            return MemoryReader.Of(m_places, centimetres, 5000);
+        }
+
+        /// <summary>Goes on with the build for a step; begins it.</summary>
+        public void Build()
+        {
+            m_build ??= ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
+            {
+                PointsPerChunk = 20_000,
+                SecondsToFirstGeneration = 0,
+                SecondsPerGeneration = 0,
+            }, r => { }, null);
+            if (IsBuilt)
+                return;
+            IsBuilt = !m_build.MoveNext();
+            if (!IsBuilt)
+                m_build.Current.Complete();
+        }
+
+        /// <summary>Breaks the build off: nothing is left of it.</summary>
+        public void Cancel()
+        {
+            m_build.Dispose();
+            m_build = null;
+        }
+
+        public void Dispose()
+        {
+            m_build?.Dispose();
+            CloudFeeds.Register(null);
+            Directory.Delete(m_scratch, true);
+        }
+    }
+}
