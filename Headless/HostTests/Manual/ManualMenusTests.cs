@@ -5,6 +5,7 @@ using System.Reflection;
 using System.Text.RegularExpressions;
 using FastPoints.Editor;
 using FastPoints.Entities;
+using FastPoints.Pipeline;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -40,7 +41,7 @@ namespace FastPoints.HostTests.Manual
 
         static HashSet<string> Menus()
         {
-            var types = new[] { typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, Assembly.Load("FastPoints.Samples"),
+            var types = new[] { typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PointFileReaders).Assembly, Assembly.Load("FastPoints.Samples"),
                 Assembly.Load("FastPoints.Samples.Editor") }.SelectMany(a => a.GetTypes()).ToList();
             var methods = types.SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)).ToList();
             var menus = types.Select(t => t.GetCustomAttribute<AddComponentMenu>()?.componentMenu)
