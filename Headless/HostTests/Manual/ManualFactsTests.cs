@@ -12,6 +12,7 @@ using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Rendering;
 using FastPoints.Scenes;
+using FastPoints.Pipeline;
 using NUnit.Framework;
 using Unity.Entities;
 using UnityEngine;
@@ -78,7 +79,7 @@ namespace FastPoints.HostTests.Manual
             var page = ManualPage.Of("api.md");
             var named = page.TableUnder("## Components of GameObjects").Concat(page.TableUnder("## Components of entities"))
                 .SelectMany(r => ManualPage.Code(r[0]));
-            var types = typeof(PointCloudSettings).Assembly.GetTypes().Where(t => t.IsPublic && !t.IsAbstract &&
+            var types = typeof(PointCloudSettings).Assembly.GetTypes().Concat(typeof(PointFileReaders).Assembly.GetTypes()).Where(t => t.IsPublic && !t.IsAbstract &&
                 (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(IComponentData).IsAssignableFrom(t) || typeof(ICleanupComponentData).IsAssignableFrom(t)));
 
             Assert.That(named, Is.EquivalentTo(types.Select(t => t.Name)));
