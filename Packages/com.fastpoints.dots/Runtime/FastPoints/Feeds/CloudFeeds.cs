@@ -42,7 +42,7 @@ namespace FastPoints.Feeds
             }
             var folder = CloudFolder.Open(path);
             var converted = new FolderFeed(new FolderGenerations(folder));
-            return new FileFeed(path, sources, folder.Manifest.IsBuilding ? TryOpenSource(sources) : null, converted);
+            return new FileFeed(path, sources, folder.IsInTheMaking ? TryOpenSource(sources) : null, converted);
         }
 
         /// <summary>Opens files that are no converted cloud.</summary>

@@ -24,14 +24,14 @@ namespace FastPoints.Feeds
                 if (m_described != m_generations.Newest)
                 {
                     m_described = m_generations.Newest;
-                    m_facts = m_described != null ? Describe(m_described.Manifest) : null;
+                    m_facts = m_described != null ? Describe(m_described) : null;
                 }
                 return m_facts;
             }
         }
 
         /// <summary>Whether there was a state, and is one.</summary>
-        public bool IsThere => m_generations.Generation > 0 || !m_generations.IsBuilding;
+        public bool IsThere => m_generations.IsFound;
 
         public override bool IsEnded => !m_generations.IsBuilding && m_generations.IsIdle;
         public override bool IsBuildGone => m_generations.IsGone;
@@ -47,12 +47,12 @@ namespace FastPoints.Feeds
 
         public override void Dispose() => m_generations.Dispose();
 
-        static CloudFacts Describe(CloudManifest manifest) => new CloudFacts
+        static CloudFacts Describe(CloudFolder folder) => new CloudFacts
         {
-            Stage = manifest.IsBuilding ? CloudStage.Building : CloudStage.Whole,
-            BoundsGeo = manifest.BoundsGeo,
-            MetresPerUnit = manifest.MetresPerUnit,
-            Ranges = DisplayRanges.Of(manifest),
+            Stage = folder.IsInTheMaking ? CloudStage.Building : CloudStage.Whole,
+            BoundsGeo = folder.Manifest.BoundsGeo,
+            MetresPerUnit = folder.Manifest.MetresPerUnit,
+            Ranges = DisplayRanges.Of(folder.Manifest),
             RangesHaveStrays = true,
         };
     }

@@ -131,9 +131,15 @@ namespace FastPoints.Streaming
             ? CloudPlacement.Geo(source.Grid, source.Root)
             : m_stream.Clouds[Cloud].Placement.Along(m_stream.Clouds[Cloud].Source, source);
 
+        /// <summary>Whether a node that has points could not be read.</summary>
+        unsafe bool HasFailed(SelectedNode node)
+        {
+            var page = m_stream.Clouds[node.Cloud].Pages + node.Page;
+            return page->IsHole(node.Node) && page->Nodes[node.Node].BlockCount > 0;
+        }
+
         bool IsReady(int cloud)
         {
-            // A hole is not waited for.
             var selected = m_stream.Selector.Selected;
             int count = 0, shown = 0;
             for (int i = 0; i < math.min(selected.Length, m_stream.DrawnOfSelected.Length); i++)
@@ -141,7 +147,7 @@ namespace FastPoints.Streaming
                 if (selected[i].Cloud != cloud)
                     continue;
                 count++;
-                shown += m_stream.DrawnOfSelected[i] != StreamContext.NotShown ? 1 : 0;
+                shown += m_stream.DrawnOfSelected[i] != StreamContext.NotShown && !HasFailed(selected[i]) ? 1 : 0;
             }
             foreach (var missing in m_stream.Selector.Missing)
                 if (missing.Cloud == cloud)

@@ -51,6 +51,9 @@ namespace FastPoints.Streaming
         /// <summary>Of the newest one; 0 before the first.</summary>
         public long Generation { get; private set; }
 
+        /// <summary>Whether there was one.</summary>
+        public bool IsFound { get; private set; }
+
         /// <summary>Whether newer ones are looked for.</summary>
         public bool IsBuilding { get; private set; }
 
@@ -117,8 +120,9 @@ namespace FastPoints.Streaming
             {
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
+                // A result that has not got its name yet cannot be read for long.
                 bool isNewer = manifest.IsBuilding ? manifest.Generation > generation || manifest.CloudId != cloudId
-                    : wasBuilding || manifest.CloudId != cloudId;
+                    : !folder.IsInTheMaking && (wasBuilding || manifest.CloudId != cloudId);
                 if (isNewer)
                 {
                     look.Newer = folder;
@@ -136,9 +140,10 @@ namespace FastPoints.Streaming
         void Keep(CloudFolder folder)
         {
             m_newest = folder;
+            IsFound = true;
             m_cloudId = folder.Manifest.CloudId;
             Generation = folder.Manifest.Generation;
-            IsBuilding = folder.Manifest.IsBuilding;
+            IsBuilding = folder.IsInTheMaking;
         }
     }
 }

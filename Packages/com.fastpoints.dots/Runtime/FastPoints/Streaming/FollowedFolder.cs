@@ -66,6 +66,6 @@ namespace FastPoints.Streaming
 
         void Add(CloudFolder folder) => m_succession.Add(new FolderSource(folder, m_planes),
             m_placement ?? CloudPlacement.Geo(folder.Manifest.Grid, folder.Manifest.Root),
-            folder.Manifest.IsBuilding ? CloudStage.Building : CloudStage.Whole);
+            folder.IsInTheMaking ? CloudStage.Building : CloudStage.Whole);
     }
 }

@@ -91,6 +91,31 @@ namespace FastPoints.Tests.Feeds
             }
         }
 
+        /// <summary>Its files are about to have other paths: what is opened of it now cannot be read in a moment.</summary>
+        [Test]
+        public void Update_ResultWithoutItsName_IsABuildUntilItHasIt()
+        {
+            using (var cloud = new StreamedTestCloud(20_000, 8000))
+            {
+                Directory.Move(cloud.Path, cloud.Path + ".part");
+                using (var feed = CloudFeeds.Open(cloud.Path))
+                {
+                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
+                    for (int i = 0; i < 4 * FolderGenerations.FramesPerLook; i++)
+                    {
+                        feed.Update(1);
+                        Thread.Sleep(1);
+                        Assert.That(feed.Newest, Is.Null);
+                    }
+                    Assert.That(feed.IsBuildGone, Is.False);
+                    Directory.Move(cloud.Path + ".part", cloud.Path);
+                    Updates(feed, () => feed.Newest != null);
+                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Whole));
+                    Assert.That(feed.IsEnded, Is.True);
+                }
+            }
+        }
+
         [Test]
         public void LookAgain_FolderThatWasMadeAnewOrDeleted_IsTold()
         {
