@@ -61,8 +61,8 @@ namespace FastPoints.HostTests.Editor
             LastImport = new AssetImportContext(path);
             importer.OnImportAsset(LastImport);
             var made = (PointCloudAsset)LastImport.mainObject;
+            // Who refers to it goes on doing so.
             if (Asset(path) is { } before)
-                // Who refers to it goes on doing so.
             {
                 (before.ProjectPath, before.PlayerPath, before.Points, before.BoundsMin, before.BoundsMax, before.Crs) =
                     (made.ProjectPath, made.PlayerPath, made.Points, made.BoundsMin, made.BoundsMax, made.Crs);

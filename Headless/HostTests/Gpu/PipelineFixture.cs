@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Threading;
 using FastPoints.Cli;
 using FastPoints.Entities;
@@ -12,11 +11,9 @@ using FastPoints.Rendering;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using StandIns.Scene;
-using Unity.Collections;
 using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using Camera = UnityEngine.Camera;
 using PictureCamera = FastPoints.Picture.Camera;

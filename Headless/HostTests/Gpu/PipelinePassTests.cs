@@ -1,23 +1,14 @@
-using System;
 using System.IO;
 using System.Threading;
-using FastPoints.Cli;
-using FastPoints.Entities;
 using FastPoints.Gpu;
-using FastPoints.Headless.Graphics;
-using FastPoints.HostTests.Cli;
-using FastPoints.HostTests.StandIns.Graphics;
 using FastPoints.Picture;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using NUnit.Framework;
-using StandIns.Scene;
 using Unity.Collections;
-using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
 using Camera = UnityEngine.Camera;
 using PictureCamera = FastPoints.Picture.Camera;
 

@@ -6,7 +6,7 @@ namespace FastPoints.Benchmarks
     /// <summary>Managed bytes that were allocated since the frame began: a test that is no coroutine lies within one frame.</summary>
     sealed class AllocatedBytes : IDisposable
     {
-        ProfilerRecorder m_recorder = ProfilerRecorder.StartNew(ProfilerCategory.Memory, "GC Allocated In Frame");
+        readonly ProfilerRecorder m_recorder = ProfilerRecorder.StartNew(ProfilerCategory.Memory, "GC Allocated In Frame");
 
         /// <summary>False where this Unity does not count them: then no bytes are no news.</summary>
         public bool IsCounted => m_recorder.Valid;

@@ -10,8 +10,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line
-    /// in the
-    /// Progress window.</summary>
+    /// in the Progress window.</summary>
     public sealed class CloudTransfers : IDisposable
     {
         sealed class Transfer

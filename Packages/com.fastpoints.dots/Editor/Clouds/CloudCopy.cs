@@ -46,8 +46,20 @@ namespace FastPoints.Editor
 
         public void Cancel() => m_cancellation.Cancel();
 
-        /// <summary>Cancels; the work ends by itself.</summary>
-        public void Dispose() => m_cancellation.Cancel();
+        /// <summary>Cancels, and waits for the megabyte that is being copied: what ends threads without notice, as a domain reload
+        /// does, finds nothing half copied.</summary>
+        public void Dispose()
+        {
+            m_cancellation.Cancel();
+            try
+            {
+                Work.Wait();
+            }
+            catch (AggregateException)
+            {
+                // Nobody asks for it any more.
+            }
+        }
 
         void Run()
         {

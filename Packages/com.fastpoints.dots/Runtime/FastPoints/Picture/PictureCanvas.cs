@@ -135,8 +135,7 @@ namespace FastPoints.Picture
             return new ResolvePictureJob
             {
                 Pixels = m_pixels,
-                Sums = m_isBlending ? m_sums : m_pixels,
-                IsBlended = m_isBlending,
+                Sums = Sums,
                 Projection = drawing.Projection,
                 Background = background,
                 EdlStrength = edlStrength,

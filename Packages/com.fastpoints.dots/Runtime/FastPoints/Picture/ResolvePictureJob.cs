@@ -1,5 +1,6 @@
 using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -22,9 +23,8 @@ namespace FastPoints.Picture
 
         [ReadOnly] public NativeArray<ulong> Pixels;
 
-        /// <summary>Where <see cref="IsBlended"/>, colours come from here: see <see cref="BlendedPixels"/>.</summary>
-        [ReadOnly] public NativeArray<ulong> Sums;
-        public bool IsBlended;
+        /// <summary>Colours come from here: see <see cref="BlendedPixels"/>. None where points were not blended.</summary>
+        [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
         public PointProjection Projection;
 
         /// <summary>Colour of pixels without a point: bytes red, green, blue, alpha from the lowest.</summary>
@@ -64,7 +64,7 @@ namespace FastPoints.Picture
         ulong PixelAt(int index)
         {
             ulong pixel = Pixels[index];
-            if (!IsBlended || pixel == PointDrawing.EmptyPixel)
+            if (Sums.Length == 0 || pixel == PointDrawing.EmptyPixel)
                 return pixel;
             index *= BlendedPixels.WordsPerPixel;
             return pixel & ~0xFFFFFFul | BlendedPixels.ColorOf(Sums[index], Sums[index + 1], (uint)pixel & 0xFFFFFF);
