@@ -9,6 +9,10 @@ namespace FastPoints.Rendering
     /// Uploads go through mapped staging buffers and are copied into their pages by a compute shader.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
+        /// <summary>On average half a bank lies empty: no more than 10 bytes are taken for a point from a million points
+        /// on.</summary>
+        public const int DefaultBankBytes = 8 << 20;
+
         readonly PoolUpload m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;
@@ -16,8 +20,9 @@ namespace FastPoints.Rendering
         /// <param name="copyPages">The package's CopyPages.compute; null, or where there is no compute: the engine copies
         /// nodes.</param>
         /// <param name="limitBytes">Of the banks; what uploads go through (<see cref="UploadBytes"/>) comes to that.</param>
+        /// <param name="bankBytes">No node may be larger.</param>
         /// <param name="bytesPerUpload">What one frame uploads, usually.</param>
-        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = 32 << 20, int bytesPerUpload = 4 << 20)
+        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes, int bytesPerUpload = 4 << 20)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
             int pages = PagesFor(bytesPerUpload);
