@@ -67,9 +67,18 @@ namespace FastPoints.Editor
             }
         }
 
+        /// <summary>Waits for a picture that is being written: some ten kilobytes.</summary>
         public void Dispose()
         {
             m_waiting.Clear();
+            try
+            {
+                m_writing?.Wait();
+            }
+            catch (AggregateException)
+            {
+                // A cloud without a picture.
+            }
             End();
         }
 
