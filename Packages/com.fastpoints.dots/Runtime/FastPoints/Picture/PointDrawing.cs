@@ -109,7 +109,8 @@ namespace FastPoints.Picture
                 ulong key = KeyOf(depth, radiusPx, colors[i]);
                 // The radius in world units at the rim, the square of its pixels away.
                 double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
-                float nearest = (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
+                float nearest = sums == null ? 0
+                    : (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
 
                 // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
                 int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);

@@ -104,6 +104,7 @@ namespace FastPoints.Tests.Feeds
                     for (int i = 0; i < 4 * FolderGenerations.FramesPerLook; i++)
                     {
                         feed.Update(1);
+                        // Looks go on on another thread: without time for them nothing could be found that must not be.
                         Thread.Sleep(1);
                         Assert.That(feed.Newest, Is.Null);
                     }
