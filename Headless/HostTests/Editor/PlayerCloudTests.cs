@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Xml.Linq;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.Store;
@@ -96,6 +97,10 @@ namespace FastPoints.HostTests.Editor
             Assert.That(added.Single().Key, Is.EqualTo(asset.PlayerSource));
             Assert.That(added.Single().Value, Is.EqualTo(source));
             Assert.That(m_logged.Single(), Does.Contain("as it is, with FastPoints.Import"));
+            string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
+            var kept = XDocument.Load(link).Root.Element("assembly");
+            Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
+                .GetType((string)kept.Element("type").Attribute("fullname")), Is.EqualTo(typeof(FastPoints.Pipeline.PointFileReaders)));
             File.Delete(source);
             Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
         }
@@ -105,6 +110,7 @@ namespace FastPoints.HostTests.Editor
         {
             Assert.That(Build().FolderOfPlayerPath, Is.Empty);
             Assert.That(m_logged, Is.Empty);
+            Assert.That(new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null), Is.Null);
         }
 
         [Test]

@@ -53,7 +53,13 @@ namespace UnityEditor
 
         /// <summary>Of a filter by type, as <c>t:Name</c>, and of no other.</summary>
         public static string[] FindAssets(string filter) =>
-            Assets.Where(a => "t:" + a.Value.GetType().Name == filter).Select(a => GuidOf(a.Key)).ToArray();
+            Assets.Where(a => "t:" + KindOf(a.Value) == filter).Select(a => GuidOf(a.Key)).ToArray();
+
+        static string KindOf(Object asset) => asset is GameObject ? "Prefab" : asset.GetType().Name;
+
+        internal static readonly List<string> AssetBundleNames = new List<string>();
+
+        public static string[] GetAllAssetBundleNames() => AssetBundleNames.ToArray();
 
         public static string[] FindAssets(string filter, string[] searchInFolders) =>
             throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");

@@ -11,6 +11,8 @@ namespace UnityEditor
 
     public class BuildPipeline
     {
+        public static bool isBuildingPlayer { get; internal set; }
+
         public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) => throw EditorOnly.NotHere(nameof(BuildPlayer));
     }
 

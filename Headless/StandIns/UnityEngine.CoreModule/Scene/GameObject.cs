@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Reflection;
 using StandIns.Scene;
 
@@ -43,6 +44,10 @@ namespace UnityEngine
         }
 
         public T GetComponent<T>() => m_components.Find(c => c is T) is T found ? found : default;
+
+        /// <summary>Objects have no children here: its own.</summary>
+        public T[] GetComponentsInChildren<T>(bool includeInactive) =>
+            includeInactive || activeSelf ? m_components.OfType<T>().ToArray() : new T[0];
 
         Component Add(Component component)
         {

@@ -30,6 +30,9 @@ namespace FastPoints.Editor
         /// <summary>Whether that holds for COPC, Potree and EPT too, which can be streamed as they are.</summary>
         public bool ConvertOctrees;
 
+        /// <summary>Of the package's shaders, in players.</summary>
+        public VariantChoice PlayerVariants = VariantChoice.Automatic;
+
         /// <summary>Keeps what was changed.</summary>
         public void Save() => Save(true);
 

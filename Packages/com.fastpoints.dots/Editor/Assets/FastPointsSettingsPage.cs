@@ -27,6 +27,7 @@ namespace FastPoints.Editor
             settings.MemoryMiB = EditorGUILayout.IntSlider("Memory of a conversion (MiB)", settings.MemoryMiB, 64, 65536);
             settings.UpdateMs = EditorGUILayout.IntSlider("Main thread of an update (ms)", settings.UpdateMs, 1, 30);
             settings.CopiedMiB = EditorGUILayout.IntSlider("Copied into Assets up to (MiB)", settings.CopiedMiB, 0, 2048);
+            settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
             string place = EditorGUILayout.DelayedTextField("Converted clouds in", settings.Place);
             EditorGUILayout.HelpBox("A folder beside Assets, or anywhere: what is there already stays where it is. " +
                 "What clouds need in players is set on Point Cloud Settings, a component.", MessageType.None);

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Store;
@@ -20,7 +19,7 @@ namespace FastPoints.Editor
             var clouds = new PlayerClouds();
             try
             {
-                foreach (string path in AssetsOf(buildPlayerContext.BuildPlayerOptions.scenes))
+                foreach (string path in PlayerAssets.Of(buildPlayerContext.BuildPlayerOptions.scenes ?? Array.Empty<string>()))
                 {
                     var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     if (asset == null)
@@ -36,23 +35,11 @@ namespace FastPoints.Editor
             {
                 throw new BuildFailedException(e.Message);
             }
+            PlayerReaders.s_areNeeded = clouds.HasSources;
             foreach (var entry in clouds.Entries)
                 buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.Folder, entry.PlayerPath);
             if (clouds.Entries.Count > 0)
                 Debug.Log(clouds.Report());
-        }
-
-        /// <summary>What scenes refer to, and what Unity adds to any player.</summary>
-        static HashSet<string> AssetsOf(string[] scenes)
-        {
-            var roots = new List<string>(scenes ?? Array.Empty<string>());
-            foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
-            {
-                string path = AssetDatabase.GUIDToAssetPath(guid);
-                if (path.IndexOf("/Resources/", StringComparison.Ordinal) >= 0)
-                    roots.Add(path);
-            }
-            return new HashSet<string>(AssetDatabase.GetDependencies(roots.ToArray(), true));
         }
     }
 }

@@ -31,6 +31,9 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<Entry> Entries => m_entries;
 
+        /// <summary>Whether one of them is not converted.</summary>
+        public bool HasSources => m_entries.Exists(e => e.IsSource);
+
         /// <summary>Adds a cloud; once where several assets say the same.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
         /// <exception cref="PointCloudException">It is not converted, or still in the making; or another cloud has its

@@ -7,14 +7,9 @@ namespace FastPoints.Rendering
     /// are recorded, so that one material could not draw two looks in a frame. Made when they are first needed.</summary>
     public sealed class PointMaterials : IDisposable
     {
-        const int Shapes = 1 + (int)PointShape.Splat;
-
-        /// <summary>Bits above the shape: an option each.</summary>
-        const int Adaptive = 1, Layered = 2, Clipped = 4, Filtered = 8, Stereo = 16, Options = 32;
-
         readonly Shader m_points;
         readonly Shader m_compose;
-        readonly Material[] m_ofVariant = new Material[Shapes * Options];
+        readonly Material[] m_ofVariant = new Material[PointVariant.Count];
         Material m_composingLayer;
         Material m_composingPixels;
         Material m_composingSums;
@@ -37,21 +32,13 @@ namespace FastPoints.Rendering
         /// <param name="isStereo">Both eyes at once.</param>
         internal Material For(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
-            int options = (style.IsAdaptive ? Adaptive : 0) | (style.IsLayered ? Layered : 0) | (isClipped ? Clipped : 0) |
-                (isFiltered ? Filtered : 0) | (isStereo ? Stereo : 0);
-            int variant = (int)style.Shape + Shapes * options;
-            if (m_ofVariant[variant] != null)
-                return m_ofVariant[variant];
+            var variant = new PointVariant(style, isClipped, isFiltered, isStereo);
+            if (m_ofVariant[variant.Number] != null)
+                return m_ofVariant[variant.Number];
             var material = Make(m_points);
-            Enable(material, ShaderNames.SquaresKeyword, style.Shape == PointShape.Square);
-            Enable(material, ShaderNames.DiscsKeyword, style.Shape == PointShape.Disc || style.IsBlended);
-            Enable(material, ShaderNames.ParaboloidsKeyword, style.Shape == PointShape.Paraboloid);
-            Enable(material, ShaderNames.AdaptiveKeyword, style.IsAdaptive);
-            Enable(material, ShaderNames.LayeredKeyword, style.IsLayered);
-            Enable(material, ShaderNames.ClippedKeyword, isClipped);
-            Enable(material, ShaderNames.FilteredKeyword, isFiltered);
-            Enable(material, ShaderNames.StereoKeyword, isStereo);
-            return m_ofVariant[variant] = material;
+            foreach (string keyword in variant.Keywords)
+                material.EnableKeyword(keyword);
+            return m_ofVariant[variant.Number] = material;
         }
 
         /// <summary>Draws a layer of points into a camera's picture.</summary>
@@ -83,12 +70,6 @@ namespace FastPoints.Rendering
         }
 
         static Material Make(Shader shader) => new Material(shader) { hideFlags = HideFlags.HideAndDontSave };
-
-        static void Enable(Material material, string keyword, bool isEnabled)
-        {
-            if (isEnabled)
-                material.EnableKeyword(keyword);
-        }
 
         static void Destroy(ref Material material)
         {

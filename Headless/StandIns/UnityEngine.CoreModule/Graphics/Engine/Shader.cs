@@ -19,6 +19,8 @@ namespace UnityEngine
 
         public int passCount => Source.Passes.Count;
 
+        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(Source);
+
         public static int PropertyToID(string name) => PropertyNames.IdOf(name);
 
         public static void EnableKeyword(string keyword) => KeywordSet.Global.Set(keyword, true);

@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Gpu;
+using FastPoints.Rendering;
+
+namespace FastPoints.Editor
+{
+    /// <summary>The variants of the package's shaders that a player may ask for, by name: the pass and its keywords.</summary>
+    public sealed class PlayerVariants
+    {
+        /// <summary>What names of the package's shaders begin with.</summary>
+        public const string ShaderPrefix = "Hidden/FastPoints/";
+
+        const string KeywordPrefix = "FASTPOINTS_";
+
+        readonly HashSet<string> m_names;
+
+        public PlayerVariants()
+            : this(new[] { NameOf("Compose", new string[0]) })
+        {
+        }
+
+        PlayerVariants(IEnumerable<string> names)
+        {
+            m_names = new HashSet<string>(names, StringComparer.Ordinal);
+        }
+
+        /// <summary>Adds what is drawn with a style.</summary>
+        /// <param name="isEver">Whether there may be clip boxes, hidden classes, headsets: what is drawn without them is needed, too.</param>
+        public void Add(in PointStyle style, in DrawnOptions isEver)
+        {
+            for (int options = 0; options < 8; options++)
+            {
+                bool isClipped = (options & 1) != 0, isFiltered = (options & 2) != 0, isStereo = (options & 4) != 0;
+                if (isClipped && !isEver.Clipped || isFiltered && !isEver.Filtered || isStereo && !isEver.Stereo)
+                    continue;
+                var variant = new PointVariant(style, isClipped, isFiltered, isStereo);
+                m_names.Add(NameOf("Points", variant.Keywords));
+                if (style.Shape == PointShape.Splat)
+                    m_names.Add(NameOf("Blending", variant.Blending.Keywords));
+            }
+            if (PointVariant.ComposeKeyword(style) is { } composing)
+                m_names.Add(NameOf("Compose", new[] { composing }));
+        }
+
+        /// <summary>Adds what any style is drawn with.</summary>
+        public void AddAll(in DrawnOptions isEver)
+        {
+            foreach (PointShape shape in Enum.GetValues(typeof(PointShape)))
+                foreach (var mode in new[] { PointSizeMode.Pixels, PointSizeMode.Adaptive })
+                    for (int edl = 0; edl < 2; edl++)
+                        Add(new PointStyle { Shape = shape, Size = new PointSize { Mode = mode }, EdlStrength = edl }, isEver);
+        }
+
+        /// <summary>Whether a player may ask for a variant.</summary>
+        public bool Contains(string name) => m_names.Contains(name);
+
+        /// <summary>Whether another set has all of these.</summary>
+        public bool IsWithin(PlayerVariants other) => m_names.IsSubsetOf(other.m_names);
+
+        /// <param name="keywords">In any order; those that are not the package's are left out.</param>
+        public static string NameOf(string pass, IEnumerable<string> keywords)
+        {
+            var own = new SortedSet<string>(StringComparer.Ordinal);
+            foreach (string keyword in keywords)
+                if (keyword.StartsWith(KeywordPrefix, StringComparison.Ordinal))
+                    own.Add(keyword);
+            return own.Count == 0 ? pass : pass + " " + string.Join(" ", own);
+        }
+
+        /// <returns>What <see cref="Write"/> wrote; null where nothing is to be read.</returns>
+        public static PlayerVariants Read(string path)
+        {
+            try
+            {
+                return new PlayerVariants(File.ReadAllLines(path));
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return null;
+            }
+        }
+
+        /// <summary>A line a variant.</summary>
+        /// <exception cref="PointCloudException">It cannot be written.</exception>
+        public void Write(string path)
+        {
+            var names = new List<string>(m_names);
+            names.Sort(StringComparer.Ordinal);
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                File.WriteAllLines(path, names);
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                throw FileFailures.Writing(path, e);
+            }
+        }
+    }
+}
