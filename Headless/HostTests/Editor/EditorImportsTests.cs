@@ -139,7 +139,9 @@ namespace FastPoints.HostTests.Editor
             Assert.That(Progress.Cancel(0), Is.True);
             Assert.That(shown.Status, Is.EqualTo(Progress.Status.Canceled));
             m_project.UpdateToTheEnd();
-            Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty);
+            Assert.That(Directory.GetDirectories(m_project.Paths.Clouds), Is.Empty);
+            Assert.That(Directory.GetFiles(m_project.Paths.Clouds).Select(Path.GetFileName),
+                Is.SubsetOf(new[] { "scan.preview.png" }));
             Assert.That(m_logged, Is.Empty);
         }
 

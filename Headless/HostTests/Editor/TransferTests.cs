@@ -6,14 +6,13 @@ using FastPoints.Cli;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.HostTests.Cli;
-using FastPoints.Picture;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {
-    /// <summary>Converted clouds that leave a project and come into it, where they lie, and their pictures.</summary>
+    /// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>
     public sealed class TransferTests
     {
         EditorProject m_project;
@@ -153,6 +152,7 @@ namespace FastPoints.HostTests.Editor
             Assert.That(m_project.LastImport.Dependencies, Does.Contain(PointCloudImports.PlaceDependency));
             m_project.Imports.TakePointFile("Assets/tile.las");
             m_project.UpdateToTheEnd();
+            Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
             var handle = m_project.Imports.HandleOf("Assets/tile.las");
             Assert.That(handle.Stamp.Compare(new[] { path }), Is.EqualTo(SourceChange.None));
 
@@ -166,53 +166,6 @@ namespace FastPoints.HostTests.Editor
             string cloud = m_project.Paths.Absolute(handle.CloudPath);
             CloudCatalog.Delete(cloud);
             Assert.That(File.Exists(StampFile.PathOf(cloud)), Is.False);
-        }
-
-        [Test]
-        public void Thumbnail_OfAConvertedCloud_IsDrawnInSlicesAndShown()
-        {
-            var asset = Converted();
-            double longest = 0;
-            var watch = new System.Diagnostics.Stopwatch();
-            ImportProject.Updates(() =>
-            {
-                watch.Restart();
-                m_project.Imports.Thumbnails.Update(1);
-                longest = Math.Max(longest, watch.Elapsed.TotalMilliseconds);
-            }, () => !m_project.Imports.Thumbnails.IsDrawing);
-            TestContext.Progress.WriteLine("longest update of a thumbnail: " + longest + " ms");
-
-            string cloud = m_project.Paths.Absolute(asset.ProjectPath);
-            var picture = Png.Read(CloudThumbnails.PathOf(cloud));
-            Assert.That((picture.Width, picture.Height), Is.EqualTo((CloudThumbnails.SizePx, CloudThumbnails.SizePx)));
-            Assert.That(picture.Rgba.Distinct().Count(), Is.GreaterThan(50), "there is something in it");
-
-            var editor = ScriptableObject.CreateInstance<PointCloudAssetEditor>();
-            editor.target = asset;
-            var texture = editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32);
-            Assert.That((texture.width, texture.height), Is.EqualTo((64, 32)));
-            Assert.That(texture.Bytes.Distinct().Count(), Is.GreaterThan(50));
-            File.WriteAllText(CloudThumbnails.PathOf(cloud), "no picture");
-            Assert.That(editor.RenderStaticPreview("Assets/scan.pointcloud", null, 64, 32), Is.Null);
-            Directory.Delete(cloud, true);
-            m_project.Imports.Thumbnails.Add(cloud);
-            Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
-            Assert.That(m_logged, Is.Empty);
-        }
-
-        [Test]
-        public void Resized_Picture_IsTheMeanFromTheBottomUp()
-        {
-            var image = new RgbaImage(4, 2);
-            for (int x = 0; x < 4; x++)
-                for (int y = 0; y < 2; y++)
-                    image[x, y] = Palettes.Pack((byte)(x * 10), (byte)(y * 100), 7, 255);
-            Assert.That(ThumbnailImage.Resized(image, 2, 2), Is.EqualTo(new byte[]
-            {
-                5, 100, 7, 255, 25, 100, 7, 255,
-                5, 0, 7, 255, 25, 0, 7, 255,
-            }));
-            Assert.That(ThumbnailImage.Resized(image, 8, 1).Length, Is.EqualTo(32), "larger ones repeat");
         }
     }
 }

@@ -62,8 +62,9 @@ namespace FastPoints.Editor
                 catalog.Refresh();
                 m_handle = PointCloudImports.Current.HandleOf(Asset);
                 m_match = catalog.Find(m_handle, out m_cloud);
-                if (m_match == CatalogMatch.InPlace && !File.Exists(CloudThumbnails.PathOf(m_cloud.Path)))
-                    PointCloudImports.Current.Thumbnails.Add(m_cloud.Path);
+                string cloud = PointCloudImports.Paths.Absolute(m_handle.CloudPath);
+                if (!File.Exists(CloudThumbnails.PathOf(cloud)))
+                    PointCloudImports.Current.AddThumbnail(m_handle);
             }
             catch (PointCloudException e)
             {

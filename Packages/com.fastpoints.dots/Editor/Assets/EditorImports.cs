@@ -73,13 +73,13 @@ namespace FastPoints.Editor
         {
             try
             {
+                var promised = PromisedClouds();
                 string path = HandleFile.Create(source, Paths.Absolute(folder), Paths,
-                    s => Catalog.NewTarget(s, Queue.IsPromised), out var handle);
+                    s => Catalog.NewTarget(s, cloud => Queue.IsPromised(cloud) || promised.Contains(cloud)), out var handle);
                 string asset = Paths.Stored(path);
                 AssetDatabase.ImportAsset(asset);
-                if (handle.Sources.Count == 0)
-                    Thumbnails.Add(Paths.Absolute(handle.CloudPath));
-                else if (IsConvertedAtOnce(handle))
+                AddThumbnail(handle);
+                if (handle.Sources.Count > 0 && IsConvertedAtOnce(handle))
                     Convert(asset, handle);
                 return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             }
@@ -96,7 +96,10 @@ namespace FastPoints.Editor
             var handle = OfPointFile(asset);
             if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
             {
-                if (IsConvertedAtOnce(handle))
+                if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
+                    AddThumbnail(handle);
+                // An asset is imported anew to show its picture, too.
+                if (IsConvertedAtOnce(handle) && (RequestOf(asset)?.State ?? ImportState.Failed) == ImportState.Failed)
                     Convert(asset, handle);
             }
             else if (handle.Stamp?.Compare(handle.Sources.ConvertAll(Paths.Absolute)) == SourceChange.Changed)
@@ -145,6 +148,16 @@ namespace FastPoints.Editor
                 if (request.Asset == guid)
                     return request;
             return null;
+        }
+
+        /// <summary>Has the picture of a handle's cloud drawn: of the cloud where it is converted, of its files where it is not.</summary>
+        public void AddThumbnail(CloudHandle handle)
+        {
+            string cloud = Paths.Absolute(handle.CloudPath);
+            if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
+                Thumbnails.Add(cloud);
+            else
+                Thumbnails.AddFiles(cloud, handle.Sources.ConvertAll(Paths.Absolute));
         }
 
         /// <summary>Before scripts are reloaded or the editor quits.</summary>
@@ -269,13 +282,32 @@ namespace FastPoints.Editor
         /// <summary>Unity asks for an asset's picture when it is imported.</summary>
         void ShowThumbnail(string cloud)
         {
+            foreach (var (asset, itsCloud) in CloudsOfAssets())
+                if (itsCloud == cloud)
+                    AssetImporter.GetAtPath(asset)?.SaveAndReimport();
+        }
+
+        /// <summary>Folders of the project's clouds, though they may not be there.</summary>
+        HashSet<string> PromisedClouds()
+        {
+            var promised = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+            foreach (var (_, cloud) in CloudsOfAssets())
+                promised.Add(cloud);
+            return promised;
+        }
+
+        /// <summary>Paths of assets, and whole ones of their clouds' folders.</summary>
+        List<(string Asset, string Cloud)> CloudsOfAssets()
+        {
+            var clouds = new List<(string Asset, string Cloud)>();
             foreach (string guid in AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)))
             {
                 string path = AssetDatabase.GUIDToAssetPath(guid);
                 var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
-                if (asset != null && !string.IsNullOrEmpty(asset.ProjectPath) && Paths.Absolute(asset.ProjectPath) == cloud)
-                    AssetImporter.GetAtPath(path)?.SaveAndReimport();
+                if (asset != null && !string.IsNullOrEmpty(asset.ProjectPath))
+                    clouds.Add((path, Paths.Absolute(asset.ProjectPath)));
             }
+            return clouds;
         }
 
         /// <summary>Has the scenes' clouds of an asset look for its folder again.</summary>

@@ -5,28 +5,23 @@ using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
-using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Small pictures of converted clouds, drawn by jobs from the top of their octrees, a slice an update, and kept beside their
-    /// folders. Main thread; one at a time, the others wait.
+    /// Small pictures of clouds, drawn by jobs, a slice an update, and kept where the converted clouds are or would be: of files from the
+    /// first wave of a preview, of converted clouds from the top of their octrees. Main thread; one at a time, the others wait.
     /// </summary>
     public sealed class CloudThumbnails : IDisposable
     {
         /// <summary>Of each side.</summary>
         public const int SizePx = 256;
 
-        /// <summary>Points of a picture at most.</summary>
-        const long Budget = 200_000;
         const string Extension = ".preview.png";
 
-        readonly List<string> m_waiting = new List<string>();
-        CloudFolder m_folder;
-        DrawStored m_drawing;
-        WorkPump m_work;
+        readonly List<(string Cloud, string[] Sources)> m_waiting = new List<(string Cloud, string[] Sources)>();
+        Task<ThumbnailDrawing> m_opening;
+        ThumbnailDrawing m_drawing;
         Task m_writing;
         string m_current;
 
@@ -35,16 +30,17 @@ namespace FastPoints.Editor
 
         public bool IsDrawing => m_current != null || m_waiting.Count > 0;
 
-        /// <param name="cloud">The converted folder.</param>
+        /// <param name="cloud">The converted folder, which need not be there.</param>
         public static string PathOf(string cloud) =>
             Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
 
         /// <summary>Has a cloud drawn, finished or in the making.</summary>
-        public void Add(string cloud)
-        {
-            if (!m_waiting.Contains(cloud))
-                m_waiting.Add(cloud);
-        }
+        public void Add(string cloud) => Add(cloud, null);
+
+        /// <summary>Has the files drawn that a cloud will be converted from, or would.</summary>
+        /// <param name="cloud">The folder that they would be converted into.</param>
+        /// <param name="sources">Files and folders that make one cloud.</param>
+        public void AddFiles(string cloud, IEnumerable<string> sources) => Add(cloud, new List<string>(sources).ToArray());
 
         /// <summary>Once an update of the editor.</summary>
         public void Update(double budgetMs)
@@ -57,7 +53,9 @@ namespace FastPoints.Editor
             {
                 if (m_writing != null)
                     EndWriting();
-                else if (m_work.Tick(budgetMs))
+                else if (m_opening != null)
+                    EndOpening();
+                else if (m_drawing.Pump.Tick(budgetMs))
                     BeginWriting();
             }
             catch (PointCloudException)
@@ -65,40 +63,52 @@ namespace FastPoints.Editor
                 // What ails the cloud is told by what opens it; one that is only not to be written beside has no picture.
                 End();
             }
+            catch
+            {
+                // Told once, not at every update.
+                End();
+                throw;
+            }
         }
 
-        /// <summary>Waits for a picture that is being written: some ten kilobytes.</summary>
+        /// <summary>Waits for a picture that is being written, some ten kilobytes, and for a header that is being read.</summary>
         public void Dispose()
         {
             m_waiting.Clear();
             try
             {
-                m_writing?.Wait();
+                m_drawing ??= m_opening?.GetAwaiter().GetResult();
+                m_writing?.GetAwaiter().GetResult();
             }
-            catch (AggregateException)
+            catch (PointCloudException)
             {
                 // A cloud without a picture.
             }
             End();
         }
 
+        /// <summary>The last word on a cloud that waits is what counts.</summary>
+        void Add(string cloud, string[] sources)
+        {
+            m_waiting.RemoveAll(w => w.Cloud == cloud);
+            m_waiting.Add((cloud, sources));
+        }
+
         void Begin()
         {
-            m_current = m_waiting[0];
+            var (cloud, sources) = m_waiting[0];
             m_waiting.RemoveAt(0);
-            try
-            {
-                m_folder = CloudFolder.Open(m_current);
-                m_drawing = new DrawStored(m_folder, new PictureOptions { WidthPx = SizePx, HeightPx = SizePx }, Budget)
-                {
-                    PlansByManifest = true,
-                };
-                m_work = new WorkPump(m_drawing.Run(null));
-            }
-            catch (PointCloudException)
-            {
-                End();
-            }
+            m_current = cloud;
+            m_opening = Task.Run(() => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
+        }
+
+        void EndOpening()
+        {
+            if (!m_opening.IsCompleted)
+                return;
+            var opening = m_opening;
+            m_opening = null;
+            m_drawing = opening.GetAwaiter().GetResult();
         }
 
         void BeginWriting()
@@ -122,17 +132,17 @@ namespace FastPoints.Editor
 
         void End()
         {
-            m_work?.Cancel();
-            m_folder?.Dispose();
-            (m_work, m_drawing, m_folder, m_current, m_writing) = (null, null, null, null, null);
+            m_drawing?.Dispose();
+            (m_opening, m_drawing, m_current, m_writing) = (null, null, null, null);
         }
 
         static void Write(string path, RgbaImage image)
         {
             string temporary = path + ".tmp";
-            Png.Write(temporary, image);
             try
             {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                Png.Write(temporary, image);
                 if (File.Exists(path))
                     File.Replace(temporary, path, null);
                 else

@@ -22,6 +22,10 @@ namespace FastPoints.Picture
         /// <summary>In place of a standard view.</summary>
         public Camera? Camera;
 
+        /// <summary>Points of <see cref="DisplayRanges.Outline"/> that a standard view is framed by, at most: all of them take an
+        /// editor's main thread ten milliseconds.</summary>
+        public int OutlinePoints = int.MaxValue;
+
         public double FovDegrees = CameraFraming.DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
         public ColorMode Color = ColorMode.Auto;

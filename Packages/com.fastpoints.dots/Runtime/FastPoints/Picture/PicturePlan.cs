@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Points;
+using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
@@ -21,8 +22,8 @@ namespace FastPoints.Picture
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
-            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, ranges.Outline, options.WidthPx,
-                options.HeightPx, options.UpAxis, options.FovDegrees, ranges.LengthsPerUnit);
+            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, Thinned(ranges.Outline, options.OutlinePoints),
+                options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());
@@ -71,6 +72,16 @@ namespace FastPoints.Picture
                 IsRound = m_options.RoundPoints,
                 IsDomed = m_options.DomedPoints,
             };
+        }
+
+        static double3[] Thinned(double3[] outline, int most)
+        {
+            if (outline.Length <= most)
+                return outline;
+            var thinned = new double3[most];
+            for (int i = 0; i < most; i++)
+                thinned[i] = outline[(int)((long)i * outline.Length / most)];
+            return thinned;
         }
     }
 }
