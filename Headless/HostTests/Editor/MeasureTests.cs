@@ -126,7 +126,8 @@ namespace FastPoints.HostTests.Editor
                 Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PlaceWorld),
                     Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
                 Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
-                Assert.That(pick.Manifest.CloudId, Is.EqualTo(m_folder.Manifest.CloudId));
+                Assert.That(pick.Path, Is.EqualTo(m_path));
+                Assert.That(pick.IsPreview, Is.False);
             }
         }
 

@@ -41,7 +41,8 @@ namespace FastPoints.Editor
             if (pick.Point != null)
                 m_picks.Add(pick);
             Tell(pick.Failure ?? (pick.Point == null ? "no point here"
-                : pick.IsPartial ? "perhaps not the nearest: too many points" : null));
+                : pick.IsPartial ? "perhaps not the nearest: too many points"
+                : pick.IsPreview ? "perhaps not the nearest: not all points are there yet" : null));
             return true;
         }
 

@@ -18,7 +18,7 @@ namespace FastPoints.Editor
             var lines = new List<string>
             {
                 Coordinates(pick.Point.PlaceGeo, pick.Point.Grid.Step) +
-                    (string.IsNullOrEmpty(pick.Manifest.CrsName) ? "" : "  " + pick.Manifest.CrsName),
+                    (string.IsNullOrEmpty(pick.Crs.Name) ? "" : "  " + pick.Crs.Name),
             };
             foreach (var attribute in pick.Point.Attributes)
             {

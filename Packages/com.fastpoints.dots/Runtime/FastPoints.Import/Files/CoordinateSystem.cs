@@ -1,3 +1,5 @@
+using FastPoints.Points;
+
 namespace FastPoints.Files
 {
     /// <summary>The coordinate reference system as far as the file names it. Kept and shown, never used to move points.</summary>
@@ -17,6 +19,15 @@ namespace FastPoints.Files
 
         /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 where unknown; NaN where the unit is an angle.</summary>
         public double MetresPerUnit;
+
+        public CloudCrs ToCloudCrs() => new CloudCrs
+        {
+            Name = Summary,
+            Wkt = Wkt,
+            Epsg = Epsg,
+            VerticalEpsg = VerticalEpsg,
+            MetresPerUnit = MetresPerUnit,
+        };
 
         public bool IsKnown => Wkt != null || Epsg != 0 || Name != null;
 

@@ -78,6 +78,14 @@ namespace FastPoints.Files
         /// <summary>Grows from block to block as they lie in the source, in whatever order they were found.</summary>
         public virtual long PlaceOfBlock(int block) => block;
 
+        /// <summary>Where a block lies, for messages.</summary>
+        /// <param name="byteOffset">At which it begins; -1 where that is not known.</param>
+        public virtual string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = -1;
+            return Info.Path;
+        }
+
         /// <summary>Bytes of the file that a range takes to read (an estimate where the format gives none).</summary>
         public abstract long BytesOfRange(BlockRange range);
 

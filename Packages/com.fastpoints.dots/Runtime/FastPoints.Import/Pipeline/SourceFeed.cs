@@ -137,6 +137,7 @@ namespace FastPoints.Pipeline
                 using (var copying = SampleReader.Copy(wave, m_path, copied => copy = copied))
                     while (copying.MoveNext())
                         yield return copying.Current;
+                copy.Info.Crs = m_reader.Info.Crs;
                 var ranges = NewRanges();
                 using (var measuring = ranges.Measure(copy.Points, wave.Transform, UpAxis.Z))
                     while (measuring.MoveNext())

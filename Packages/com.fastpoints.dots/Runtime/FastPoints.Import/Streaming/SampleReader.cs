@@ -21,6 +21,10 @@ namespace FastPoints.Streaming
         readonly SourceTree m_tree;
         readonly int m_blocks;
 
+        /// <summary>Readers of the same points; the last of them frees these.</summary>
+        readonly int[] m_readers;
+        bool m_isDisposed;
+
         /// <summary>Copies a sample, which its sampler goes on with: about a millisecond for ten megabytes.</summary>
         /// <param name="path">Of the source, for messages.</param>
         public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path)
@@ -31,6 +35,8 @@ namespace FastPoints.Streaming
         SampleReader(PreviewSample sample, PointBatch points, string path)
         {
             Points = points;
+            IsWhole = sample.IsWhole;
+            m_readers = new[] { 1 };
             int count = Points.Count;
             m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
             var bounds = sample.Bounds.IsEmpty ? new BoundsGeo(0, 0) : sample.Bounds;
@@ -49,12 +55,22 @@ namespace FastPoints.Streaming
             // As if the points of a block lay on a surface.
             double spacing = edge / math.sqrt(math.max(1.0, math.min(count, PointsPerBlock)));
             var cube = new BoundsGeo(bounds.Min, bounds.Min + edge);
-            m_tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsWhole = true };
-            if (count == 0)
-                m_tree.Add(new SourceNode { Block = -1 });
-            for (int block = 0; block < m_blocks; block++)
-                m_tree.Add(new SourceNode { Block = block, PointCount = PointsInBlock(block) });
+            m_tree = TreeOf(cube, spacing);
         }
+
+        SampleReader(SampleReader other)
+        {
+            Points = other.Points;
+            IsWhole = other.IsWhole;
+            Info = other.Info;
+            m_blocks = other.m_blocks;
+            m_readers = other.m_readers;
+            m_readers[0]++;
+            m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
+        }
+
+        /// <summary>Whether it has all points of its source.</summary>
+        public bool IsWhole { get; }
 
         internal PointBatch Points { get; }
 
@@ -80,10 +96,17 @@ namespace FastPoints.Streaming
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new SampleRead(this, wanted, capacity, allocator);
 
+        /// <summary>Another reader of the same points; null where they are gone.</summary>
+        internal SampleReader Share() => Points.IsCreated ? new SampleReader(this) : null;
+
         public override void Dispose()
         {
+            if (m_isDisposed)
+                return;
+            m_isDisposed = true;
             m_tree.Dispose();
-            Points.Dispose();
+            if (--m_readers[0] == 0)
+                Points.Dispose();
         }
 
         /// <summary>Work for a pump: copies a sample in jobs. It stays as it is until the work has ended.</summary>
@@ -109,6 +132,16 @@ namespace FastPoints.Streaming
                     points.Dispose();
             }
             copied(new SampleReader(sample, points, path));
+        }
+
+        SourceTree TreeOf(BoundsGeo cube, double spacing)
+        {
+            var tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsWhole = true };
+            if (m_blocks == 0)
+                tree.Add(new SourceNode { Block = -1 });
+            for (int block = 0; block < m_blocks; block++)
+                tree.Add(new SourceNode { Block = block, PointCount = PointsInBlock(block) });
+            return tree;
         }
 
         static PointBatch CopyNow(PreviewSample sample)

@@ -12,7 +12,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Makes nodes of a source's own octree: a slot of its reader decodes the attributes that are streamed, then slices of at
+    /// Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of at
     /// most about 4 ms order and pack them.
     /// </summary>
     sealed unsafe class TreeNodeMaker : NodeMaker
@@ -21,7 +21,7 @@ namespace FastPoints.Streaming
         const int LeastCapacity = 1 << 12;
 
         readonly TreeSource m_source;
-        readonly int[] m_firstColumnOfPlane;
+        readonly TreePlanes m_planes;
         BlockRead m_read;
         int m_capacity;
         NativeArray<byte> m_offsets;
@@ -36,18 +36,13 @@ namespace FastPoints.Streaming
         PointCloudException m_refused;
         SourceNode m_node;
 
-        public TreeNodeMaker(TreeSource source)
+        /// <param name="planes">That it makes; stay the source's.</param>
+        public TreeNodeMaker(TreeSource source, TreePlanes planes)
         {
             m_source = source;
-            m_lengthOfPlane = new NativeArray<long>(source.Planes.Length, Allocator.Persistent);
+            m_planes = planes;
+            m_lengthOfPlane = new NativeArray<long>(planes.Count, Allocator.Persistent);
             m_state = new NativeReference<PackState>(Allocator.Persistent);
-            m_firstColumnOfPlane = new int[source.Planes.Length];
-            int columns = 0;
-            for (int p = 1; p < m_firstColumnOfPlane.Length; p++)
-            {
-                m_firstColumnOfPlane[p] = columns;
-                columns += source.Layout.Planes[source.Planes[p]].ColumnCount;
-            }
         }
 
         /// <summary>Points that it has memory for.</summary>
@@ -56,11 +51,11 @@ namespace FastPoints.Streaming
         /// <summary>Points of the node that it was taken for.</summary>
         public int PointsTaken { get; set; }
 
-        public override bool IsDone => m_done.IsCompleted;
+        public override JobHandle Done => m_done;
 
         public override long BytesRead => m_source.Reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
 
-        public override byte* Planes => (byte*)m_packed.GetUnsafePtr();
+        public override NativeArray<byte> Planes => m_packed;
 
         public override long LengthOf(int plane) => m_lengthOfPlane[plane];
 
@@ -102,7 +97,8 @@ namespace FastPoints.Streaming
                 return MakeOutcome.Made;
             var cell = m_node.Cell;
             string name = Text(m_node.Level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
-            failure = new StreamFailure(m_source.Path, -1, "node " + name + " is damaged: wanted " + Text(m_node.PointCount) +
+            string path = m_source.Reader.FileOfBlock(m_node.Block, out long offset);
+            failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + Text(m_node.PointCount) +
                 " points, got " + Text(m_read.Points.Count));
             return MakeOutcome.Damaged;
         }
@@ -145,7 +141,7 @@ namespace FastPoints.Streaming
             };
             for (; order.First < count; order.First += OrderNodeJob.PointsOfSlice)
                 decoded = order.Schedule(decoded);
-            for (int p = 0; p < m_firstColumnOfPlane.Length; p++)
+            for (int p = 0; p < m_planes.Count; p++)
                 decoded = SchedulePlane(p, decoded);
             return decoded;
         }
@@ -178,28 +174,24 @@ namespace FastPoints.Streaming
         }
 
         PlaneShape ShapeOf(int plane) =>
-            plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_source.Shapes[m_source.Planes[plane]];
+            plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_planes.Shapes[plane];
 
-        PointColumn ColumnOf(int plane, int column)
-        {
-            var layout = m_source.Layout;
-            int of = layout.AttributeOfColumn[layout.Planes[m_source.Planes[plane]].FirstColumn + column];
-            return m_read.Points.Column(m_read.Points.Schema.IndexOf(layout.Attributes[of].Name));
-        }
+        PointColumn ColumnOf(int plane, int column) =>
+            m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
 
         void MakeRoom(int points)
         {
             FreeRoom();
             int capacity = Math.Max(LeastCapacity, math.ceilpow2(points));
             int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
-            m_read = m_source.Reader.CreateRead(m_source.Wanted, capacity, Allocator.Persistent);
+            m_read = m_source.Reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
             m_offsets = Room<byte>((m_source.Grids.IsWide ? 24L : 12L) * capacity);
             m_pointOfPlace = Room<uint>(capacity);
             m_keys = Room<ulong>(slice);
             m_keyScratch = Room<ulong>(slice);
             m_pointScratch = Room<uint>(slice);
             long bytes = 0;
-            for (int p = 0; p < m_firstColumnOfPlane.Length; p++)
+            for (int p = 0; p < m_planes.Count; p++)
                 bytes += ShapeOf(p).LongestBytes(PlaneShape.BlocksOf(capacity), capacity);
             m_packed = Room<byte>(bytes);
             m_capacity = capacity;

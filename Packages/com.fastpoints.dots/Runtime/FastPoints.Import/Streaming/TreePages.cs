@@ -54,6 +54,9 @@ namespace FastPoints.Streaming
 
         public int Count => m_rootOfPage.Count;
 
+        /// <summary>What <see cref="Update"/> goes on after.</summary>
+        public JobHandle Step => m_step;
+
         /// <summary>Whether a page's levels, and what hangs below, are known; if not, they are read from now on.</summary>
         public bool IsKnown(int page)
         {

@@ -28,17 +28,14 @@ namespace FastPoints.Streaming
         /// jobs' turn comes.</summary>
         const int PointsPerWorker = 1 << 16;
 
-        static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-
         readonly TreePages m_pages;
+        readonly TreePlanes m_planes;
         readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
         readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
         readonly long m_mostPoints;
         long m_pointsAtWork;
-        NativeArray<int> m_planes;
+        TreePlanes m_allPlanes;
         NativeArray<PlaneShape> m_shapes;
-        NativeArray<int> m_bitsOfPlane;
-        NativeArray<PlaneShape> m_shapeOfStreamed;
 
         /// <param name="reader">Becomes this source's. <see cref="FindTop"/> has been run.</param>
         /// <param name="planes">Names of planes that are streamed beside the position (<see cref="StoreLayout"/>); those that
@@ -53,49 +50,24 @@ namespace FastPoints.Streaming
             Grids = new TreeGrid(reader.Info, reader.Tree);
             m_pages = new TreePages(reader, Grids);
             m_mostPoints = (long)PointsPerWorker * Math.Max(1, JobsUtility.JobWorkerCount);
-            var attributes = new List<PointAttribute>();
-            foreach (var attribute in reader.Info.Schema)
-                if (Array.IndexOf(s_position, attribute.Name) < 0)
-                    attributes.Add(attribute);
-            Layout = new StoreLayout(new PointSchema(attributes));
-            var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
-            foreach (string name in planes)
-                if (Layout.PlaneOf(name) >= 0)
-                    wanted.Add(Layout.PlaneOf(name));
-            var indices = new int[wanted.Count];
-            wanted.CopyTo(indices);
-            m_planes = new NativeArray<int>(indices, Allocator.Persistent);
+            Layout = TreePlanes.LayoutOf(reader.Info.Schema);
+            m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
             m_shapes = Layout.CreateShapes(Allocator.Persistent);
-            m_bitsOfPlane = new NativeArray<int>(indices.Length, Allocator.Persistent);
-            m_shapeOfStreamed = new NativeArray<PlaneShape>(indices.Length, Allocator.Persistent);
-            var names = new List<string>(s_position);
-            for (int p = 0; p < indices.Length; p++)
-            {
-                var plane = Layout.Planes[indices[p]];
-                m_shapeOfStreamed[p] = plane.Shape;
-                for (int c = plane.FirstColumn; p > 0 && c < plane.FirstColumn + plane.ColumnCount; c++)
-                {
-                    m_bitsOfPlane[p] += 8 * Layout.Columns[c].Type.SizeOf();
-                    names.Add(Layout.Attributes[Layout.AttributeOfColumn[c]].Name);
-                }
-            }
-            Wanted = reader.Info.Schema.Select(names.ToArray());
         }
 
         public PointReader Reader { get; }
 
         public override string Path => Reader.Info.Path;
+        public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.IsWhole;
         public override CloudGrid Grid => Grids.Grid;
         public override GridCube Root => Grids.Root;
         public override NodeCubes Cubes => Grids.Cubes;
         public override StoreLayout Layout { get; }
-        public override NativeArray<int> Planes => m_planes;
+        public override CloudCrs Crs => Reader.Info.Crs.ToCloudCrs();
+        public override NativeArray<int> Planes => m_planes.Indices;
         public override NativeArray<PlaneShape> Shapes => m_shapes;
         public override int PageCount => m_pages.Count;
         public override bool MakesNodes => true;
-
-        /// <summary>What is decoded.</summary>
-        internal PointSchema Wanted { get; }
 
         internal TreeGrid Grids { get; }
 
@@ -130,15 +102,13 @@ namespace FastPoints.Streaming
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
             "its hierarchy is damaged";
 
-        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Length);
+        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
 
         public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
 
-        public override void Update(StreamContext stream)
-        {
-            if (m_pages.Update() is PointCloudException failure)
-                stream.Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
-        }
+        public override PointCloudException Update() => m_pages.Update();
+
+        public override JobHandle Reading => m_pages.Step;
 
         public override NodeMaker TakeMaker(int points)
         {
@@ -148,7 +118,7 @@ namespace FastPoints.Streaming
             int best = BestIdle(points);
             if (best < 0)
             {
-                m_makers.Add(new TreeNodeMaker(this));
+                m_makers.Add(new TreeNodeMaker(this, m_planes));
                 m_idle.Add(m_makers[m_makers.Count - 1]);
                 best = m_idle.Count - 1;
             }
@@ -166,17 +136,50 @@ namespace FastPoints.Streaming
             m_idle.Add(given);
         }
 
+        public override NodeMaker CreateWholeMaker()
+        {
+            var names = new List<string>();
+            foreach (var plane in Layout.Planes)
+                names.Add(plane.Name);
+            m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
+            return new TreeNodeMaker(this, m_allPlanes);
+        }
+
+        public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
+        {
+            PointReader reader = (Reader as SampleReader)?.Share();
+            if (Reader is SampleReader && reader == null)
+                yield break;
+            try
+            {
+                string path = Path;
+                if (reader == null)
+                    using (var opening = OpenElsewhere(() => PointReaders.Open(path), other => reader = other))
+                        while (opening.MoveNext())
+                            yield return opening.Current;
+                using (var finding = FindTop(reader))
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                var source = new TreeSource(reader, AttributeNames.Classification);
+                reader = null;
+                opened(source);
+            }
+            finally
+            {
+                reader?.Dispose();
+            }
+        }
+
         public override void Dispose()
         {
-            if (!m_planes.IsCreated)
+            if (!m_shapes.IsCreated)
                 return;
             foreach (var maker in m_makers)
                 maker.Dispose();
             m_pages.Dispose();
             m_planes.Dispose();
+            m_allPlanes?.Dispose();
             m_shapes.Dispose();
-            m_bitsOfPlane.Dispose();
-            m_shapeOfStreamed.Dispose();
             Reader.Dispose();
         }
 
@@ -198,8 +201,8 @@ namespace FastPoints.Streaming
         BuildTreePageJob JobFor(int page, NativeReference<HierarchyPage> built, NativeReference<TableProblem> problem)
         {
             var job = m_pages.JobFor(page);
-            job.BitsOfPlane = m_bitsOfPlane;
-            job.Shapes = m_shapeOfStreamed;
+            job.BitsOfPlane = m_planes.Bits;
+            job.Shapes = m_planes.Shapes;
             job.Built = built;
             job.Problem = problem;
             return job;

@@ -1,4 +1,3 @@
-using FastPoints.Store;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking
@@ -10,13 +9,13 @@ namespace FastPoints.Picking
         {
             PickedPoint a = from.Point, b = to.Point;
             WorldLength = math.distance(a.PlaceWorld, b.PlaceWorld);
-            IsGeo = IsSameSystem(from.Manifest, to.Manifest);
+            IsGeo = from.Path == to.Path || from.Crs.IsSameAs(to.Crs);
             bool isSameGrid = a.Grid.Origin.Equals(b.Grid.Origin) && a.Grid.Step.Equals(b.Grid.Step);
             // Whole steps are subtracted exactly; large coordinates are not.
             var steps = b.Place - a.Place;
             DeltaGeo = !IsGeo ? new double3(double.NaN, double.NaN, double.NaN)
                 : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PlaceGeo - a.PlaceGeo;
-            double metres = from.Manifest.MetresPerUnit;
+            double metres = from.Crs.MetresPerUnit;
             MetresPerUnit = IsGeo && metres > 0 && metres <= double.MaxValue ? metres : double.NaN;
         }
 
@@ -40,9 +39,5 @@ namespace FastPoints.Picking
 
         /// <summary>NaN where <see cref="MetresPerUnit"/> is. Heights count in the horizontal unit.</summary>
         public double LengthMetres => LengthGeo * MetresPerUnit;
-
-        static bool IsSameSystem(CloudManifest a, CloudManifest b) => a == b || a.CloudId == b.CloudId ||
-            (a.CrsEpsg != 0 && a.CrsEpsg == b.CrsEpsg && a.CrsVerticalEpsg == b.CrsVerticalEpsg) ||
-            (!string.IsNullOrEmpty(a.CrsWkt) && a.CrsWkt == b.CrsWkt);
     }
 }

@@ -8,17 +8,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Reads all that a cloud has of one point: each plane of its node but the position's, at once.</summary>
+    /// <summary>Reads all that a cloud has of one point: each plane of its node but the position's, at once; or has these
+    /// made.</summary>
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
         readonly List<Plane> m_planes = new List<Plane>();
         PickHit m_hit;
+        NodeMaker m_maker;
+        bool m_isMaking;
 
         sealed class Plane
         {
-            /// <summary>Counted among the planes that are streamed.</summary>
-            public int Streamed;
+            /// <summary>Counted among the planes that are streamed, or made.</summary>
+            public int Number;
             public StoreLayout.Plane Of;
             public StoreRead Read = new StoreRead();
             public NativeArray<ulong> Values;
@@ -28,39 +31,53 @@ namespace FastPoints.Picking
         public PickDetails(StreamedCloud cloud)
         {
             m_cloud = cloud;
-            for (int p = 1; p < cloud.Source.Planes.Length; p++)
+            int count = Source.MakesNodes ? Source.Layout.Planes.Count : Source.Planes.Length;
+            for (int p = 1; p < count; p++)
                 m_planes.Add(new Plane
                 {
-                    Streamed = p,
-                    Of = cloud.Source.Layout.Planes[cloud.Source.Planes[p]],
+                    Number = p,
+                    Of = Source.Layout.Planes[Source.MakesNodes ? p : Source.Planes[p]],
                     Values = new NativeArray<ulong>(PlaneShape.MaxColumns, Allocator.Persistent),
                     IsDamaged = new NativeReference<bool>(Allocator.Persistent),
                 });
         }
 
-        /// <summary>Awaited before <see cref="End"/>.</summary>
+        /// <summary>What is called next is called after this.</summary>
         public JobHandle Done { get; private set; }
+
+        NodeSource Source => m_cloud.Source;
 
         public unsafe void Begin(in PickHit hit)
         {
             m_hit = hit;
             Done = default;
+            if (Source.MakesNodes)
+            {
+                m_maker ??= Source.CreateWholeMaker();
+                m_maker.Begin(m_cloud.Pages[hit.Page], hit.Node);
+                m_isMaking = true;
+                Done = m_maker.Done;
+                return;
+            }
             foreach (var plane in m_planes)
             {
-                var range = m_cloud.RangeOf(hit.Page, hit.Node, plane.Streamed);
-                plane.Read.Begin(m_cloud.Source.PathOf(hit.Page), range.OffsetBytes, range.LengthBytes);
-                Done = JobHandle.CombineDependencies(Done, new ReadPointJob
-                {
-                    Plane = plane.Read.Bytes,
-                    Shape = plane.Of.Shape,
-                    Hash = range.Hash,
-                    BlockCount = m_cloud.Pages[hit.Page].Nodes[hit.Node].BlockCount,
-                    Block = hit.Block,
-                    Index = hit.Index,
-                    Values = plane.Values,
-                    IsDamaged = plane.IsDamaged,
-                }.Schedule(plane.Read.Done));
+                var range = m_cloud.RangeOf(hit.Page, hit.Node, plane.Number);
+                plane.Read.Begin(Source.PathOf(hit.Page), range.OffsetBytes, range.LengthBytes);
+                Schedule(plane, plane.Read.Bytes, range.Hash, plane.Read.Done);
             }
+        }
+
+        /// <summary>Goes on with what was made, where that is so. Then, after <see cref="Done"/>, it can be ended.</summary>
+        /// <exception cref="PointCloudException">The node cannot be read, or is damaged.</exception>
+        public void GoOn()
+        {
+            if (!m_isMaking)
+                return;
+            m_isMaking = false;
+            m_maker.EndOrThrow();
+            Done = default;
+            foreach (var plane in m_planes)
+                Schedule(plane, m_maker.PlaneOf(plane.Number), 0, default);
         }
 
         /// <returns>In the order of the source's attributes.</returns>
@@ -68,14 +85,14 @@ namespace FastPoints.Picking
         public PickedAttribute[] End()
         {
             Done.Complete();
-            var layout = m_cloud.Source.Layout;
+            var layout = Source.Layout;
             var attributes = new PickedAttribute[layout.Attributes.Count];
             foreach (var plane in m_planes)
             {
                 plane.Read.Complete();
                 if (plane.IsDamaged.Value)
-                    throw new PointCloudException(FailureCode.BadInput, m_cloud.Source.PathOf(m_hit.Page),
-                        m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Streamed).OffsetBytes,
+                    throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_hit.Page),
+                        m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Number).OffsetBytes,
                         "node " + m_hit.Node + ", plane \"" + plane.Of.Name + "\": is damaged");
                 for (int c = 0; c < plane.Of.ColumnCount; c++)
                 {
@@ -93,6 +110,9 @@ namespace FastPoints.Picking
             Done.Complete();
             foreach (var plane in m_planes)
                 plane.Read.Abandon();
+            if (m_isMaking)
+                m_maker.End(out _);
+            m_isMaking = false;
         }
 
         public void Dispose()
@@ -105,6 +125,21 @@ namespace FastPoints.Picking
                 plane.IsDamaged.Dispose();
             }
             m_planes.Clear();
+            m_maker?.Dispose();
         }
+
+        unsafe void Schedule(Plane plane, NativeArray<byte> bytes, ulong hash, JobHandle inputDeps) =>
+            Done = JobHandle.CombineDependencies(Done, new ReadPointJob
+            {
+                Plane = bytes,
+                Shape = plane.Of.Shape,
+                Hash = hash,
+                IsMade = Source.MakesNodes,
+                BlockCount = m_cloud.Pages[m_hit.Page].Nodes[m_hit.Node].BlockCount,
+                Block = m_hit.Block,
+                Index = m_hit.Index,
+                Values = plane.Values,
+                IsDamaged = plane.IsDamaged,
+            }.Schedule(inputDeps));
     }
 }

@@ -28,6 +28,9 @@ namespace FastPoints.Picking
         public ClassMask Hidden;
         public int BlockCount;
 
+        /// <summary>The planes were made in memory: there are no hashes.</summary>
+        public bool IsMade;
+
         public PickSpace Space;
         [ReadOnly] public NativeArray<LocalClip> Clips;
 
@@ -61,7 +64,8 @@ namespace FastPoints.Picking
         PlaneView View(NativeArray<byte> bytes, PlaneShape shape, ulong hash, out bool isSound)
         {
             void* start = bytes.GetUnsafeReadOnlyPtr();
-            isSound = ContentHash.Of(start, bytes.Length) == hash && PlaneView.IsSound(start, bytes.Length, shape, BlockCount);
+            isSound = (IsMade || ContentHash.Of(start, bytes.Length) == hash) &&
+                PlaneView.IsSound(start, bytes.Length, shape, BlockCount);
             return new PlaneView(start, shape, BlockCount);
         }
 
@@ -81,21 +85,25 @@ namespace FastPoints.Picking
             int count = positions.PointsOf(block);
             for (int axis = 0; axis < 3; axis++)
                 positions.UnpackWide(block, axis, values + axis * stride);
+            ulong minX = positions.MinimumOf(block, 0), minY = positions.MinimumOf(block, 1), minZ = positions.MinimumOf(block, 2);
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
             // Corners in full, what counts from them in the cloud's own units: nothing is lost far from the origin.
-            var corner = Space.FromRay(ToDouble(Place.Corner) * Step);
+            var corner = Place.Corner + new Grid3((long)minX, (long)minY, (long)minZ);
+            var cornerLocal = ToDouble(corner) * Step;
+            var fromRay = Space.FromRay(cornerLocal);
             for (int i = 0; i < count; i++)
             {
-                var offset = new double3(values[i], values[stride + i], values[2 * stride + i]) * Step;
-                if (!Space.Hits(corner + Space.Turned(offset), out double distance, out double besideSq) ||
+                var steps = new Grid3((long)(values[i] - minX), (long)(values[stride + i] - minY),
+                    (long)(values[2 * stride + i] - minZ));
+                var offset = ToDouble(steps) * Step;
+                if (!Space.Hits(fromRay + Space.Turned(offset), out double distance, out double besideSq) ||
                     distance > best.Distance)
                     continue;
                 var hit = new PickHit
                 {
                     Distance = distance,
                     BesideSq = besideSq,
-                    Place = RootCorner + Place.Corner +
-                        new Grid3((long)values[i], (long)values[stride + i], (long)values[2 * stride + i]),
+                    Place = RootCorner + corner + steps,
                     Page = Page,
                     Node = Node,
                     Block = block,
@@ -103,7 +111,7 @@ namespace FastPoints.Picking
                 };
                 if (!hit.IsBefore(best) || (!Hidden.IsEmpty && Hidden.Has((byte)classes.ValueAt(block, 0, i))))
                     continue;
-                if (Clips.Length == 0 || LocalClip.Leave(clips, Clips.Length, ToDouble(Place.Corner) * Step + offset, 0))
+                if (Clips.Length == 0 || LocalClip.Leave(clips, Clips.Length, cornerLocal + offset, 0))
                     best = hit;
             }
         }

@@ -9,9 +9,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>One candidate of a search at a time: reads a page's table or a node's planes, has a job look at them, and takes
-    /// what
-    /// that found. Its memory is used again.</summary>
+    /// <summary>One candidate of a search at a time: reads a page's table or a node's planes, or has these made, has a job look at
+    /// them, and takes what that found. Its memory is used again.</summary>
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -22,6 +21,12 @@ namespace FastPoints.Picking
         NativeReference<PickHit> m_best;
         NativeReference<bool> m_isDamaged;
         PickCandidate m_candidate;
+        NodeMaker m_maker;
+        bool m_isMaking;
+
+        /// <summary>What looks at the node that is being made.</summary>
+        PickNodeJob m_job;
+        int m_classPlane;
 
         public PickSlot(StreamedCloud cloud)
         {
@@ -32,26 +37,46 @@ namespace FastPoints.Picking
             m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         }
 
-        /// <summary>What <see cref="End"/> may be called after.</summary>
+        /// <summary>What is called next is called after this.</summary>
         public JobHandle Done { get; private set; }
+
+        NodeSource Source => m_cloud.Source;
 
         /// <summary>Of what was begun last.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>Begins with a page.</summary>
-        public void BeginPage(in PickCandidate candidate)
+        /// <summary>Takes a candidate over.</summary>
+        /// <returns>False where it is a node to be made, and enough are made already: never so where none is.</returns>
+        public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
-            var table = m_cloud.Source.TableOf(candidate.Page);
+            if (candidate.IsPage || !Source.MakesNodes)
+                return true;
+            m_maker = Source.TakeMaker(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
+            return m_maker != null;
+        }
+
+        /// <summary>Begins with a page.</summary>
+        public void BeginPage()
+        {
+            Bytes = 0;
+            Done = default;
+            if (Source.MakesNodes)
+                return;
+            var table = Source.TableOf(m_candidate.Page);
             m_first.Begin(table.Path, table.OffsetBytes, Bytes = table.LengthBytes);
             Done = m_first.Done;
         }
 
-        /// <summary>Goes on with a page whose table was read.</summary>
-        public void BuildPage()
+        /// <summary>Goes on with what was read or made, where there is more to do. Then, after <see cref="Done"/>, it can be
+        /// ended.</summary>
+        /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
+        public void GoOn()
         {
-            m_first.Complete();
-            Done = m_cloud.Source.ScheduleBuild(m_candidate.Page, m_first.Bytes, m_built, m_problem);
+            if (m_candidate.IsPage)
+                BuildPage();
+            else if (m_maker != null)
+                SearchMade();
         }
 
         /// <exception cref="PointCloudException">The table is damaged.</exception>
@@ -59,55 +84,41 @@ namespace FastPoints.Picking
         {
             Done.Complete();
             if (!m_problem.Value.IsNone)
-                throw new PointCloudException(FailureCode.BadInput, m_cloud.Source.PathOf(m_candidate.Page),
-                    m_cloud.Source.TableOf(m_candidate.Page).OffsetBytes,
-                    m_cloud.Source.Describe(m_candidate.Page, m_first.Bytes, m_problem.Value));
+                throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
+                    Source.TableOf(m_candidate.Page).OffsetBytes, Source.Describe(m_candidate.Page, Table, m_problem.Value));
             m_cloud.Load(m_candidate.Page, m_built.Value);
             m_built.Value = default;
         }
 
         /// <summary>Begins with a node.</summary>
         /// <param name="classPlane">Counted among the planes that are streamed; looked at where classes are hidden.</param>
-        public unsafe void BeginNode(in PickCandidate candidate, in PickSpace space, NativeArray<LocalClip> clips,
-            in ClassMask hidden, int classPlane, in PickHit best)
+        public unsafe void BeginNode(in PickSpace space, NativeArray<LocalClip> clips, in ClassMask hidden, int classPlane,
+            in PickHit best)
         {
-            m_candidate = candidate;
-            int page = candidate.Page, node = candidate.Node;
-            string path = m_cloud.Source.PathOf(page);
-            var positions = m_cloud.RangeOf(page, node, StoreLayout.PositionPlane);
-            m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes);
-            Bytes = positions.LengthBytes;
-            var read = m_first.Done;
-            var job = new PickNodeJob
+            int page = m_candidate.Page, node = m_candidate.Node;
+            m_classPlane = hidden.IsEmpty ? StoreLayout.PositionPlane : classPlane;
+            m_job = new PickNodeJob
             {
-                Positions = m_first.Bytes,
                 PositionShape = m_cloud.ShapeOf(page, node, StoreLayout.PositionPlane),
-                PositionHash = positions.Hash,
-                Classes = m_first.Bytes,
+                ClassShape = m_cloud.ShapeOf(page, node, m_classPlane),
+                Hidden = hidden,
                 BlockCount = m_cloud.Pages[page].Nodes[node].BlockCount,
+                IsMade = m_maker != null,
                 Space = space,
                 Clips = clips,
-                Step = m_cloud.Source.Grid.Step,
-                RootCorner = m_cloud.Source.Root.Corner,
+                Step = Source.Grid.Step,
+                RootCorner = Source.Root.Corner,
                 Place = m_cloud.Pages[page].Places[node],
                 Page = page,
                 Node = node,
                 Best = m_best,
                 IsDamaged = m_isDamaged,
             };
-            if (!hidden.IsEmpty)
-            {
-                var classes = m_cloud.RangeOf(page, node, classPlane);
-                m_classes.Begin(path, classes.OffsetBytes, classes.LengthBytes);
-                Bytes += classes.LengthBytes;
-                read = JobHandle.CombineDependencies(read, m_classes.Done);
-                job.Classes = m_classes.Bytes;
-                job.ClassShape = m_cloud.ShapeOf(page, node, classPlane);
-                job.ClassHash = classes.Hash;
-                job.Hidden = hidden;
-            }
             m_best.Value = best;
-            Done = job.Schedule(read);
+            if (m_maker != null)
+                BeginMaking();
+            else
+                BeginReading();
         }
 
         /// <summary>The node's first hit, or the one that it was begun with.</summary>
@@ -117,8 +128,9 @@ namespace FastPoints.Picking
             Done.Complete();
             m_first.Complete();
             m_classes.Complete();
+            GiveMaker();
             if (m_isDamaged.Value)
-                throw new PointCloudException(FailureCode.BadInput, m_cloud.Source.PathOf(m_candidate.Page),
+                throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
                     m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane).OffsetBytes,
                     "node " + m_candidate.Node + " is damaged");
             return m_best.Value;
@@ -130,6 +142,7 @@ namespace FastPoints.Picking
             Done.Complete();
             m_first.Abandon();
             m_classes.Abandon();
+            GiveMaker();
             if (m_built.Value.Nodes != null)
                 m_built.Value.Free();
             m_built.Value = default;
@@ -146,6 +159,62 @@ namespace FastPoints.Picking
             m_problem.Dispose();
             m_best.Dispose();
             m_isDamaged.Dispose();
+        }
+
+        NativeArray<byte> Table => Source.MakesNodes ? default : m_first.Bytes;
+
+        void BuildPage()
+        {
+            m_first.Complete();
+            Done = Source.ScheduleBuild(m_candidate.Page, Table, m_built, m_problem);
+        }
+
+        void BeginReading()
+        {
+            string path = Source.PathOf(m_candidate.Page);
+            var positions = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane);
+            m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes);
+            Bytes = positions.LengthBytes;
+            var read = m_first.Done;
+            m_job.Positions = m_job.Classes = m_first.Bytes;
+            m_job.PositionHash = positions.Hash;
+            if (!m_job.Hidden.IsEmpty)
+            {
+                var classes = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, m_classPlane);
+                m_classes.Begin(path, classes.OffsetBytes, classes.LengthBytes);
+                Bytes += classes.LengthBytes;
+                read = JobHandle.CombineDependencies(read, m_classes.Done);
+                m_job.Classes = m_classes.Bytes;
+                m_job.ClassHash = classes.Hash;
+            }
+            Done = m_job.Schedule(read);
+        }
+
+        unsafe void BeginMaking()
+        {
+            m_maker.Begin(m_cloud.Pages[m_candidate.Page], m_candidate.Node);
+            m_isMaking = true;
+            Bytes = m_maker.BytesRead;
+            Done = m_maker.Done;
+        }
+
+        void SearchMade()
+        {
+            m_isMaking = false;
+            m_maker.EndOrThrow();
+            m_job.Positions = m_maker.PlaneOf(StoreLayout.PositionPlane);
+            m_job.Classes = m_maker.PlaneOf(m_classPlane);
+            Done = m_job.Schedule();
+        }
+
+        void GiveMaker()
+        {
+            if (m_isMaking)
+                m_maker.End(out _);
+            m_isMaking = false;
+            if (m_maker != null)
+                Source.GiveMaker(m_maker);
+            m_maker = null;
         }
     }
 }

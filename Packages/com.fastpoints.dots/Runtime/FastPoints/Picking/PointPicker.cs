@@ -12,7 +12,7 @@ namespace FastPoints.Picking
 {
     /// <summary>
     /// Finds the first point of a cloud that a ray hits, among all that are on disk and not only those that are shown: nodes are
-    /// read from the nearest on, until none that is left can have a nearer hit. Main thread; waits only where it is
+    /// read, or made, from the nearest on, until none that is left can have a nearer hit. Main thread; waits only where it is
     /// disposed, or a search is broken off.
     /// </summary>
     public sealed class PointPicker : IDisposable
@@ -41,12 +41,9 @@ namespace FastPoints.Picking
         PickResult m_result;
         PickHit m_best;
 
-        /// <param name="source">Becomes the picker's: of files in which nodes lie packed, with all planes that a pick is to
-        /// tell.</param>
+        /// <param name="source">Becomes the picker's: with what <see cref="NodeSource.OpenForPicking"/> says.</param>
         public PointPicker(NodeSource source)
         {
-            if (source.MakesNodes)
-                throw new ArgumentException(source.Path + ": wanted a converted cloud", nameof(source));
             m_cloud = new StreamedCloud(source, default);
             for (int p = 1; p < source.Planes.Length; p++)
                 if (source.Planes[p] == source.Layout.PlaneOf(AttributeNames.Classification))
@@ -54,18 +51,6 @@ namespace FastPoints.Picking
             for (int s = 0; s < SlotCount; s++)
                 m_slots.Add(new PickSlot(m_cloud));
             m_details = new PickDetails(m_cloud);
-        }
-
-        /// <summary>Of a folder, finished or in the making, with all planes. Reads two small files: for any thread.</summary>
-        /// <exception cref="PointCloudException">It is no cloud, or damaged.</exception>
-        public static FolderSource Open(string path)
-        {
-            var folder = CloudFolder.Open(path);
-            var names = new List<string>();
-            foreach (var plane in folder.Layout.Planes)
-                if (plane.AverageOf < 0)
-                    names.Add(plane.Name);
-            return new FolderSource(folder, names.ToArray());
         }
 
         public NodeSource Source => m_cloud.Source;
@@ -98,13 +83,14 @@ namespace FastPoints.Picking
                 PushRoots(0, double.PositiveInfinity);
                 while (TakeNearest())
                 {
-                    bool hasPages = Begin(clips);
+                    while (!ArePagesKnown())
+                        yield return Source.Reading;
+                    bool goesOn = Begin(clips);
                     yield return Awaited();
-                    if (hasPages)
+                    if (goesOn)
                     {
                         for (int i = 0; i < m_taken.Count; i++)
-                            if (m_taken[i].IsPage)
-                                m_slots[i].BuildPage();
+                            m_slots[i].GoOn();
                         yield return Awaited();
                     }
                     End();
@@ -112,6 +98,8 @@ namespace FastPoints.Picking
                 if (m_best.IsFound)
                 {
                     m_details.Begin(m_best);
+                    yield return m_details.Done;
+                    m_details.GoOn();
                     yield return m_details.Done;
                     result.Point = new PickedPoint(m_best.Place, Source.Grid, WorldOf(m_best.Place, placement),
                         m_best.Distance, m_details.End());
@@ -148,26 +136,40 @@ namespace FastPoints.Picking
                     m_result.IsPartial = true;
                     break;
                 }
+                if (!m_slots[m_taken.Count].TryTake(m_queue.Next))
+                    break;
                 m_taken.Add(m_queue.Pop());
             }
             return m_taken.Count > 0;
         }
 
-        /// <returns>Whether pages are among what was begun.</returns>
+        /// <summary>Whether all pages that were taken can be built; if not, the source goes on reading them.</summary>
+        /// <exception cref="PointCloudException">The source's hierarchy cannot be read.</exception>
+        bool ArePagesKnown()
+        {
+            bool areKnown = true;
+            foreach (var taken in m_taken)
+                areKnown &= !taken.IsPage || Source.CanBuild(taken.Page);
+            if (!areKnown && Source.Update() is PointCloudException failure)
+                throw failure;
+            return areKnown;
+        }
+
+        /// <returns>Whether there is more to do with what was begun before it can be ended.</returns>
         bool Begin(NativeArray<LocalClip> clips)
         {
-            bool hasPages = false;
+            bool goesOn = Source.MakesNodes;
             var hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default;
             for (int i = 0; i < m_taken.Count; i++)
             {
                 if (m_taken[i].IsPage)
-                    m_slots[i].BeginPage(m_taken[i]);
+                    m_slots[i].BeginPage();
                 else
-                    m_slots[i].BeginNode(m_taken[i], m_space, clips, hidden, m_classPlane, m_best);
-                hasPages |= m_taken[i].IsPage;
+                    m_slots[i].BeginNode(m_space, clips, hidden, m_classPlane, m_best);
+                goesOn |= m_taken[i].IsPage;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
-            return hasPages;
+            return goesOn;
         }
 
         JobHandle Awaited()
@@ -193,12 +195,17 @@ namespace FastPoints.Picking
                 m_result.NodesRead++;
                 if (hit.IsBefore(m_best))
                     m_best = hit;
-                var node = m_cloud.Pages[page].Nodes[index];
-                for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
-                    PushNode(page, child, node.Spacing);
-                for (int chunk = 1 + node.FirstChunk; chunk < 1 + node.FirstChunk + node.ChunkCount; chunk++)
-                    PushPage(chunk, node.Spacing);
+                PushBelow(page, index);
             }
+        }
+
+        unsafe void PushBelow(int page, int index)
+        {
+            var node = m_cloud.Pages[page].Nodes[index];
+            for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
+                PushNode(page, child, node.Spacing);
+            for (int chunk = 1 + node.FirstChunk; chunk < 1 + node.FirstChunk + node.ChunkCount; chunk++)
+                PushPage(chunk, node.Spacing);
         }
 
         unsafe void PushPage(int page, double spacingAbove)
@@ -219,7 +226,12 @@ namespace FastPoints.Picking
         {
             var node = m_cloud.Pages[page].Nodes[index];
             // A guest's points are searched with its host's.
-            if (node.PointCount > 0)
+            if (node.PointCount == 0)
+                return;
+            // A node that only holds others together.
+            if (node.BlockCount == 0)
+                PushBelow(page, index);
+            else
                 Push(page, index, node.Center, node.Half, spacingAbove);
         }
 

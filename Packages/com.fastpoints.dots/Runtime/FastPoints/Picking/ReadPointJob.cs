@@ -13,6 +13,9 @@ namespace FastPoints.Picking
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
         public ulong Hash;
+
+        /// <summary>The plane was made in memory: there is no hash.</summary>
+        public bool IsMade;
         public int BlockCount;
         public int Block;
 
@@ -26,7 +29,7 @@ namespace FastPoints.Picking
         public void Execute()
         {
             void* start = Plane.GetUnsafeReadOnlyPtr();
-            IsDamaged.Value = ContentHash.Of(start, Plane.Length) != Hash ||
+            IsDamaged.Value = (!IsMade && ContentHash.Of(start, Plane.Length) != Hash) ||
                 !PlaneView.IsSound(start, Plane.Length, Shape, BlockCount);
             if (IsDamaged.Value)
                 return;

@@ -1,4 +1,4 @@
-using FastPoints.Store;
+using FastPoints.Points;
 
 namespace FastPoints.Picking
 {
@@ -11,8 +11,15 @@ namespace FastPoints.Picking
         /// <summary>Number of the point's cloud in the stream, as it was when the search began.</summary>
         public int Cloud { get; internal set; }
 
-        /// <summary>Of the point's cloud: units, coordinate system, attributes.</summary>
-        public CloudManifest Manifest { get; internal set; }
+        /// <summary>Of the point's cloud: a converted folder, finished or not, without the suffix of one in the making; or a
+        /// file.</summary>
+        public string Path { get; internal set; }
+
+        /// <summary>Of the point's cloud: units, coordinate system.</summary>
+        public CloudCrs Crs { get; internal set; }
+
+        /// <summary>The point's cloud is a preview, or a build in progress: not all of its points could be hit.</summary>
+        public bool IsPreview { get; internal set; }
 
         /// <summary>A search ended before it had looked at all: there may be a nearer point.</summary>
         public bool IsPartial { get; internal set; }

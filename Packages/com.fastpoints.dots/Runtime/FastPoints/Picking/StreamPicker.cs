@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Store;
@@ -10,24 +9,27 @@ namespace FastPoints.Picking
 {
     /// <summary>
     /// Finds the first point that a ray hits of all clouds of a stream, beside its frames: <see cref="Begin"/>, then
-    /// <see cref="Update"/> once a frame until that says it is done. Looks at converted clouds, whole or in the making; others
-    /// are passed over. Main thread; waits only where a search is broken off.
+    /// <see cref="Update"/> once a frame until that says it is done. Main thread; waits only where a search is broken off.
     /// </summary>
     public sealed class StreamPicker : IDisposable
     {
         struct Target
         {
             public int Cloud;
-            public string Path;
+
+            /// <summary>The stream's, and perhaps disposed since.</summary>
+            public NodeSource Source;
             public CloudPlacement Placement;
             public ClassMask HiddenClasses;
         }
 
-        readonly Dictionary<string, PointPicker> m_pickers = new Dictionary<string, PointPicker>();
+        /// <summary>By what is streamed.</summary>
+        readonly Dictionary<NodeSource, PointPicker> m_pickers = new Dictionary<NodeSource, PointPicker>();
         readonly List<Target> m_targets = new List<Target>();
         readonly PickOptions m_options = new PickOptions();
         int m_target;
-        Task<FolderSource> m_opening;
+        WorkPump m_opening;
+        NodeSource m_opened;
         WorkPump m_search;
         PickResult m_found;
         PickRay m_ray;
@@ -49,26 +51,25 @@ namespace FastPoints.Picking
             m_options.ClipBoxes.Clear();
             foreach (var box in stream.ClipBoxes.AsArray())
                 m_options.ClipBoxes.Add(box);
-            var gone = new List<string>(m_pickers.Keys);
+            var gone = new List<NodeSource>(m_pickers.Keys);
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsLeaving || !(cloud.Source is FolderSource source))
+                if (cloud == null || cloud.IsLeaving)
                     continue;
                 m_targets.Add(new Target
                 {
                     Cloud = c,
-                    Path = source.Path,
+                    Source = cloud.Source,
                     Placement = cloud.Placement,
                     HiddenClasses = hiddenOf != null ? hiddenOf(c) : default,
                 });
-                if (m_pickers.TryGetValue(source.Path, out var picker) && IsSame(picker.Source, source))
-                    gone.Remove(source.Path);
+                gone.Remove(cloud.Source);
             }
-            foreach (string path in gone)
+            foreach (var source in gone)
             {
-                m_pickers[path].Dispose();
-                m_pickers.Remove(path);
+                m_pickers[source].Dispose();
+                m_pickers.Remove(source);
             }
             IsSearching = true;
         }
@@ -93,6 +94,7 @@ namespace FastPoints.Picking
                 catch (PointCloudException e)
                 {
                     Pick.Failure ??= e.Message;
+                    m_opening = null;
                     m_search = null;
                 }
                 m_target++;
@@ -111,57 +113,61 @@ namespace FastPoints.Picking
         /// <returns>Whether the cloud is done.</returns>
         bool Step(in Target target, double budgetMs)
         {
+            if (!m_pickers.TryGetValue(target.Source, out var picker))
+            {
+                if (!TryOpen(target.Source, budgetMs))
+                    return false;
+                // Gone while others were searched.
+                if (m_opened == null)
+                    return true;
+                picker = new PointPicker(m_opened);
+                m_opened = null;
+                m_pickers.Add(target.Source, picker);
+            }
             if (m_search == null)
             {
-                if (!TryOpen(target.Path, out var picker))
-                    return false;
                 m_options.HiddenClasses = target.HiddenClasses;
                 m_found = new PickResult();
-                m_search = new WorkPump(picker.Find(m_ray, target.Placement, m_options, m_found));
+                var placement = target.Placement.Along(target.Source, picker.Source);
+                m_search = new WorkPump(picker.Find(m_ray, placement, m_options, m_found));
             }
             if (!m_search.Tick(budgetMs))
                 return false;
             m_search = null;
             Pick.IsPartial |= m_found.IsPartial;
-            if (m_found.Point == null || (Pick.Point != null && m_found.Point.Distance >= Pick.Point.Distance))
-                return true;
-            Pick.Point = m_found.Point;
-            Pick.Cloud = target.Cloud;
-            Pick.Manifest = ((FolderSource)m_pickers[target.Path].Source).Folder.Manifest;
-            // What comes after it has to be nearer.
-            m_ray.To = m_found.Point.Distance;
+            if (m_found.Point != null && (Pick.Point == null || m_found.Point.Distance < Pick.Point.Distance))
+                Take(target, picker.Source);
             return true;
         }
 
-        bool TryOpen(string path, out PointPicker picker)
+        /// <returns>Whether <see cref="m_opened"/> is there, or will never be.</returns>
+        bool TryOpen(NodeSource streamed, double budgetMs)
         {
-            if (m_pickers.TryGetValue(path, out picker))
-                return true;
-            m_opening ??= Task.Run(() => PointPicker.Open(path));
-            if (!m_opening.IsCompleted)
+            m_opening ??= new WorkPump(streamed.OpenForPicking(opened => m_opened = opened));
+            if (!m_opening.Tick(budgetMs))
                 return false;
-            var opened = m_opening;
             m_opening = null;
-            picker = new PointPicker(opened.GetAwaiter().GetResult());
-            m_pickers.Add(path, picker);
             return true;
+        }
+
+        void Take(in Target target, NodeSource source)
+        {
+            Pick.Point = m_found.Point;
+            Pick.Cloud = target.Cloud;
+            Pick.Path = StoreFormat.FinishedPath(source.Path);
+            Pick.Crs = source.Crs;
+            Pick.IsPreview = !source.HasAllPoints;
+            // What comes after it has to be nearer.
+            m_ray.To = m_found.Point.Distance;
         }
 
         void BreakOff()
         {
             m_search?.Cancel();
             m_search = null;
-            m_opening?.ContinueWith(t => t.Result.Dispose(), TaskContinuationOptions.OnlyOnRanToCompletion);
+            m_opening?.Cancel();
             m_opening = null;
             IsSearching = false;
-        }
-
-        /// <summary>Whether a folder is still what it was when it was opened: not another generation, not converted
-        /// again.</summary>
-        static bool IsSame(NodeSource opened, FolderSource streamed)
-        {
-            CloudManifest a = ((FolderSource)opened).Folder.Manifest, b = streamed.Folder.Manifest;
-            return a.CloudId == b.CloudId && a.Generation == b.Generation && a.IsBuilding == b.IsBuilding;
         }
     }
 }

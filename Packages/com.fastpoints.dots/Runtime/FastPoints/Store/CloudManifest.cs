@@ -77,6 +77,15 @@ namespace FastPoints.Store
         /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
         public double MetresPerUnit;
 
+        public CloudCrs Crs => new CloudCrs
+        {
+            Name = CrsName,
+            Wkt = CrsWkt,
+            Epsg = CrsEpsg,
+            VerticalEpsg = CrsVerticalEpsg,
+            MetresPerUnit = MetresPerUnit,
+        };
+
         public readonly List<Source> Sources = new List<Source>();
 
         /// <summary>Sizes of the two files beside the chunks, and the hash of all of hierarchy.bin.</summary>

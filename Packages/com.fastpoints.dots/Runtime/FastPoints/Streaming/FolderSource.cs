@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
@@ -39,10 +41,25 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
+        /// <summary>A folder, finished or in the making, with all planes but averages. Reads two small files: for any
+        /// thread.</summary>
+        /// <exception cref="PointCloudException">It is no cloud, or damaged.</exception>
+        public static FolderSource OpenWhole(string path)
+        {
+            var folder = CloudFolder.Open(path);
+            var names = new List<string>();
+            foreach (var plane in folder.Layout.Planes)
+                if (plane.AverageOf < 0)
+                    names.Add(plane.Name);
+            return new FolderSource(folder, names.ToArray());
+        }
+
         /// <summary>The cloud that is streamed.</summary>
         public CloudFolder Folder => m_folder;
 
         public override string Path => m_folder.FolderPath;
+        public override CloudCrs Crs => m_folder.Manifest.Crs;
+        public override bool HasAllPoints => !m_folder.IsInTheMaking;
         public override CloudGrid Grid => m_folder.Manifest.Grid;
         public override GridCube Root => m_folder.Manifest.Root;
         public override NodeCubes Cubes => new NodeCubes { Size = Root.Side * Grid.Step, Step = Grid.Step };
@@ -80,6 +97,12 @@ namespace FastPoints.Streaming
 
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
             NodeTable.Describe(problem, JobFor(page, table, default, default).Check);
+
+        public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
+        {
+            string path = Path;
+            return OpenElsewhere(() => OpenWhole(path), opened);
+        }
 
         public override void Dispose()
         {

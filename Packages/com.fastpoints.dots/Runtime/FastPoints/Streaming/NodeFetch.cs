@@ -159,7 +159,7 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!m_maker.IsDone)
+            if (!m_maker.Done.IsCompleted)
                 return false;
             outcome = m_maker.End(out failure);
             bytes = m_maker.BytesRead;
@@ -196,7 +196,7 @@ namespace FastPoints.Streaming
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
-            byte* made = m_maker != null ? m_maker.Planes : null;
+            byte* made = m_maker != null ? (byte*)m_maker.Planes.GetUnsafeReadOnlyPtr() : null;
             for (int p = 0; p < Cloud.Source.Planes.Length; p++)
             {
                 var range = Cloud.RangeOf(Page, node, p);

@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
@@ -15,6 +18,11 @@ namespace FastPoints.Streaming
     {
         /// <summary>For messages.</summary>
         public abstract string Path { get; }
+        public abstract CloudCrs Crs { get; }
+
+        /// <summary>Whether all points of the cloud are in it: not so of a preview, and of a build in progress.</summary>
+        public abstract bool HasAllPoints { get; }
+
         public abstract CloudGrid Grid { get; }
         public abstract GridCube Root { get; }
         public abstract NodeCubes Cubes { get; }
@@ -64,10 +72,11 @@ namespace FastPoints.Streaming
         public virtual HierarchyPage EmptyPage(int page) => default;
 
         /// <summary>Once a frame. Waits for nothing.</summary>
-        /// <param name="stream">For what goes wrong.</param>
-        public virtual void Update(StreamContext stream)
-        {
-        }
+        /// <returns>What went wrong, or null.</returns>
+        public virtual PointCloudException Update() => null;
+
+        /// <summary>What <see cref="Update"/> has under way.</summary>
+        public virtual JobHandle Reading => default;
 
         /// <summary>Where nodes are made: a maker that is idle, until it is given back. Null while enough are at work.</summary>
         /// <param name="points">Of the node that it is wanted for.</param>
@@ -77,6 +86,37 @@ namespace FastPoints.Streaming
         {
         }
 
+        /// <summary>Where nodes are made: a maker of every plane of <see cref="Layout"/>, whatever is streamed. The caller's;
+        /// goes before the source.</summary>
+        public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
+
+        /// <summary>Work for a pump that opens the same cloud once more, to look at single points: with positions and classes, and
+        /// all other planes of attributes where they lie in files or <see cref="CreateWholeMaker"/> makes them. Opens files on
+        /// another thread. Comes to nothing where the cloud was in memory alone, and its source is disposed.</summary>
+        /// <param name="opened">Takes the source over.</param>
+        /// <exception cref="PointCloudException">The cloud is not there any more, or damaged.</exception>
+        public abstract IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened);
+
         public abstract void Dispose();
+
+        /// <summary>Opens something on another thread. When it is not awaited to its end, what was opened is
+        /// disposed.</summary>
+        protected static IEnumerator<JobHandle> OpenElsewhere<T>(Func<T> open, Action<T> opened) where T : IDisposable
+        {
+            var opening = Task.Run(open);
+            bool isAwaited = false;
+            try
+            {
+                while (!opening.IsCompleted)
+                    yield return default;
+                isAwaited = true;
+                opened(opening.GetAwaiter().GetResult());
+            }
+            finally
+            {
+                if (!isAwaited)
+                    opening.ContinueWith(t => t.Result.Dispose(), TaskContinuationOptions.OnlyOnRanToCompletion);
+            }
+        }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Store;
 using Unity.Collections;
 
@@ -121,8 +122,8 @@ namespace FastPoints.Streaming
         public void UpdateSources()
         {
             for (int c = 0; c < m_clouds.Count; c++)
-                if (m_clouds[c] != null && !m_clouds[c].IsLeaving)
-                    m_clouds[c].Source.Update(this);
+                if (m_clouds[c] != null && !m_clouds[c].IsLeaving && m_clouds[c].Source.Update() is PointCloudException failure)
+                    Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
         }
 
         /// <summary>Ends clouds that leave, and gives back what is beyond limits: at once, but for what a job writes

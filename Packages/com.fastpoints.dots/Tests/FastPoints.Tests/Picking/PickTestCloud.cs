@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Picking
         public string Path => m_cloud.Path;
         public string[] ChunkFiles => m_cloud.ChunkFiles;
 
-        public PointPicker Picker() => new PointPicker(PointPicker.Open(Path));
+        public PointPicker Picker() => new PointPicker(FolderSource.OpenWhole(Path));
 
         public double3 Geo(int point) => new double3(Places[point]) * Scale + OriginGeo;
 

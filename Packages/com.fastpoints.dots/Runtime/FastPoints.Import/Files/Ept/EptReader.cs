@@ -109,6 +109,12 @@ namespace FastPoints.Files
 
         public override int PointsInBlock(int block) => Block(block).Points;
 
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = 0;
+            return PathOf(Block(block).Level, Block(block).Cell);
+        }
+
         public override long BytesOfRange(BlockRange range)
         {
             var block = Block(range.Block);

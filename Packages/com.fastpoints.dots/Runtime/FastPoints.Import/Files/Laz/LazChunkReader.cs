@@ -83,6 +83,12 @@ namespace FastPoints.Files
 
         public override int PointsInBlock(int block) => m_areChunksBlocks ? (int)Chunks.PointsOf(block) : Block(block).Points;
 
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = Chunks[Block(block).Chunk].Offset;
+            return Info.Path;
+        }
+
         /// <summary>An estimate by the block's share; unwanted layers are not taken off.</summary>
         public override long BytesOfRange(BlockRange range)
         {

@@ -134,6 +134,12 @@ namespace FastPoints.Files
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
             : new PotreeLasRead(this, wanted, capacity, allocator);
 
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = Block(block).Offset;
+            return PathOf(block);
+        }
+
         internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
             read.Begin(PathOf(block), offset, bytes);
 

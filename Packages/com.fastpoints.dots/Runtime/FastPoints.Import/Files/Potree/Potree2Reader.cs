@@ -133,6 +133,12 @@ namespace FastPoints.Files
                 : new PotreeRecordRead(this, wanted, capacity, allocator);
         }
 
+        public override string FileOfBlock(int block, out long byteOffset)
+        {
+            byteOffset = Block(block).Offset;
+            return m_octreePath;
+        }
+
         internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) => read.Begin(m_octree, offset, bytes);
 
         internal override int3 ShiftOf(int block) => default;
