@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.Headless.Graphics;
 using FastPoints.HostTests.Cli;
@@ -74,7 +75,7 @@ namespace FastPoints.HostTests.Gpu
 
             var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
             settings.MillionPoints = 0.005f;
-            settings.MemoryMiB = 64;
+            settings.MemoryMebibytes = 64;
             settings.Shape = PointShape.Disc;
             settings.Size = 5;
             var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
@@ -102,6 +103,44 @@ namespace FastPoints.HostTests.Gpu
             Object.DestroyImmediate(cloud.gameObject);
             Object.DestroyImmediate(camera.gameObject);
             target.Release();
+        }
+
+        [Test]
+        public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
+        {
+            string path = m_scratch["scan.fastpoints"];
+            Assert.That(CliCall.Of("convert", m_scratch.Demo(), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+            var project = FastPointsSettings.instance;
+            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+            cloud.Path = path;
+            long Limit()
+            {
+                SceneLoop.Update();
+                m_world.Update();
+                return group.Stream.Pool.LimitBytes;
+            }
+            try
+            {
+                project.GpuMiB = 96;
+                project.Apply();
+                Assert.That(Limit(), Is.EqualTo(96 << 20));
+                project.GpuMiB = 128;
+                project.Apply();
+                Assert.That(Limit(), Is.EqualTo(128 << 20), "from the next frame on");
+                var settings = new GameObject("settings").AddComponent<PointCloudSettings>();
+                Assert.That(settings.MemoryMebibytes, Is.EqualTo(128));
+                settings.MemoryMebibytes = 64;
+                Assert.That(Limit(), Is.EqualTo(64 << 20));
+                Object.DestroyImmediate(settings.gameObject);
+                Assert.That(Limit(), Is.EqualTo(128 << 20), "nobody says otherwise any more");
+            }
+            finally
+            {
+                project.GpuMiB = 512;
+                project.Apply();
+                Object.DestroyImmediate(cloud.gameObject);
+            }
         }
 
         [Test]

@@ -44,7 +44,7 @@ namespace FastPoints.HostTests.Manual
             Assert.That(ManualPage.Of("settings.md").TableUnder("## Project settings").Select(Written), Is.EqualTo(shown));
         }
 
-        [TestCase("MemoryMiB", "Memory Mi B")]
+        [TestCase("UploadMebibytesPerFrame", "Upload Mebibytes Per Frame")]
         [TestCase("m_hiddenClasses", "Hidden Classes")]
         [TestCase("MaxSizePx", "Max Size Px")]
         public void Nicified_Field_IsAsTheInspectorHasIt(string field, string shown) =>

@@ -54,7 +54,10 @@ namespace UnityEngine
             component.gameObject = this;
             m_components.Add(component);
             if (component is Behaviour behaviour)
+            {
                 SceneLoop.Refresh(behaviour);
+                SceneLoop.Added(behaviour);
+            }
             return component;
         }
 

@@ -46,6 +46,13 @@ namespace StandIns.Scene
             Send(behaviour, isOn ? "OnEnable" : "OnDisable");
         }
 
+        /// <summary>An editor that does not play has a component that was added just now set itself up.</summary>
+        internal static void Added(Behaviour behaviour)
+        {
+            if (!TellsAll)
+                Send(behaviour, "Reset");
+        }
+
         static bool IsToldAlways(Behaviour behaviour) => behaviour.GetType().GetCustomAttribute<ExecuteAlways>() != null;
 
         internal static void Forget(Behaviour behaviour) => s_told.Remove(behaviour);

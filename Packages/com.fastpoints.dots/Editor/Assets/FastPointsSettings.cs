@@ -1,3 +1,4 @@
+using FastPoints.Entities;
 using FastPoints.Octree;
 using FastPoints.Pipeline;
 using UnityEditor;
@@ -18,8 +19,15 @@ namespace FastPoints.Editor
         /// <summary>For all of a conversion that grows with the number of points; what does not fit goes to files.</summary>
         public int MemoryMiB = 1024;
 
+        /// <summary>Workers of the job system that a conversion keeps busy at most; 0 for all.</summary>
+        public int Workers;
+
         /// <summary>Time of the main thread that an update of the editor gives to a conversion.</summary>
         public int UpdateMs = 4;
+
+        /// <summary>Graphics memory of points in the editor, where a scene has no <see cref="PointCloudSettings"/>; new ones
+        /// begin with it.</summary>
+        public int GpuMiB = 512;
 
         /// <summary>Larger files are not copied into the project when they are dropped: they get a handle.</summary>
         public int CopiedMiB = 64;
@@ -34,12 +42,24 @@ namespace FastPoints.Editor
         public VariantChoice PlayerVariants = VariantChoice.Automatic;
 
         /// <summary>Keeps what was changed.</summary>
-        public void Save() => Save(true);
+        public void Save()
+        {
+            Save(true);
+            Apply();
+        }
+
+        /// <summary>Has scenes take what they take from the project.</summary>
+        public void Apply()
+        {
+            PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
+            EditorApplication.QueuePlayerLoopUpdate();
+        }
 
         public ConvertSettings ForConversion(ImportRequest request) => new ConvertSettings
         {
             Sampler = request.Sampler,
             MemoryBytes = (long)MemoryMiB << 20,
+            Workers = Workers,
         };
     }
 }

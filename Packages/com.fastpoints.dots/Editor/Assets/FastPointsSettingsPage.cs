@@ -10,7 +10,7 @@ namespace FastPoints.Editor
 
         [SettingsProvider]
         static SettingsProvider Create() => new SettingsProvider("Project/FastPoints", SettingsScope.Project,
-            new[] { "point cloud", "lidar", "las", "laz", "octree", "sampler", "memory" })
+            new[] { "point cloud", "lidar", "las", "laz", "octree", "sampler", "memory", "threads", "vram" })
         {
             guiHandler = _ => Draw(FastPointsSettings.instance),
         };
@@ -25,12 +25,15 @@ namespace FastPoints.Editor
                 settings.ConvertOctrees = EditorGUILayout.Toggle("COPC, Potree and EPT, too", settings.ConvertOctrees);
             settings.Sampler = (Sampler)EditorGUILayout.EnumPopup("Sampler", settings.Sampler);
             settings.MemoryMiB = EditorGUILayout.IntSlider("Memory of a conversion (MiB)", settings.MemoryMiB, 64, 65536);
+            settings.Workers = EditorGUILayout.IntSlider("Worker threads of a conversion (0: all)", settings.Workers, 0, 64);
             settings.UpdateMs = EditorGUILayout.IntSlider("Main thread of an update (ms)", settings.UpdateMs, 1, 30);
+            settings.GpuMiB = EditorGUILayout.IntSlider("Graphics memory of points (MiB)", settings.GpuMiB, 64, 16384);
             settings.CopiedMiB = EditorGUILayout.IntSlider("Copied into Assets up to (MiB)", settings.CopiedMiB, 0, 2048);
             settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
             string place = EditorGUILayout.DelayedTextField("Converted clouds in", settings.Place);
             EditorGUILayout.HelpBox("A folder beside Assets, or anywhere: what is there already stays where it is. " +
-                "What clouds need in players is set on Point Cloud Settings, a component.", MessageType.None);
+                "Graphics memory holds in the editor where a scene has no Point Cloud Settings, and new ones begin with it; " +
+                "in players that component decides, or 512 MiB.", MessageType.None);
             if (!EditorGUI.EndChangeCheck())
                 return;
             s_problem = place == settings.Place ? null : PointCloudImports.Move(place);

@@ -21,6 +21,7 @@ namespace FastPoints.Editor
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
             RegisterPlace();
+            FastPointsSettings.instance.Apply();
             PointFileReaders.Register();
             EditorApplication.update += Update;
             EditorApplication.quitting += Suspend;

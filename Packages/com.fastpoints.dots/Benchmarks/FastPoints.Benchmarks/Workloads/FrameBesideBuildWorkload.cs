@@ -51,7 +51,7 @@ namespace FastPoints.Benchmarks
             var settings = new ConvertSettings
             {
                 Sampler = Sampler.Poisson,
-                ChunksAtOnce = Math.Max(1, JobsUtility.JobWorkerCount - 1),
+                Workers = Math.Max(1, JobsUtility.JobWorkerCount - 1),
                 Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
             };
             try

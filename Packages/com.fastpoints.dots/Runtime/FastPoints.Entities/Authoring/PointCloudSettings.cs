@@ -2,6 +2,7 @@ using FastPoints.Gpu;
 using FastPoints.Rendering;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace FastPoints.Entities
 {
@@ -17,11 +18,13 @@ namespace FastPoints.Entities
 
         [Range(64, 16384)]
         [Tooltip("Graphics memory of points at most, in MiB.")]
-        public int MemoryMiB = 512;
+        [FormerlySerializedAs("MemoryMiB")]
+        public int MemoryMebibytes = 512;
 
         [Range(1, 64)]
         [Tooltip("Copied into graphics memory in one frame at most, in MiB.")]
-        public int UploadMiBPerFrame = 4;
+        [FormerlySerializedAs("UploadMiBPerFrame")]
+        public int UploadMebibytesPerFrame = 4;
 
         [Range(0, 64)]
         [Tooltip("Nodes smaller than this on the screen, in pixels, are left out.")]
@@ -59,6 +62,9 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
+        /// <summary>A new one begins with the project's graphics memory.</summary>
+        void Reset() => MemoryMebibytes = (int)(PointCloudSystemGroup.DefaultPoolBytes >> 20);
+
         void OnEnable()
         {
             if (!m_entity.TryCreate(out var entities))
@@ -77,8 +83,8 @@ namespace FastPoints.Entities
             entities.SetComponentData(m_entity.Value, new PointCloudBudget
             {
                 Points = (long)math.round(MillionPoints * 1e6),
-                PoolBytes = (long)MemoryMiB << 20,
-                UploadBytesPerFrame = UploadMiBPerFrame << 20,
+                PoolBytes = (long)MemoryMebibytes << 20,
+                UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
                 SmallestNodePx = SmallestNodePx,
             });
             entities.SetComponentData(m_entity.Value, new PointCloudStyle { Value = Style });

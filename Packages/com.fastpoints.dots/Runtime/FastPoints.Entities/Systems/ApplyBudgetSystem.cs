@@ -3,13 +3,17 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>The world's <see cref="PointCloudBudget"/>, where there is one, holds from this frame on.</summary>
+    /// <summary>The world's <see cref="PointCloudBudget"/>, where there is one, holds from this frame on; where there is none,
+    /// <see cref="PointCloudSystemGroup.DefaultPoolBytes"/> does for memory that the world has made itself.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(OpenCloudsSystem))]
     public partial class ApplyBudgetSystem : StreamSystem
     {
         EntityQuery m_budgets;
+
+        /// <summary>That is in force; 0 while there is a budget.</summary>
+        long m_defaultPoolBytes;
 
         protected override void OnCreate()
         {
@@ -20,7 +24,11 @@ namespace FastPoints.Entities
         protected override void OnUpdate()
         {
             if (m_budgets.IsEmpty)
+            {
+                ApplyDefault();
                 return;
+            }
+            m_defaultPoolBytes = 0;
             using (var budgets = m_budgets.ToComponentDataArray<PointCloudBudget>(Allocator.Temp))
             {
                 var settings = Group.Stream.Settings;
@@ -29,6 +37,14 @@ namespace FastPoints.Entities
                 settings.UploadBytesPerFrame = budgets[0].UploadBytesPerFrame;
                 Group.Stream.Pool.LimitBytes = budgets[0].PoolBytes;
             }
+        }
+
+        void ApplyDefault()
+        {
+            if (Group.Scene == null || m_defaultPoolBytes == PointCloudSystemGroup.DefaultPoolBytes)
+                return;
+            m_defaultPoolBytes = PointCloudSystemGroup.DefaultPoolBytes;
+            Group.Stream.Pool.LimitBytes = m_defaultPoolBytes;
         }
     }
 }

@@ -32,12 +32,13 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PresentationSystemGroup))]
     public partial class PointCloudSystemGroup : ComponentSystemGroup
     {
-        /// <summary>Graphics memory where no <see cref="PointCloudBudget"/> says otherwise.</summary>
-        const long DefaultPoolBytes = 512 << 20;
-
         /// <summary>Without reads and uploads, so many frames are rest: a node that was dropped is tried again within
         /// them.</summary>
         const int FramesToRest = 40;
+
+        /// <summary>Graphics memory where no <see cref="PointCloudBudget"/> says otherwise, in bytes: holds from the next frame
+        /// on. An editor takes it from the project's settings.</summary>
+        public static long DefaultPoolBytes = 512 << 20;
 
         NativeList<StreamView> m_views;
         NativeList<StreamView> m_lastViews;

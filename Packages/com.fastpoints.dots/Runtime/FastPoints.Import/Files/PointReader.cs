@@ -25,6 +25,10 @@ namespace FastPoints.Files
         /// </summary>
         public virtual bool BlocksAreKnown => true;
 
+        /// <summary>Jobs that <see cref="FindBlocks"/> has under way at once, at most; 0 for as many as keep all workers
+        /// busy.</summary>
+        public int MostJobs { get; set; }
+
         /// <summary>
         /// Work (for a pump) that finds the blocks by looking through the file once: line starts of an ascii file, a lost chunk
         /// table.

@@ -139,6 +139,8 @@ namespace FastPoints.Pipeline
             }
         }
 
+        int MostSlots(int slots) => m_settings.Workers > 0 ? Math.Min(slots, m_settings.Workers) : slots;
+
         IEnumerator<JobHandle> Sample()
         {
             var findings = new NativeReference<SampleFindings>(Allocator.Persistent);
@@ -147,11 +149,12 @@ namespace FastPoints.Pipeline
             {
                 foreach (var reader in m_readers)
                 {
+                    reader.MostJobs = m_settings.Workers;
                     if (!reader.BlocksAreKnown)
                         using (var blocks = reader.FindBlocks())
                             while (blocks.MoveNext())
                                 yield return blocks.Current;
-                    using (var sample = SourceSample.Read(reader, SourceScan.DefaultSlots, m_samples.Add))
+                    using (var sample = SourceSample.Read(reader, MostSlots(SourceScan.DefaultSlots), m_samples.Add))
                         while (sample.MoveNext())
                             yield return sample.Current;
                     job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Findings = findings }.Schedule();
@@ -235,7 +238,8 @@ namespace FastPoints.Pipeline
                 foreach (var attribute in m_attributes)
                     names.Add(attribute.Name);
                 var wanted = reader.Info.Schema.Select(names.ToArray());
-                int slots = SourceScan.SlotsFor(reader, wanted, m_grid.Records.StrideBytes + sizeof(int), m_plan.ReadBytes);
+                int slots = MostSlots(SourceScan.SlotsFor(reader, wanted, m_grid.Records.StrideBytes + sizeof(int),
+                    m_plan.ReadBytes));
                 m_scatter.BeginSource(reader, m_grid.Sources[i]);
                 if (m_journal.Findings.Count <= i)
                     m_journal.Findings.Add(PointFindings.None);
@@ -391,8 +395,7 @@ namespace FastPoints.Pipeline
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
                 m_manifest.CloudId,
                 m_folder, m_settings.Sampler, Sizes, m_generations, m_settings.SecondsPerGeneration, m_slices);
-            int atOnce = m_settings.ChunksAtOnce > 0 ? m_settings.ChunksAtOnce : JobsUtility.JobWorkerCount + 1;
-            using (var work = m_build.Run(atOnce, m_manifest, m_progress))
+            using (var work = m_build.Run(MostSlots(JobsUtility.JobWorkerCount + 1), m_manifest, m_progress))
                 while (work.MoveNext())
                     yield return work.Current;
             if (m_build.Checksum != m_manifest.Checksum)

@@ -36,9 +36,9 @@ namespace FastPoints.Pipeline
         /// <summary>Where reading the sources takes longer, a sample of them is made a cloud that can be opened.</summary>
         public double SecondsToFirstGeneration = 1;
 
-        /// <summary>Chunks in work at once; 0 for one a worker and one more. Memory only: the stored bytes are the
-        /// same.</summary>
-        public int ChunksAtOnce;
+        /// <summary>Workers of the job system that this work keeps busy at most: so many blocks are read and decoded, and so many
+        /// chunks are sorted, at once. 0 for all. The stored bytes are the same.</summary>
+        public int Workers;
 
         /// <summary>Whether what lies on disk stays there when the work is disposed before its end: the next build of the target
         /// with the same sources and settings continues it, where points were in files. May be set while the work goes

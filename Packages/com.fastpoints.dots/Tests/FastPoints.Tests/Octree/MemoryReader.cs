@@ -12,6 +12,7 @@ namespace FastPoints.Tests.Octree
         readonly int m_points;
         readonly int m_blockPoints;
         readonly Array[] m_columns;
+        int m_slots;
 
         /// <param name="columns">By attribute of the schema: an array of the attribute's type.</param>
         public MemoryReader(PointSchema schema, PositionTransform transform, int blockPoints, params Array[] columns)
@@ -68,6 +69,9 @@ namespace FastPoints.Tests.Octree
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
 
+        /// <summary>Reads that there ever were at once.</summary>
+        public int MostSlots { get; private set; }
+
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new Slot(this, wanted, capacity, allocator);
 
@@ -83,6 +87,7 @@ namespace FastPoints.Tests.Octree
             public Slot(MemoryReader reader, PointSchema wanted, int capacity, Allocator allocator)
             {
                 m_reader = reader;
+                m_reader.MostSlots = Math.Max(m_reader.MostSlots, ++m_reader.m_slots);
                 Points = new PointBatch(wanted, capacity, allocator);
                 Result = m_result = new NativeReference<DecodeResult>(allocator);
             }
@@ -110,6 +115,7 @@ namespace FastPoints.Tests.Octree
             {
                 if (!m_result.IsCreated)
                     return;
+                m_reader.m_slots--;
                 Points.Dispose();
                 m_result.Dispose();
             }

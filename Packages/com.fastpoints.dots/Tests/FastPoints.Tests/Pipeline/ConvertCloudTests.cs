@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Pipeline
                 Convert(MemoryReader.Of(places, s_centimetres, 3001), name, new ConvertSettings
                 {
                     PointsPerChunk = 60000,
-                    ChunksAtOnce = workers,
+                    Workers = workers,
                     Sampler = sampler,
                 });
                 foreach (string file in Directory.GetFiles(Target(name), "*", SearchOption.AllDirectories))
@@ -250,6 +250,33 @@ namespace FastPoints.Tests.Pipeline
                 }
             }
             Assert.That(before.Count, Is.GreaterThan(4));
+        }
+
+        [TestCase(0, 8)]
+        [TestCase(1, 1)]
+        [TestCase(3, 3)]
+        [TestCase(100, 8)]
+        public void Convert_SomeOfTheWorkers_ReadsSoManyBlocksAtOnce(int workers, int slots)
+        {
+            JobsUtility.JobWorkerCount = 3;
+            var reader = MemoryReader.Of(Uniform(20000, 3000), s_centimetres, 1000);
+            Convert(reader, "cloud", new ConvertSettings { Workers = workers });
+            Assert.That(reader.MostSlots, Is.EqualTo(slots));
+        }
+
+        [Test]
+        public void Convert_TextByOneWorker_WritesTheSameBytes()
+        {
+            string path = Path.Combine(m_folder, "text.xyz");
+            using (var writer = new StreamWriter(path))
+                foreach (var place in Uniform(30000, 1000))
+                    writer.Write(place.x + " " + place.y + " " + place.z + "\n");
+            foreach (int workers in new[] { 0, 1 })
+                using (var reader = PointReaders.Open(path))
+                    Convert(reader, "w" + workers, new ConvertSettings { Workers = workers });
+            foreach (string file in Directory.GetFiles(Target("w0"), "*", SearchOption.AllDirectories))
+                Assert.That(File.ReadAllBytes(Target("w1") + file.Substring(Target("w0").Length)),
+                    Is.EqualTo(File.ReadAllBytes(file)));
         }
 
         [Test]

@@ -88,7 +88,7 @@ namespace FastPoints.Files
             if (BlocksAreKnown)
                 yield break;
             using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, Header.DataOffset, MaxBlockBytes, RowsBefore,
-                RowsEnd))
+                RowsEnd, MostJobs))
             {
                 while (scan.Next(out var handle))
                     yield return handle;

@@ -37,8 +37,9 @@ namespace FastPoints.Files
         /// <param name="blockBytes">Of a stretch.</param>
         /// <param name="rowsBefore">Lines that are no points.</param>
         /// <param name="rowsEnd">Lines up to the last point's; more than there are for all.</param>
+        /// <param name="mostJobs">At once; 0 for as many as keep all workers busy.</param>
         public AsciiRowScan(string path, FileHandle file, long fileBytes, long offset, int blockBytes, ulong rowsBefore,
-            ulong rowsEnd)
+            ulong rowsEnd, int mostJobs)
         {
             m_fileBytes = fileBytes;
             m_blockBytes = blockBytes;
@@ -46,7 +47,7 @@ namespace FastPoints.Files
             m_rowsEnd = rowsEnd;
             m_offset = offset;
             long stretches = (fileBytes - offset) / blockBytes + 1;
-            m_slots = new Slot[(int)Math.Min(stretches, 2 * (JobsUtility.JobWorkerCount + 1))];
+            m_slots = new Slot[(int)Math.Min(stretches, mostJobs > 0 ? mostJobs : 2 * (JobsUtility.JobWorkerCount + 1))];
             long bytes = Math.Min(blockBytes, fileBytes);
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot

@@ -179,7 +179,7 @@ namespace FastPoints.Files
             if (BlocksAreKnown)
                 yield break;
             using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, m_sniff.DataOffset, MaxBlockBytes, 0,
-                ulong.MaxValue))
+                ulong.MaxValue, MostJobs))
             {
                 while (scan.Next(out var handle))
                     yield return handle;

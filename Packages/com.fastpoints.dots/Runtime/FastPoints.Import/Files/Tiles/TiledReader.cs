@@ -159,6 +159,7 @@ namespace FastPoints.Files
                 Enter(tile);
                 try
                 {
+                    tile.Reader.MostJobs = MostJobs;
                     using (var work = tile.Reader.FindBlocks())
                         while (Step(work, tile))
                             yield return work.Current;
