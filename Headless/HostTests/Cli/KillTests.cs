@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Text.Json;
 using FastPoints.Cli;
+using FastPoints.Store;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
@@ -92,6 +93,27 @@ namespace FastPoints.HostTests.Cli
             var verified = CliCall.Of("verify", scratch["killed.fastpoints"], "--against", scratch["cloud.las"], "--quiet");
             Assert.That(verified.Status, Is.Zero, verified.Error + verified.Output);
             Assert.That(Directory.GetDirectories(scratch.Root), Has.Length.EqualTo(2), "nothing is left beside the clouds");
+        }
+
+        [Test]
+        public void Convert_WhileAnotherProcessDoes_IsRefusedUntilThatIsKilled()
+        {
+            using var scratch = new ScratchFolder();
+            MakeCloud(scratch, 500_000, 8);
+            string target = scratch["cloud.fastpoints"], held = Path.Combine(target + ".part", "build.lock");
+            using (var process = Convert(scratch["cloud.las"], target, LittleMemory, "poisson"))
+            {
+                while (!process.HasExited && (!File.Exists(held) || new FileInfo(held).Length == 0))
+                    System.Threading.Thread.Yield();
+                var refused = CliCall.Of("convert", scratch["cloud.las"], "-o", target, "--quiet");
+                Assert.That(refused.Status, Is.EqualTo(ExitStatus.Failed));
+                Assert.That(refused.Error, Does.Contain("is being built by process " + process.Id + " on "));
+                process.Kill();
+                process.WaitForExit();
+            }
+            using (var next = new CloudFolderWriter(target))
+                Assert.That(next.HasLeftovers, Is.True);
+            Assert.That(Directory.Exists(target + ".part"), Is.False);
         }
 
         [TestCase(500_000, 42, Category = "Long")]

@@ -27,7 +27,7 @@ namespace FastPoints.Editor
         readonly ProjectPaths m_paths;
         readonly Func<ImportRequest, ConvertSettings> m_settings;
         readonly List<ImportRequest> m_requests = new List<ImportRequest>();
-        ProjectLock m_lock;
+        FolderLock m_lock;
         ImportRequest m_running;
         DateTime m_nextLook;
         bool m_isUnsaved;
@@ -171,7 +171,7 @@ namespace FastPoints.Editor
             }
             try
             {
-                string owner = ProjectLock.TryTake(Path.Combine(m_paths.Clouds, LockName), out m_lock);
+                string owner = FolderLock.TryTake(Path.Combine(m_paths.Clouds, LockName), out m_lock);
                 Problem = owner == null ? null : owner + " imports into " + m_paths.Clouds;
                 if (m_lock != null)
                     Load();

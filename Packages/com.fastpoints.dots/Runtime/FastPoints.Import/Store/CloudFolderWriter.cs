@@ -53,8 +53,10 @@ namespace FastPoints.Store
         readonly string m_part;
         readonly Queue<Order> m_orders = new Queue<Order>();
         readonly Thread m_thread;
-        FileStream m_lock;
+        FolderLock m_lock;
+        Exception m_failure;
         bool m_isEnding;
+        bool m_isLost;
         bool m_isComplete;
         bool m_isKept;
 
@@ -68,15 +70,15 @@ namespace FastPoints.Store
             try
             {
                 Directory.CreateDirectory(m_part);
-                m_lock = Lock(Path.Combine(m_part, LockName));
+                m_lock = Lock();
                 HasLeftovers = Directory.GetFileSystemEntries(m_part).Length > 1;
                 if (!File.Exists(PathOf(BuildFiles.JournalName)))
                     Clear();
             }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
                 m_lock?.Dispose();
-                throw FileFailures.Writing(m_part, e);
+                throw e as PointCloudException ?? FileFailures.Writing(m_part, e);
             }
             m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
             m_thread.Start();
@@ -248,9 +250,13 @@ namespace FastPoints.Store
         }
 
         /// <summary>Gives the folder its name. Everything is written, cloud.json last of all.</summary>
+        /// <exception cref="PointCloudException">It cannot, or is another writer's by now.</exception>
         public void Complete()
         {
             EndThread();
+            CheckLock();
+            if (m_failure != null)
+                throw m_failure;
             try
             {
                 foreach (string folder in new[] { BuildFiles.RecordFolderName, BuildFiles.TopFolderName })
@@ -259,9 +265,6 @@ namespace FastPoints.Store
                 foreach (string name in new[] { StoreFormat.UpperName, StoreFormat.HierarchyName })
                     foreach (string file in Directory.GetFiles(m_part, name.Replace(".bin", "-*.bin")))
                         File.Delete(file);
-                m_lock.Dispose();
-                m_lock = null;
-                File.Delete(Path.Combine(m_part, LockName));
                 string old = null;
                 if (Directory.Exists(m_target))
                 {
@@ -272,6 +275,8 @@ namespace FastPoints.Store
                 }
                 Directory.Move(m_part, m_target);
                 m_isComplete = true;
+                // The lock has come along.
+                File.Delete(Path.Combine(m_target, LockName));
                 File.Delete(Path.Combine(m_target, BuildFiles.JournalName));
                 if (old != null)
                     Directory.Delete(old, true);
@@ -288,13 +293,13 @@ namespace FastPoints.Store
         public void Dispose()
         {
             EndThread();
-            m_lock?.Dispose();
-            m_lock = null;
             if (m_isComplete)
                 return;
             m_isComplete = true;
-            if (!m_isKept)
+            CheckLock();
+            if (!m_isKept && !m_isLost)
                 Delete(new DirectoryInfo(m_part));
+            m_lock.Dispose();
         }
 
         /// <summary>Deletes what a build that ended early left of a target; nothing where it is being built now.</summary>
@@ -306,17 +311,15 @@ namespace FastPoints.Store
                 return;
             try
             {
-                string held = Path.Combine(part.FullName, LockName);
-                using (new FileStream(held, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None))
-                {
-                    // Nobody has it.
-                }
+                if (FolderLock.TryTake(Path.Combine(part.FullName, LockName), out var taken) != null)
+                    return;
+                Delete(part);
+                taken.Dispose();
             }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            catch (PointCloudException)
             {
-                return;
+                // As where it cannot be deleted.
             }
-            Delete(part);
         }
 
         static void Delete(DirectoryInfo part)
@@ -345,16 +348,30 @@ namespace FastPoints.Store
             }
         }
 
-        FileStream Lock(string path)
+        FolderLock Lock()
         {
-            try
-            {
-                return new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
-            }
-            catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
-            {
-                throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by another process", e);
-            }
+            string owner = FolderLock.TryTake(PathOf(LockName), out var taken);
+            return taken ?? throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by " + owner);
+        }
+
+        void RenewLock()
+        {
+            if (!m_isLost && !m_lock.Renew(DateTime.UtcNow))
+                LoseLock();
+        }
+
+        void CheckLock()
+        {
+            if (!m_isLost && !m_lock.IsHeld)
+                LoseLock();
+        }
+
+        /// <summary>After a long sleep of the machine another one may have taken this writer for gone: the folder is
+        /// his.</summary>
+        void LoseLock()
+        {
+            m_isLost = true;
+            m_failure = new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
         }
 
         void EndThread()
@@ -369,29 +386,31 @@ namespace FastPoints.Store
 
         void WriteOrders()
         {
-            Exception failure = null;
             while (true)
             {
                 Order order;
                 lock (m_orders)
                 {
-                    while (m_orders.Count == 0 && !m_isEnding)
-                        Monitor.Wait(m_orders);
-                    if (m_orders.Count == 0)
+                    if (m_orders.Count == 0 && !m_isEnding)
+                        Monitor.Wait(m_orders, FolderLock.RenewAfter);
+                    if (m_orders.Count == 0 && m_isEnding)
                         return;
-                    order = m_orders.Dequeue();
+                    m_orders.TryDequeue(out order);
                 }
+                RenewLock();
+                if (order.Ticket == null)
+                    continue;
                 // After a failure nothing is written any more: what follows would rely on what is missing.
                 try
                 {
-                    if (failure == null)
+                    if (m_failure == null)
                         Carry(order);
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))
                 {
-                    failure = FileFailures.Writing(order.Path, e);
+                    m_failure = FileFailures.Writing(order.Path, e);
                 }
-                order.Ticket.Finish(failure);
+                order.Ticket.Finish(m_failure);
             }
         }
 

@@ -286,7 +286,7 @@ namespace FastPoints.Tests.Pipeline
             for (int i = 0; i < 30 && first.MoveNext(); i++)
                 first.Current.Complete();
             Assert.That(() => Convert(Uneven(), "cloud", InFiles()), Throws.TypeOf<PointCloudException>().With.Message.Contains(
-                "is being built by another process"));
+                "is being built by process " + System.Diagnostics.Process.GetCurrentProcess().Id + " on "));
             while (first.MoveNext())
                 first.Current.Complete();
             first.Dispose();
