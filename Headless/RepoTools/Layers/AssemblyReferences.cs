@@ -47,7 +47,7 @@ namespace FastPoints.RepoTools.Layers
                 .ToArray(),
             ["FastPoints.UnityTests.Performance"] = s_testRunner
                 .Concat(new[] { "FastPoints.Editor", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
-            ["FastPoints.Benchmarks"] = s_shared.Append("FastPoints.Scenes").ToArray(),
+            ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities).Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
                 .Concat(s_testRunner).ToArray(),
         };

@@ -32,12 +32,36 @@ namespace StandIns.Entities
             return terms;
         }
 
-        /// <summary>Whether entities of an archetype can match, whatever is enabled.</summary>
-        public bool MayMatch(Archetype archetype) =>
-            All.TrueForAll(t => archetype.Find(t) != null) && Disabled.TrueForAll(t => archetype.Find(t) != null) &&
-            Present.TrueForAll(t => archetype.Find(t) != null) && Absent.TrueForAll(t => archetype.Find(t) == null) &&
-            None.TrueForAll(t => archetype.Find(t) == null || archetype.Find(t).Info.IsEnableable) &&
-            (Any.Count == 0 || Any.Exists(t => archetype.Find(t) != null));
+        /// <summary>Whether entities of an archetype can match, whatever is enabled. Makes no garbage, so that what a frame of
+        /// systems makes is theirs.</summary>
+        public bool MayMatch(Archetype archetype)
+        {
+            if (!HasEach(archetype, All) || !HasEach(archetype, Disabled) || !HasEach(archetype, Present))
+                return false;
+            foreach (int type in Absent)
+                if (archetype.Find(type) != null)
+                    return false;
+            foreach (int type in None)
+                if (archetype.Find(type) is ComponentColumn column && !column.Info.IsEnableable)
+                    return false;
+            return Any.Count == 0 || HasOne(archetype, Any);
+        }
+
+        static bool HasEach(Archetype archetype, List<int> types)
+        {
+            foreach (int type in types)
+                if (archetype.Find(type) == null)
+                    return false;
+            return true;
+        }
+
+        static bool HasOne(Archetype archetype, List<int> types)
+        {
+            foreach (int type in types)
+                if (archetype.Find(type) != null)
+                    return true;
+            return false;
+        }
 
         public bool Matches(Archetype archetype, int row)
         {

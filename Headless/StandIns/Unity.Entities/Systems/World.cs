@@ -26,7 +26,14 @@ namespace Unity.Entities
 
         public T GetExistingSystemManaged<T>() where T : ComponentSystemBase => (T)GetExistingSystemManaged(typeof(T));
 
-        public ComponentSystemBase GetExistingSystemManaged(Type type) => m_systems.Find(s => s.GetType() == type);
+        /// <summary>Without garbage: it is asked each frame.</summary>
+        public ComponentSystemBase GetExistingSystemManaged(Type type)
+        {
+            foreach (var system in m_systems)
+                if (system.GetType() == type)
+                    return system;
+            return null;
+        }
 
         public T GetOrCreateSystemManaged<T>() where T : ComponentSystemBase => (T)GetOrCreateSystemManaged(typeof(T));
 

@@ -1,9 +1,5 @@
 using System.IO;
 using System.Threading;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Pipeline;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -26,10 +22,7 @@ namespace FastPoints.Benchmarks
 
         public void Prepare(WorkloadContext context)
         {
-            string path = Path.Combine(context.ScratchFolder, "stream.fastpoints");
-            var settings = new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
-            using (var reader = PointReaders.Open(TerrainBenchmarkFile.Make(context)))
-                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
+            string path = TerrainBenchmarkFile.MakeConverted(context);
             long bytes = 0;
             foreach (string file in Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories))
                 bytes += new FileInfo(file).Length;

@@ -1,12 +1,16 @@
 using System;
 using System.IO;
+using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Pipeline;
+using FastPoints.Points;
+using FastPoints.Store;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
     /// <summary>A seeded LAS file of a hilly surface with a few things on it, in strips as an airborne scan comes: point format
-    /// 2, centimetres, coloured.</summary>
+    /// 2, millimetres, coloured.</summary>
     public static unsafe class TerrainBenchmarkFile
     {
         public const int RecordBytes = 26;
@@ -14,6 +18,9 @@ namespace FastPoints.Benchmarks
         /// <summary>Mean distance of points on the ground, in grid steps.</summary>
         const double Spacing = 8;
         const int PointsPerPiece = 16384;
+
+        /// <summary>Of its square.</summary>
+        public static double SideMetres(WorkloadContext context) => Math.Sqrt(context.Points) * Spacing * 1e-3;
 
         public static string Make(WorkloadContext context)
         {
@@ -37,6 +44,19 @@ namespace FastPoints.Benchmarks
                 }
                 writer.Complete();
             }
+            return path;
+        }
+
+        /// <summary>The same, converted: positions and colours.</summary>
+        /// <returns>The folder.</returns>
+        public static string MakeConverted(WorkloadContext context)
+        {
+            string las = Make(context), path = Path.ChangeExtension(las, StoreFormat.FolderExtension);
+            if (Directory.Exists(path))
+                return path;
+            var settings = new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
+            using (var reader = PointReaders.Open(las))
+                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
             return path;
         }
 

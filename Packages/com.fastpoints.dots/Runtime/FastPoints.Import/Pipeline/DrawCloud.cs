@@ -52,6 +52,9 @@ namespace FastPoints.Pipeline
                 using (var sampling = preview.TakeSample(progress))
                     while (sampling.MoveNext())
                         yield return sampling.Current;
+                using (var planning = preview.PlanPicture())
+                    while (planning.MoveNext())
+                        yield return planning.Current;
                 var sample = preview.Sample;
                 Ranges = preview.Ranges;
                 Plan = preview.Plan;

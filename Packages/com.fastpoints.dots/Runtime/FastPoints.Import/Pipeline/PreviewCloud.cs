@@ -64,6 +64,9 @@ namespace FastPoints.Pipeline
             using (var sampling = TakeSample(progress))
                 while (sampling.MoveNext())
                     yield return sampling.Current;
+            using (var planning = PlanPicture())
+                while (planning.MoveNext())
+                    yield return planning.Current;
 
             progress?.Begin("draw");
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
@@ -95,7 +98,7 @@ namespace FastPoints.Pipeline
             progress?.End();
         }
 
-        /// <summary>Work for a pump: all but the picture.</summary>
+        /// <summary>Work for a pump: the sample alone.</summary>
         public IEnumerator<JobHandle> TakeSample(StageProgress progress)
         {
             m_watch.Restart();
@@ -119,6 +122,12 @@ namespace FastPoints.Pipeline
             }
 
             TellChanges();
+            progress?.End();
+        }
+
+        /// <summary>Work for a pump, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
+        public IEnumerator<JobHandle> PlanPicture()
+        {
             using (var measuring = MeasureSample())
                 while (measuring.MoveNext())
                     yield return measuring.Current;
@@ -128,7 +137,6 @@ namespace FastPoints.Pipeline
                 Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " + most);
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
-            progress?.End();
         }
 
         /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>

@@ -335,8 +335,11 @@ namespace FastPoints.Preview
                     m_columnsOfSlot[i].Dispose();
             }
             m_reads = null;
+            for (int i = 0; m_stateOfBlock != null && i < m_stateOfBlock.Length; i++)
+                m_stateOfBlock[i]?.Dispose();
             m_stateOfBlock = null;
-            m_freeStates.Clear();
+            while (m_freeStates.Count > 0)
+                m_freeStates.Pop().Dispose();
             m_buffer?.Dispose();
             m_buffer = null;
             m_others?.Dispose();

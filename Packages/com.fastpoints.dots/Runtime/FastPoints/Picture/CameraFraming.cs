@@ -140,8 +140,7 @@ namespace FastPoints.Picture
                     var view = camera.ToView(outline[i]);
                     needed[i] = math.max(math.abs(view.x) / tanX, math.abs(view.y) / tanY) - view.z;
                 }
-                Array.Sort(needed);
-                double distance = math.max(math.cmax(bounds.Size) * 1e-6, needed[needed.Length - 1 - strays]);
+                double distance = math.max(math.cmax(bounds.Size) * 1e-6, LargestBut(strays, needed, 1));
                 camera.EyeGeo = target - camera.Forward * distance;
                 if (round == Rounds)
                     return distance;
@@ -164,11 +163,29 @@ namespace FastPoints.Picture
                 x[i] = view.x / by;
                 y[i] = view.y / by;
             }
-            Array.Sort(x);
-            Array.Sort(y);
-            int last = outline.Length - 1 - strays;
-            min = new double2(x[strays], y[strays]);
-            max = new double2(x[last], y[last]);
+            min = new double2(-LargestBut(strays, x, -1), -LargestBut(strays, y, -1));
+            max = new double2(LargestBut(strays, x, 1), LargestBut(strays, y, 1));
+        }
+
+        /// <summary>The largest but for so many that are larger: those are few, and need no sorting of all.</summary>
+        /// <param name="sign">1, or -1 for the values' negatives.</param>
+        static double LargestBut(int strays, double[] values, double sign)
+        {
+            // The largest so far, rising.
+            var kept = new double[strays + 1];
+            for (int i = 0; i < kept.Length; i++)
+                kept[i] = double.NegativeInfinity;
+            foreach (double unsigned in values)
+            {
+                double value = sign * unsigned;
+                if (!(value > kept[0]))
+                    continue;
+                int at = 0;
+                for (; at + 1 < kept.Length && kept[at + 1] < value; at++)
+                    kept[at] = kept[at + 1];
+                kept[at] = value;
+            }
+            return kept[0];
         }
 
         static int Strays(double3[] outline) => (int)(outline.Length * StrayShare);

@@ -93,6 +93,12 @@ namespace FastPoints.Streaming
                 return;
             m_framesToLook = FramesPerLook;
             m_isAsked = false;
+            BeginLook();
+        }
+
+        /// <summary>A method of its own: what a lambda takes along is allocated where its method begins.</summary>
+        void BeginLook()
+        {
             string path = m_path;
             ulong cloudId = m_cloudId;
             long generation = Generation;

@@ -42,6 +42,26 @@ namespace FastPoints.Tests.Feeds
         }
 
         [Test]
+        public void Update_OfAWholeCloud_MakesNoGarbage()
+        {
+            using (var cloud = new GrowingCloud())
+            {
+                while (!cloud.IsBuilt)
+                    cloud.Build();
+                using (var feed = CloudFeeds.Open(cloud.Folder))
+                {
+                    Updates(feed, () => feed.Newest != null);
+                    TakeAndDrop(feed);
+                    feed.Update(1);
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    for (int frame = 0; frame < 200; frame++)
+                        feed.Update(1);
+                    Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+                }
+            }
+        }
+
+        [Test]
         public void Update_FileThenABuildThenItsResult_TellsOfPreviewsGenerationsAndTheWholeInThisOrder()
         {
             UnsafeUtility.ForgiveLeaks();

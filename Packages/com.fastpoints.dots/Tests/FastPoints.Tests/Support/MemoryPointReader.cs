@@ -128,6 +128,10 @@ namespace FastPoints.Tests.Support
         public long Point;
 
         public override long Bytes => sizeof(long);
+
+        public override void Dispose()
+        {
+        }
     }
 
     [BurstCompile]

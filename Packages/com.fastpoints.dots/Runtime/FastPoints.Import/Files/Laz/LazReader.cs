@@ -111,9 +111,22 @@ namespace FastPoints.Files
         void Forget()
         {
             ClearBlocks();
-            m_checkpoints.Clear();
+            DropCheckpoints();
             if (m_isTableLost)
                 Chunks.Clear();
+        }
+
+        public override void Dispose()
+        {
+            DropCheckpoints();
+            base.Dispose();
+        }
+
+        void DropCheckpoints()
+        {
+            foreach (var checkpoint in m_checkpoints)
+                checkpoint.Dispose();
+            m_checkpoints.Clear();
         }
 
         internal override LazCheckpoint CheckpointOf(LazBlock block) =>

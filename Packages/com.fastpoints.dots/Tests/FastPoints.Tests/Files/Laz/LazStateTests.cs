@@ -66,6 +66,8 @@ namespace FastPoints.Files.Tests
                             Assert.That(Column(read.Points, column), Is.EqualTo(Column(whole.Points, column)));
                     }
                 }
+                foreach (var state in states)
+                    state.Dispose();
             }
         }
 
@@ -98,8 +100,8 @@ namespace FastPoints.Files.Tests
                 Assert.That(read.TryKeepStates(), Is.True);
                 read.Begin(new BlockRange(0, 0, 50));
                 read.Complete();
-                var state = read.KeepState(null);
-                Assert.That(() => read.Begin(new BlockRange(0, 20, 10), state), Throws.ArgumentException);
+                using (var state = read.KeepState(null))
+                    Assert.That(() => read.Begin(new BlockRange(0, 20, 10), state), Throws.ArgumentException);
             }
         }
     }

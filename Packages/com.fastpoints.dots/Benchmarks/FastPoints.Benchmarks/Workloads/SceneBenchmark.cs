@@ -1,0 +1,77 @@
+using System;
+using System.Threading;
+using FastPoints.Entities;
+using FastPoints.Octree;
+using FastPoints.Pipeline;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Transforms;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>
+    /// A world as scenes have it, with the package's systems and memory in place of a graphics card: what clouds in a scene cost
+    /// the main thread, frame by frame. Frames follow one another without a pause.
+    /// </summary>
+    sealed class SceneBenchmark : IDisposable
+    {
+        const int BankBytes = 1 << 20;
+
+        readonly World m_world = new World("scene benchmark");
+        readonly PointCloudSystemGroup m_group;
+        Entity m_cloud;
+
+        /// <param name="poolBytes">In place of graphics memory, in banks of a MiB.</param>
+        public SceneBenchmark(long poolBytes)
+        {
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
+                typeof(ApplyBudgetSystem), typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem),
+                typeof(ClipCloudsSystem), typeof(ShowCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem),
+                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
+                typeof(TrackNodesSystem), typeof(ReportFailuresSystem));
+            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+            m_group.Begin(new MemoryNodePool(poolBytes, BankBytes));
+            PointFileReaders.Register();
+        }
+
+        /// <summary>Main-thread time of frames.</summary>
+        public SliceTimes FrameTimes { get; } = new SliceTimes(Allocator.Persistent);
+
+        /// <summary>Managed bytes that the main thread allocated in the last frame.</summary>
+        public long Garbage { get; private set; }
+
+        public StreamSettings Settings => m_group.Stream.Settings;
+
+        /// <summary>Whether all of the cloud that the camera needs is drawn, and nothing newer is expected.</summary>
+        public bool IsAtRest => m_group.Stats.IsSettled && !m_world.GetExistingSystemManaged<OpenCloudsSystem>().IsBusy &&
+            m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
+
+        /// <summary>Puts a cloud into the scene.</summary>
+        public void Show(string path)
+        {
+            m_cloud = m_world.EntityManager.CreateEntity();
+            m_world.EntityManager.AddComponentObject(m_cloud, new PointCloudFile { Path = path });
+            m_world.EntityManager.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
+        }
+
+        public FrameStats Frame(StreamView view)
+        {
+            m_group.Views.Add(view);
+            long garbage = GC.GetAllocatedBytesForCurrentThread();
+            long begin = SliceTimes.Begin();
+            m_world.Update();
+            FrameTimes.End(begin);
+            Garbage = GC.GetAllocatedBytesForCurrentThread() - garbage;
+            Thread.Yield();
+            return m_group.Stats;
+        }
+
+        public void Dispose()
+        {
+            m_world.Dispose();
+            FrameTimes.Dispose();
+        }
+    }
+}

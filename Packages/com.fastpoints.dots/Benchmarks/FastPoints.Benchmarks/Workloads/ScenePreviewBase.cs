@@ -1,0 +1,62 @@
+using System.Diagnostics;
+using System.Globalization;
+using FastPoints.Streaming;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>A file that is not converted comes into a scene: until all that its preview brings is shown. The error is the time to
+    /// the first frame that draws points.</summary>
+    public abstract class ScenePreviewBase : IWorkload
+    {
+        string m_path;
+
+        public abstract string Name { get; }
+        public string LimitName => null;
+
+        public void Prepare(WorkloadContext context)
+        {
+            m_path = Find(context);
+            Run();
+        }
+
+        public WorkloadResult Run()
+        {
+            if (m_path == null)
+                return default;
+            using (var scene = new SceneBenchmark(256 << 20))
+            {
+                scene.Settings.Selection = new SelectionSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
+                var view = StreamView.Everything(1e9);
+                var watch = Stopwatch.StartNew();
+                scene.Show(m_path);
+                double firstMs = 0;
+                long points;
+                int frames = 0;
+                do
+                {
+                    points = scene.Frame(view).DrawnPoints;
+                    frames++;
+                    if (points > 0 && firstMs == 0)
+                        firstMs = watch.Elapsed.TotalMilliseconds;
+                }
+                while (!scene.IsAtRest);
+                return new WorkloadResult
+                {
+                    Points = points,
+                    Error = firstMs,
+                    ErrorUnit = "ms to first points",
+                    Note = string.Format(CultureInfo.InvariantCulture, "{0} frames of {1:0.0} ms of the main thread (p50), "
+                        + "{2:0.0} (p99), {3:0.0} (max)", frames, scene.FrameTimes.QuantileMs(0.5), scene.FrameTimes.QuantileMs(0.99),
+                        scene.FrameTimes.QuantileMs(1)),
+                };
+            }
+        }
+
+        public void Dispose()
+        {
+        }
+
+        /// <returns>The file's path; null where there is none.</returns>
+        protected abstract string Find(WorkloadContext context);
+    }
+}

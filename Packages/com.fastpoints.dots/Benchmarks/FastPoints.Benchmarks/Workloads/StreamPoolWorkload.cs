@@ -1,0 +1,74 @@
+using System.Globalization;
+using System.Threading;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>
+    /// Memory that a resident point takes in the pool, with all that is lost to pages and banks that are not full: of a whole
+    /// coloured cloud, which is the error, and of a quarter of its points. Banks are those of the graphics card. The time is that
+    /// of filling a fresh pool, memory that is touched for the first time included.
+    /// </summary>
+    public sealed unsafe class StreamPoolWorkload : IWorkload
+    {
+        /// <summary>As of the pool on the graphics card.</summary>
+        const int BankBytes = 8 << 20;
+        const long PoolBytes = 1L << 30;
+
+        string m_path;
+        NativeArray<StreamView> m_views;
+        long m_points;
+
+        public string Name => "stream pool";
+        public string LimitName => null;
+
+        public void Prepare(WorkloadContext context)
+        {
+            m_path = TerrainBenchmarkFile.MakeConverted(context);
+            m_points = context.Points;
+            m_views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
+        }
+
+        public WorkloadResult Run()
+        {
+            var (quarterBytes, quarter) = Fill(m_points / 4);
+            var (bytes, points) = Fill(long.MaxValue);
+            return new WorkloadResult
+            {
+                Points = quarter + points,
+                Bytes = quarterBytes + bytes,
+                Error = (double)bytes / points,
+                ErrorUnit = "bytes a point",
+                Note = string.Format(CultureInfo.InvariantCulture, "bytes of the pool a resident point: {0:0.00} of {1:N0} points, "
+                    + "{2:0.00} of {3:N0}", (double)bytes / points, points, (double)quarterBytes / quarter, quarter),
+            };
+        }
+
+        public void Dispose()
+        {
+            if (m_views.IsCreated)
+                m_views.Dispose();
+        }
+
+        /// <returns>Bytes of all banks, and the points of all nodes in them.</returns>
+        (long Bytes, long Points) Fill(long budget)
+        {
+            using (var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes)))
+            {
+                stream.Settings.Selection = new SelectionSettings { PointBudget = budget, Hysteresis = 1 };
+                stream.Settings.UploadBytesPerFrame = 64 << 20;
+                var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
+                stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+                while (!FrameStep.Run(stream, m_views).IsSettled)
+                    Thread.Yield();
+                long points = 0;
+                foreach (var slot in stream.Cache.Slots)
+                    if (slot.Phase == CachePhase.Resident)
+                        points += stream.Clouds[slot.Cloud].Pages[slot.Page].Nodes[slot.Node].PointCount;
+                return (stream.Pool.AllocatedBytes, points);
+            }
+        }
+    }
+}
