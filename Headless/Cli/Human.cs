@@ -58,6 +58,12 @@ namespace FastPoints.Cli
                 ? value.ToString("R", CultureInfo.InvariantCulture)
                 : value.ToString("0.############", CultureInfo.InvariantCulture);
 
+        /// <summary>To four digits: more of a measured figure is noise.</summary>
+        public static string Measured(double value) => value == 0 ? "0"
+            : Math.Abs(value) is >= 1e-4 and < 1e6
+                ? Math.Round(value, Math.Clamp(3 - (int)Math.Floor(Math.Log10(Math.Abs(value))), 0, 15)).ToString(CultureInfo.InvariantCulture)
+                : value.ToString("0.###e0", CultureInfo.InvariantCulture);
+
         public static string Value(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
     }
 }

@@ -34,8 +34,10 @@ namespace FastPoints.Cli
             if (progress.Current == null || m_sinceSaid.Elapsed.TotalSeconds < (m_isTerminal ? RedrawSeconds : LineSeconds))
                 return;
             m_sinceSaid.Restart();
-            string figures = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1} points/s  {2} left", 100 * progress.Share,
-                Human.Short(progress.PointsPerSecond), Human.Duration(progress.SecondsLeft));
+            // Some work counts no points.
+            string speed = progress.Points > 0 ? Human.Short(progress.PointsPerSecond) + " points/s  " : "";
+            string figures = string.Format(CultureInfo.InvariantCulture, "{0,3:0}%  {1}{2} left", 100 * progress.Share, speed,
+                Human.Duration(progress.SecondsLeft));
             if (!m_isTerminal)
             {
                 m_error.WriteLine(progress.Current + ": " + figures.TrimStart());

@@ -63,7 +63,7 @@ namespace FastPoints.Cli.Bench
             page.Chart(chart);
             for (int i = 0; i < rows.Count; i++)
                 if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
-                    page.Paragraph($"{rows[i].Name}: its error was {Human.Value(before)}, now {BenchTable.Error(samples[i])}.");
+                    page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now {BenchTable.Error(samples[i])}.");
         }
 
         static double[] Interval(SampleComparison? comparison) => comparison == null ? []

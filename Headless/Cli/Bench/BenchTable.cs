@@ -41,8 +41,8 @@ namespace FastPoints.Cli.Bench
         }
 
         public static string Error(WorkloadSamples samples) =>
-            samples.ErrorUnit != null ? Human.Value(samples.MedianError) + " " + samples.ErrorUnit
-            : samples.MedianError == 0 ? "exact" : Human.Value(samples.MedianError);
+            samples.ErrorUnit != null ? Human.Measured(samples.MedianError) + " " + samples.ErrorUnit
+            : samples.MedianError == 0 ? "exact" : Human.Measured(samples.MedianError);
 
         /// <summary>From the shortest to the longest sample, as shares of the median.</summary>
         static string Scatter(WorkloadSamples samples) => samples.Ms.Count < 2 || samples.MedianMs <= 0 ? "" : string.Create(
