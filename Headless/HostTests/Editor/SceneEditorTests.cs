@@ -1,8 +1,11 @@
 using System.Reflection;
 using FastPoints.Editor;
 using FastPoints.Entities;
+using FastPoints.Gpu;
+using FastPoints.Picture;
 using NUnit.Framework;
 using StandIns.Scene;
+using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -51,6 +54,35 @@ namespace FastPoints.HostTests.Editor
             // 100 x 40 x 20 units of half a metre, twice as large: north is forward, and forward is turned to the right.
             Assert.That(bounds.size, Is.EqualTo(new Vector3(40, 20, 100)));
             Assert.That(bounds.center, Is.EqualTo(new Vector3(10, 30, 30)), "it stands on its middle");
+            Object.DestroyImmediate(scene);
+        }
+
+        /// <summary>As Undo does it: without a property, or a word.</summary>
+        [TestCase("m_color", ColorMode.Elevation)]
+        [TestCase("m_gradient", FastPoints.Picture.Gradient.Gray)]
+        [TestCase("m_hiddenClasses", new[] { 2, 7 })]
+        [TestCase("m_path", "elsewhere.fastpoints")]
+        public void Update_FieldThatWasBroughtBack_OpensTheCloudAnewOnce(string field, object value)
+        {
+            using var world = World.DefaultGameObjectInjectionWorld = new World("default");
+            var scene = new GameObject("scan");
+            var cloud = scene.AddComponent<PointCloud>();
+            cloud.Path = "scan.fastpoints";
+            var before = cloud.Entity;
+            SceneLoop.Update();
+            Assert.That(cloud.Entity, Is.EqualTo(before));
+
+            typeof(PointCloud).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(cloud, value);
+            SceneLoop.Update();
+
+            Assert.That(cloud.Entity, Is.Not.EqualTo(before));
+            var file = world.EntityManager.GetComponentObject<PointCloudFile>(cloud.Entity);
+            Assert.That(file.Path, Is.EqualTo(cloud.Path));
+            Assert.That((file.Color, file.Gradient), Is.EqualTo((cloud.Color, cloud.Gradient)));
+            Assert.That(file.HiddenClasses, Is.EqualTo(ClassMask.Of(cloud.HiddenClasses)));
+            var after = cloud.Entity;
+            SceneLoop.Update();
+            Assert.That(cloud.Entity, Is.EqualTo(after));
             Object.DestroyImmediate(scene);
         }
 

@@ -63,6 +63,10 @@ namespace UnityEditor
 
     public class Undo
     {
+        public delegate void UndoRedoCallback();
+
+        public static UndoRedoCallback undoRedoPerformed;
+
         public static void PerformUndo() => throw EditorOnly.NotHere(nameof(PerformUndo));
 
         public static void RecordObject(Object objectToUndo, string name)

@@ -14,8 +14,11 @@ namespace FastPoints.Editor
 
         static EditModeFrames()
         {
-            if (!AssetDatabase.IsAssetImportWorkerProcess())
-                EditorApplication.update += Update;
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            EditorApplication.update += Update;
+            // Components see in their updates what has become of their fields.
+            Undo.undoRedoPerformed += EditorApplication.QueuePlayerLoopUpdate;
         }
 
         /// <summary>Once an update of the editor.</summary>

@@ -38,10 +38,7 @@ namespace FastPoints.Editor
         {
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script", "m_hiddenClasses");
-            // What is streamed depends on all of them.
-            if (serializedObject.ApplyModifiedProperties())
-                foreach (var cloud in targets)
-                    ((PointCloud)cloud).Reopen();
+            serializedObject.ApplyModifiedProperties();
             if (targets.Length == 1)
                 DrawClasses((PointCloud)target);
             DrawSettings();

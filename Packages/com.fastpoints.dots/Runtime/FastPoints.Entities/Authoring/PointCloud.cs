@@ -38,6 +38,13 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
+        // What was opened.
+        PointCloudAsset m_openedCloud;
+        string m_openedPath;
+        ColorMode m_openedColor;
+        Gradient m_openedGradient;
+        ClassMask m_openedClasses;
+
         /// <summary>Null where <see cref="Path"/> says which.</summary>
         public PointCloudAsset Cloud
         {
@@ -132,6 +139,9 @@ namespace FastPoints.Entities
 
         void Update()
         {
+            // Undo, prefabs and animations change fields and tell nobody.
+            if (!IsAsOpened)
+                Reopen();
             if (m_entity.TryGet(out var entities))
                 entities.SetComponentData(Entity, TransformMatrix.Of(transform));
         }
@@ -144,6 +154,9 @@ namespace FastPoints.Entities
             Gizmos.DrawWireCube(local.center, local.size);
         }
 
+        bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") && m_openedColor == m_color &&
+            m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses));
+
         void Set<T>(ref T field, T value)
         {
             if (EqualityComparer<T>.Default.Equals(field, value))
@@ -154,13 +167,15 @@ namespace FastPoints.Entities
 
         void Add()
         {
+            (m_openedCloud, m_openedPath, m_openedColor, m_openedGradient) = (m_cloud, m_path ?? "", m_color, m_gradient);
+            m_openedClasses = ClassMask.Of(m_hiddenClasses);
             if ((m_cloud == null && string.IsNullOrEmpty(m_path)) || !m_entity.TryCreate(out var entities))
                 return;
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));
             var file = m_cloud != null ? m_cloud.File() : new PointCloudFile { Path = m_path };
             file.Color = m_color;
             file.Gradient = m_gradient;
-            file.HiddenClasses = ClassMask.Of(m_hiddenClasses);
+            file.HiddenClasses = m_openedClasses;
             entities.AddComponentObject(Entity, file);
         }
     }

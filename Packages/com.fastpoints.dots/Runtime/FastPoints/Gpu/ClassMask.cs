@@ -1,10 +1,11 @@
+using System;
 using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
     /// <summary>Some of the 256 classes that points can have; none unless they are added. Blittable.</summary>
-    public struct ClassMask
+    public struct ClassMask : IEquatable<ClassMask>
     {
         /// <summary>Classes 0 to 127, 32 each, and 128 to 255.</summary>
         public uint4 Low;
@@ -32,6 +33,8 @@ namespace FastPoints.Gpu
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly bool Has(int c) => ((c < 128 ? Low : High)[(c & 127) >> 5] >> (c & 31) & 1) != 0;
+
+        public readonly bool Equals(ClassMask other) => math.all(Low == other.Low & High == other.High);
 
         /// <summary>All others.</summary>
         public readonly ClassMask Inverse => new ClassMask { Low = ~Low, High = ~High };
