@@ -211,6 +211,7 @@ namespace FastPoints.HostTests.Editor
                 Assert.That(measured.WorldLength, Is.EqualTo(2 * measured.LengthGeo).Within(1e-5), "the scene is twice as large");
                 Assert.That(tool.Session.Lines[0], Does.StartWith("Distance  "));
                 Assert.That(tool.Session.Lines, Has.Some.StartsWith("dx, dy, dz  "));
+                AssertMarksGoWithTheCloud(tool.Session);
 
                 var right = new Event { type = EventType.MouseDown, button = 1 };
                 Send(right);
@@ -225,6 +226,28 @@ namespace FastPoints.HostTests.Editor
             }
             var updated = EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0];
             Assert.That(updated, Has.None.SameAs(tool));
+        }
+
+        void AssertMarksGoWithTheCloud(MeasureSession session)
+        {
+            var picked = session.Picks[1].Point.PlaceWorld;
+            Assert.That(math.distance(session.PlaceOf(1), picked), Is.LessThan(1e-6));
+            var moved = m_scene.transform.localToWorldMatrix;
+            moved.m13 += 7;
+            SceneLoop.Place(m_scene.transform, moved);
+            Frames(() => true);
+            Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6));
+
+            m_cloud.Reopen();
+            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+            Frames(() => true);
+            Assert.That(math.distance(session.PlaceOf(1), picked + new double3(0, 7, 0)), Is.LessThan(1e-6), "opened anew");
+            m_cloud.enabled = false;
+            var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+            Frames(() => stream.Clouds.All(c => c == null || c.IsLeaving));
+            Assert.That(session.PlaceOf(1), Is.EqualTo(picked), "nobody knows any more");
+            m_cloud.enabled = true;
+            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
         }
 
         [TestCase(0.001, "690052.801, 5330006.106, 528.000")]

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Entities;
 using FastPoints.Picking;
+using Unity.Entities;
+using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
@@ -10,6 +12,7 @@ namespace FastPoints.Editor
     {
         readonly ScenePicker m_picker = new ScenePicker();
         readonly List<StreamPick> m_picks = new List<StreamPick>();
+        readonly List<Entity> m_clouds = new List<Entity>();
         readonly List<string> m_lines = new List<string>();
 
         /// <summary>The second is measured from the first.</summary>
@@ -24,7 +27,7 @@ namespace FastPoints.Editor
         public void Begin(PickRay ray)
         {
             if (m_picks.Count == 2)
-                m_picks.Clear();
+                ClearPicks();
             if (m_picker.Begin(ray))
                 Tell("searching");
             else
@@ -39,7 +42,10 @@ namespace FastPoints.Editor
                 return false;
             var pick = m_picker.Pick;
             if (pick.Point != null)
+            {
                 m_picks.Add(pick);
+                m_clouds.Add(m_picker.EntityOf(pick.Cloud));
+            }
             Tell(pick.Failure ?? (pick.Point == null ? "no point here"
                 : pick.IsPartial ? "perhaps not the nearest: too many points"
                 : pick.IsPreview ? "perhaps not the nearest: not all points are there yet" : null));
@@ -48,11 +54,20 @@ namespace FastPoints.Editor
 
         public void Clear()
         {
-            m_picks.Clear();
+            ClearPicks();
             m_lines.Clear();
         }
 
+        /// <summary>Where a pick is now, in the world: it goes with its cloud.</summary>
+        public double3 PlaceOf(int pick) => m_picker.PlaceOf(m_picks[pick], m_clouds[pick]);
+
         public void Dispose() => m_picker.Dispose();
+
+        void ClearPicks()
+        {
+            m_picks.Clear();
+            m_clouds.Clear();
+        }
 
         void Tell(string note)
         {

@@ -86,12 +86,12 @@ namespace FastPoints.Editor
             var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
             for (int i = 0; i < m_session.Picks.Count; i++)
             {
-                var place = PlaceOf(m_session.Picks[i]);
+                var place = PlaceOf(i);
                 Handles.DrawWireDisc(place, toCamera, HandleUtility.GetHandleSize(place) * 0.05f);
                 Handles.Label(place, i == 0 ? "From" : "To");
             }
             if (m_session.Picks.Count == 2)
-                Handles.DrawLine(PlaceOf(m_session.Picks[0]), PlaceOf(m_session.Picks[1]));
+                Handles.DrawLine(PlaceOf(0), PlaceOf(1));
         }
 
         void DrawText()
@@ -108,9 +108,9 @@ namespace FastPoints.Editor
             Handles.EndGUI();
         }
 
-        static Vector3 PlaceOf(StreamPick pick)
+        Vector3 PlaceOf(int pick)
         {
-            var place = (float3)pick.Point.PlaceWorld;
+            var place = (float3)m_session.PlaceOf(pick);
             return new Vector3(place.x, place.y, place.z);
         }
     }

@@ -1,8 +1,11 @@
 using System;
 using FastPoints.Gpu;
 using FastPoints.Picking;
+using FastPoints.Store;
+using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;
+using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
@@ -58,6 +61,16 @@ namespace FastPoints.Entities
             return found;
         }
 
+        /// <summary>Where a picked point is now: its cloud may have been moved since, or opened anew.</summary>
+        /// <param name="cloud">The cloud's entity when it was picked: see <see cref="EntityOf"/>.</param>
+        /// <returns>In the world; where it was picked, if the cloud is not shown any more.</returns>
+        public double3 PlaceOf(StreamPick pick, Entity cloud)
+        {
+            var shown = Group?.Stream == null ? null : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : Shown(pick.Path);
+            return shown == null ? pick.Point.PlaceWorld : shown.Placement.OriginWorld + math.mul(shown.Placement.Linear,
+                pick.Point.PlaceGeo - shown.Source.Grid.ToGeo(shown.Source.Root.Corner));
+        }
+
         public void Dispose() => m_picker.Dispose();
 
         PointCloudSystemGroup Group
@@ -67,6 +80,24 @@ namespace FastPoints.Entities
                 var world = m_world ?? World.DefaultGameObjectInjectionWorld;
                 return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
             }
+        }
+
+        /// <summary>Null where the entity is gone.</summary>
+        int? NumberOf(Entity cloud)
+        {
+            var entities = Group.World.EntityManager;
+            return entities.Exists(cloud) && entities.HasComponent<PointCloudPlacement>(cloud) &&
+                entities.HasComponent<StreamedPointCloud>(cloud)
+                    ? entities.GetComponentData<StreamedPointCloud>(cloud).Number
+                    : (int?)null;
+        }
+
+        StreamedCloud Shown(string path)
+        {
+            foreach (var cloud in Group.Stream.Clouds)
+                if (cloud != null && !cloud.IsLeaving && StoreFormat.FinishedPath(cloud.Source.Path) == path)
+                    return cloud;
+            return null;
         }
 
         ClassMask HiddenOf(int cloud)
