@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using FastPoints.Base;
+using FastPoints.Pipeline;
 
 namespace FastPoints.Editor
 {
@@ -17,12 +18,12 @@ namespace FastPoints.Editor
         /// not a promise: points that go to files and other samplers shift it.</summary>
         static readonly Weight[] s_weights =
         {
-            new Weight { Stage = "sample", Share = 0.08 },
-            new Weight { Stage = "read", Share = 0.40 },
-            new Weight { Stage = "split", Share = 0.01 },
-            new Weight { Stage = "index", Share = 0.44 },
-            new Weight { Stage = "merge", Share = 0.06 },
-            new Weight { Stage = "finish", Share = 0.01 },
+            new Weight { Stage = BuildStages.Sample, Share = 0.08 },
+            new Weight { Stage = BuildStages.Read, Share = 0.40 },
+            new Weight { Stage = BuildStages.Split, Share = 0.01 },
+            new Weight { Stage = BuildStages.Index, Share = 0.44 },
+            new Weight { Stage = BuildStages.Merge, Share = 0.06 },
+            new Weight { Stage = BuildStages.Finish, Share = 0.01 },
         };
 
         /// <summary>Share of the whole build that is done, 0 to 1; never falls while a build goes on.</summary>

@@ -154,8 +154,8 @@ namespace FastPoints.Entities
             Gizmos.DrawWireCube(local.center, local.size);
         }
 
-        bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") && m_openedColor == m_color &&
-            m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses));
+        bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") &&
+            m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses));
 
         void Set<T>(ref T field, T value)
         {

@@ -66,7 +66,8 @@ namespace FastPoints.Entities
         /// <returns>In the world; where it was picked, if the cloud is not shown any more.</returns>
         public double3 PlaceOf(StreamPick pick, Entity cloud)
         {
-            var shown = Group?.Stream == null ? null : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : Shown(pick.Path);
+            var shown = Group?.Stream == null ? null
+                : NumberOf(cloud) is int number ? Group.Stream.Clouds[number] : Shown(pick.Path);
             return shown == null ? pick.Point.PlaceWorld : shown.Placement.OriginWorld + math.mul(shown.Placement.Linear,
                 pick.Point.PlaceGeo - shown.Source.Grid.ToGeo(shown.Source.Root.Corner));
         }

@@ -77,7 +77,7 @@ namespace FastPoints.Pipeline
         {
             if (!m_reader.BlocksAreKnown)
             {
-                progress?.Begin("find blocks");
+                progress?.Begin(PreviewCloud.FindBlocksStage);
                 using (var finding = m_reader.FindBlocks())
                     while (finding.MoveNext())
                         yield return finding.Current;

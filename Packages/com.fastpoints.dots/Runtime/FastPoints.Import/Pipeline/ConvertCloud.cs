@@ -71,7 +71,7 @@ namespace FastPoints.Pipeline
         {
             using (var convert = new ConvertCloud(readers, target, settings, progress))
             {
-                progress?.Begin("sample");
+                progress?.Begin(BuildStages.Sample);
                 using (var work = convert.Sample())
                     while (work.MoveNext())
                         yield return work.Current;
@@ -85,11 +85,11 @@ namespace FastPoints.Pipeline
                     progress?.End();
                     yield break;
                 }
-                progress?.Begin("read");
+                progress?.Begin(BuildStages.Read);
                 using (var work = convert.Distribute())
                     while (work.MoveNext())
                         yield return work.Current;
-                progress?.Begin("split");
+                progress?.Begin(BuildStages.Split);
                 using (var work = convert.SettleChunks())
                     while (work.MoveNext())
                         yield return work.Current;
@@ -407,7 +407,7 @@ namespace FastPoints.Pipeline
 
         ConvertResult Finish()
         {
-            m_progress?.Begin("finish");
+            m_progress?.Begin(BuildStages.Finish);
             var manifest = m_manifest;
             if (m_journal.At == BuildJournal.Stage.Done)
             {

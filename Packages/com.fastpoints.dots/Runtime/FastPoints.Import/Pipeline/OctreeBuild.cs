@@ -85,7 +85,7 @@ namespace FastPoints.Pipeline
         /// <param name="atOnce">Chunks in work, where memory has room for them.</param>
         public IEnumerator<JobHandle> Run(int atOnce, CloudManifest manifest, StageProgress progress)
         {
-            progress?.Begin("index");
+            progress?.Begin(BuildStages.Index);
             using (var chunks = IndexChunks(atOnce, manifest, progress))
                 while (chunks.MoveNext())
                     yield return chunks.Current;
@@ -97,7 +97,7 @@ namespace FastPoints.Pipeline
             pool.FreeAll();
             m_pool.Value = pool;
 
-            progress?.Begin("merge");
+            progress?.Begin(BuildStages.Merge);
             int lowest = m_root.SideLog2;
             foreach (var result in m_results)
             {

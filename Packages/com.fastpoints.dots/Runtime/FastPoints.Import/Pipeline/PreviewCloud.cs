@@ -19,6 +19,9 @@ namespace FastPoints.Pipeline
     /// </summary>
     public sealed class PreviewCloud : IDisposable
     {
+        /// <summary>Stages that read all of a source: what else would read it may as well go first.</summary>
+        public const string FindBlocksStage = "find blocks", RefineStage = "refine";
+
         /// <summary>From this size of points on surfaces are closed by the density: samples whose points are smaller are blurred
         /// more than they gain.</summary>
         const float LeastThinPx = 2;
@@ -57,7 +60,8 @@ namespace FastPoints.Pipeline
         /// <summary>Null before the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
-        /// <summary>Work for a pump, with the stages <c>sample</c>, <c>find blocks</c>, <c>refine</c> and <c>draw</c>.</summary>
+        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/>, <see cref="RefineStage"/> and
+        /// <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
         public IEnumerator<JobHandle> Run(StageProgress progress)
         {
@@ -204,7 +208,7 @@ namespace FastPoints.Pipeline
                     yield return measuring.Current;
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
-            progress?.Begin("refine");
+            progress?.Begin(RefineStage);
             using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust))
             {
                 sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
@@ -276,7 +280,7 @@ namespace FastPoints.Pipeline
         {
             if (m_reader.BlocksAreKnown)
                 yield break;
-            progress?.Begin("find blocks");
+            progress?.Begin(FindBlocksStage);
             using (var finding = m_reader.FindBlocks())
                 while (finding.MoveNext())
                     yield return finding.Current;

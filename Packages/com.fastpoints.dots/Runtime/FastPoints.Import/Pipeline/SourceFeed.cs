@@ -124,7 +124,8 @@ namespace FastPoints.Pipeline
         }
 
         /// <summary>What comes decodes all of the source, which a build does anyway.</summary>
-        bool IsLeftToTheBuild => m_isHurried && (m_progress.Current == "refine" || m_progress.Current == "find blocks");
+        bool IsLeftToTheBuild => m_isHurried &&
+            (m_progress.Current == PreviewCloud.RefineStage || m_progress.Current == PreviewCloud.FindBlocksStage);
 
         IEnumerator<JobHandle> KeepWave()
         {
