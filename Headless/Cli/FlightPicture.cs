@@ -6,8 +6,7 @@ namespace FastPoints.Cli
     /// <summary>Draws what a stream's last frame listed.</summary>
     public abstract class FlightPicture : IDisposable
     {
-        /// <summary>One more of the stream's clouds. All have one palette, so that modes other than RGB must be the
-        /// same.</summary>
+        /// <summary>One more of the stream's clouds.</summary>
         public abstract void Add(int cloud, PicturePlan plan);
 
         public abstract RgbaImage Draw(in Camera camera);

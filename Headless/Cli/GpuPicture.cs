@@ -24,7 +24,6 @@ namespace FastPoints.Cli
         readonly SizeTree m_sizes = new();
         readonly RenderTexture m_target;
         readonly CommandBuffer m_commands = new() { name = "FastPoints" };
-        bool m_hasPalette;
         float m_edlStrength;
 
         /// <param name="stream">Its pool is one of the graphics card's.</param>
@@ -44,11 +43,6 @@ namespace FastPoints.Cli
         {
             m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
             m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses));
-            if (m_hasPalette && plan.Mode == ColorMode.Rgb)
-                return;
-            using var palette = Palettes.Create(plan.Mode, Allocator.Temp, plan.Gradient);
-            m_renderer.SetPalette(palette);
-            m_hasPalette = true;
         }
 
         public override RgbaImage Draw(in Camera camera)

@@ -3,6 +3,7 @@ using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
 using FastPoints.Entities;
+using FastPoints.Gpu;
 using FastPoints.HostTests.Cli;
 using FastPoints.Picture;
 using FastPoints.Points;
@@ -105,11 +106,11 @@ namespace FastPoints.HostTests.Entities
                 return source.Planes.ToArray().Select(p => source.Layout.Planes[p].Name).ToArray();
             }
             Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, StoreLayout.ColorName }));
-            Assert.That(Look().Mode, Is.EqualTo(ColorMode.Rgb));
+            Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Channels));
 
             cloud.Color = ColorMode.Elevation;
             Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName }));
-            Assert.That(Look().Mode, Is.EqualTo(ColorMode.Elevation));
+            Assert.That(Look().Value.Source, Is.EqualTo(ColorSource.Place));
 
             cloud.HiddenClasses = new[] { 2, 6 };
             Assert.That(Planes(), Is.EqualTo(new[] { StoreLayout.PositionName, AttributeNames.Classification }));

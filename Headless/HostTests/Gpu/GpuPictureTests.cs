@@ -89,6 +89,34 @@ namespace FastPoints.HostTests.Gpu
             Compare(streams, streams.Plan.Camera, "color-" + mode);
         }
 
+        /// <summary>Each cloud has its own mode and gradient.</summary>
+        [Test]
+        public void Draw_TwoCloudsOfDifferentColours_IsThatOfTheSoftwareRasterizer()
+        {
+            var options = Options(4, true, ColorMode.Classification);
+            using var streams = new TwinStreams(m_demo, options, 2 * Points);
+            var camera = streams.Plan.Camera;
+            var alone = streams.Draw(camera).Gpu;
+            var other = Options(4, true, ColorMode.Elevation);
+            other.Gradient = Gradient.Turbo;
+            var size = streams.Ranges.Robust.Size;
+            streams.Add(m_demo, other, placement =>
+            {
+                placement.OriginWorld += new double3(0, 0, size.z);
+                return placement;
+            });
+            Compare(streams, camera, "two-colours");
+
+            var both = streams.Draw(camera).Gpu;
+            using var palettes = Palettes.CreateAll(Unity.Collections.Allocator.Persistent);
+            uint[] Of(int palette) => palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
+            var classes = Of(Palettes.IndexOf(ColorMode.Classification));
+            var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, Gradient.Turbo));
+            int Count(RgbaImage image, uint[] colors) => Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
+            Assert.That(Count(alone, turbo), Is.LessThan(Count(both, turbo) / 10));
+            Assert.That(Count(both, classes), Is.GreaterThan(500));
+        }
+
         /// <summary>Sizes that differ from point to point: by distance, and by what is drawn at their place.</summary>
         [TestCase("0.2u", true)]
         [TestCase("0.2u", false)]

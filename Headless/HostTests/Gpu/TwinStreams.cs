@@ -35,11 +35,20 @@ namespace FastPoints.HostTests.Gpu
             m_gpu = new StreamContext(shaders.CreatePool(256 << 20, 8 << 20, 1 << 20));
             m_cpuPicture = new CpuPicture(m_cpu, options);
             m_gpuPicture = new GpuPicture(shaders, m_gpu, options, canCompute);
-            foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
+            foreach (var stream in new[] { m_cpu, m_gpu })
             {
                 stream.Settings.Selection.PointBudget = budget;
                 stream.Settings.Selection.FinestSpacingPx = 0;
                 stream.Settings.Selection.SmallestNodePx = 0;
+            }
+            Add(cloud, options, place);
+        }
+
+        /// <summary>One more cloud, by other options: <see cref="Plan"/> and <see cref="Ranges"/> become its own.</summary>
+        public void Add(string cloud, PictureOptions options, Func<CloudPlacement, CloudPlacement> place = null)
+        {
+            foreach (var (stream, picture) in new[] { (m_cpu, m_cpuPicture), (m_gpu, m_gpuPicture) })
+            {
                 var plan = FlightCloud.Add(cloud, stream, options, default, out var ranges, out int number);
                 if (place != null)
                     stream.Clouds[number].Placement = place(stream.Clouds[number].Placement);
@@ -55,8 +64,8 @@ namespace FastPoints.HostTests.Gpu
         /// pixel that differs changes the shade of those around it.</summary>
         public double MostThatDiffer => !m_options.RoundPoints && !m_options.DomedPoints ? 0.015 : m_options.EdlStrength > 0 ? 0.003 : 0.001;
 
-        public PicturePlan Plan { get; }
-        public DisplayRanges Ranges { get; }
+        public PicturePlan Plan { get; private set; }
+        public DisplayRanges Ranges { get; private set; }
 
         /// <summary>By what the options say now.</summary>
         public void Clip()

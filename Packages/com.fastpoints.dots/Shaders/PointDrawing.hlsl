@@ -99,16 +99,17 @@ float FastPointsColumnValue(GpuCloud cloud, FastPointsBlock block, uint column, 
 
 float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index, float3 steps)
 {
+    uint palette = cloud.ColumnTypes >> 24;
     if (cloud.ColorSource == FASTPOINTS_COLOR_PLACE)
-        return FastPointsLookUp(FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
+        return FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
     uint columns = cloud.Columns & 0xFFu, wide = cloud.Columns >> 8;
     uint descriptorWords = 2u + columns + countbits(wide);
     FastPointsBlock block = FastPointsOpenBlock(node.ColorWord, descriptorWords, blockIndex);
     float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
     if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
-        return FastPointsLookUp(FastPointsEntry(first));
+        return FastPointsLookUp(palette, FastPointsEntry(first));
     if (cloud.ColorSource == FASTPOINTS_COLOR_WRAPPED)
-        return FastPointsLookUp(uint(int(floor(first))) & 0xFFu);
+        return FastPointsLookUp(palette, uint(int(floor(first))) & 0xFFu);
     uint packed = block.Packed + FastPointsWordsOf(block, 0u), minimumWord = 3u + (wide & 1u);
     float second = FastPointsColumnValue(cloud, block, 1u, minimumWord, packed, index);
     packed += FastPointsWordsOf(block, 1u);

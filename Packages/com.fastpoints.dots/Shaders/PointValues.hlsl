@@ -14,8 +14,8 @@
 #define FASTPOINTS_FLOAT32 8u
 #define FASTPOINTS_FLOAT64 9u
 
-// 256 sRGB colours: red, green, blue, alpha from the lowest byte.
-ByteAddressBuffer _FastPointsPalette;
+// Tables of 256 sRGB colours, one behind the other: red, green, blue, alpha from the lowest byte.
+ByteAddressBuffer _FastPointsPalettes;
 
 // A value of up to 32 bits.
 float FastPointsValue(uint bits, uint type)
@@ -56,9 +56,9 @@ float3 FastPointsUnpackColor(uint color)
     return float3(color & 0xFFu, color >> 8 & 0xFFu, color >> 16 & 0xFFu) / 255.0;
 }
 
-float3 FastPointsLookUp(uint entry)
+float3 FastPointsLookUp(uint palette, uint entry)
 {
-    return FastPointsUnpackColor(_FastPointsPalette.Load(entry * 4u));
+    return FastPointsUnpackColor(_FastPointsPalettes.Load((palette * 256u + entry) * 4u));
 }
 
 // IEC 61966-2-1.

@@ -73,7 +73,7 @@ namespace FastPoints.Rendering
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Nodes, buffers.Nodes);
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Clouds, buffers.Clouds);
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.NodeOfInstance, buffers.NodeOfInstance);
-                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Palette, buffers.Palette);
+                commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.Palettes, buffers.Palettes);
                 commands.SetComputeBufferParam(m_shader, kernel, ShaderNames.ClipBoxes, buffers.ClipBoxes ?? m_noClips);
                 for (int i = 0; i < list.Draws.Length; i++)
                     Dispatch(commands, kernel, list.Draws[i], pool);

@@ -34,10 +34,10 @@ namespace FastPoints.Rendering
         readonly GrowingBuffer m_clipBoxes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
-        readonly GrowingBuffer m_palette = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
+        readonly GrowingBuffer m_palettes = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         NativeList<GraphicsBuffer.IndirectDrawArgs> m_drawArguments;
         NativeArray<uint> m_colors;
-        bool m_isPaletteWritten;
+        bool m_arePalettesWritten;
 
         /// <param name="materials">As many renderers as there are cameras share them.</param>
         /// <param name="pool">That the streams' clouds lie in; not this renderer's.</param>
@@ -49,21 +49,11 @@ namespace FastPoints.Rendering
             m_materials = materials;
             m_raster = materials.Raster != null ? new ComputeRaster(materials.Raster) : null;
             m_drawArguments = new NativeList<GraphicsBuffer.IndirectDrawArgs>(Allocator.Persistent);
-            m_colors = new NativeArray<uint>(PaletteLength, Allocator.Persistent);
+            m_colors = Picture.Palettes.CreateAll(Allocator.Persistent);
         }
-
-        public const int PaletteLength = 256;
 
         /// <summary>What the last <see cref="Prepare"/> found to draw, and how clouds look.</summary>
         public DrawList List { get; }
-
-        /// <summary>Sets the colours that values and places are looked up in.</summary>
-        /// <param name="colors">256 of them, sRGB: red, green, blue, alpha from the lowest byte.</param>
-        public void SetPalette(NativeArray<uint> colors)
-        {
-            m_colors.CopyFrom(colors);
-            m_isPaletteWritten = false;
-        }
 
         /// <summary>Lists what a camera sees of the stream's last frame.</summary>
         /// <param name="view">In the world that the stream's placements lead to.</param>
@@ -153,7 +143,7 @@ namespace FastPoints.Rendering
             Nodes = m_nodes.Buffer,
             Clouds = m_clouds.Buffer,
             NodeOfInstance = m_nodeOfInstance.Buffer,
-            Palette = m_palette.Buffer,
+            Palettes = m_palettes.Buffer,
             ClipBoxes = List.ClipBoxes.Length > 0 ? m_clipBoxes.Buffer : null,
         };
 
@@ -166,7 +156,7 @@ namespace FastPoints.Rendering
             m_clouds.Dispose();
             m_nodeOfInstance.Dispose();
             m_arguments.Dispose();
-            m_palette.Dispose();
+            m_palettes.Dispose();
             m_sizeNodes.Dispose();
             m_raster?.Dispose();
             m_clipBoxes.Dispose();
@@ -181,7 +171,7 @@ namespace FastPoints.Rendering
             m_properties.SetBuffer(ShaderNames.Nodes, m_nodes.Buffer);
             m_properties.SetBuffer(ShaderNames.Clouds, m_clouds.Buffer);
             m_properties.SetBuffer(ShaderNames.NodeOfInstance, m_nodeOfInstance.Buffer);
-            m_properties.SetBuffer(ShaderNames.Palette, m_palette.Buffer);
+            m_properties.SetBuffer(ShaderNames.Palettes, m_palettes.Buffer);
             if (view.Style.IsAdaptive)
                 m_properties.SetBuffer(ShaderNames.SizeNodes, m_sizeNodes.Buffer);
             if (List.ClipBoxes.Length > 0)
@@ -235,9 +225,9 @@ namespace FastPoints.Rendering
             m_clipBoxes.Write(commands, List.ClipBoxes);
             if (style.IsAdaptive)
                 m_sizeNodes.Write(commands, List.SizeNodes);
-            if (!m_isPaletteWritten)
-                m_palette.Write(commands, m_colors);
-            m_isPaletteWritten = true;
+            if (!m_arePalettesWritten)
+                m_palettes.Write(commands, m_colors);
+            m_arePalettesWritten = true;
         }
     }
 }

@@ -23,7 +23,6 @@ namespace FastPoints.Rendering
         readonly List<CloudLook> m_looks = new List<CloudLook>();
         readonly List<SeenCamera> m_cameras = new List<SeenCamera>();
         NativeList<StreamView> m_nextViews;
-        NativeArray<uint> m_palette;
         int m_frame;
 
         /// <summary>One camera's buffers.</summary>
@@ -47,7 +46,6 @@ namespace FastPoints.Rendering
             m_pool = (GraphicsNodePool)stream.Pool;
             m_materials = new PointMaterials(points, compose, raster);
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
-            m_palette = new NativeArray<uint>(PointRenderer.PaletteLength, Allocator.Persistent);
         }
 
         /// <summary>What passes draw; null for nothing.</summary>
@@ -65,14 +63,6 @@ namespace FastPoints.Rendering
             while (m_looks.Count <= cloud)
                 m_looks.Add(new CloudLook { Plane = -1 });
             m_looks[cloud] = look;
-        }
-
-        /// <summary>See <see cref="PointRenderer.SetPalette"/>.</summary>
-        public void SetPalette(NativeArray<uint> colors)
-        {
-            m_palette.CopyFrom(colors);
-            foreach (var seen in m_cameras)
-                seen.Renderer.SetPalette(m_palette);
         }
 
         /// <summary>The views were taken: cameras are announced anew.</summary>
@@ -145,7 +135,6 @@ namespace FastPoints.Rendering
             m_materials.Dispose();
             m_sizes.Dispose();
             m_nextViews.Dispose();
-            m_palette.Dispose();
         }
 
         SeenCamera Seen(Camera camera)
@@ -158,7 +147,6 @@ namespace FastPoints.Rendering
                 return m_cameras[i];
             }
             var renderer = new PointRenderer(m_materials, m_pool, m_sizes);
-            renderer.SetPalette(m_palette);
             var seen = new SeenCamera { Camera = camera, Renderer = renderer, LastFrame = m_frame, AnnouncedFrame = -1 };
             m_cameras.Add(seen);
             return seen;

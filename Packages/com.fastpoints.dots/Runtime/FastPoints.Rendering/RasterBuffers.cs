@@ -8,7 +8,7 @@ namespace FastPoints.Rendering
         public GraphicsBuffer Nodes;
         public GraphicsBuffer Clouds;
         public GraphicsBuffer NodeOfInstance;
-        public GraphicsBuffer Palette;
+        public GraphicsBuffer Palettes;
 
         /// <summary>Null where there are none.</summary>
         public GraphicsBuffer ClipBoxes;

@@ -28,7 +28,7 @@ namespace FastPoints.Rendering
         public static readonly int NodeOfInstance = Shader.PropertyToID("_FastPointsNodeOfInstance");
         public static readonly int Nodes = Shader.PropertyToID("_FastPointsNodes");
         public static readonly int Pages = Shader.PropertyToID("_FastPointsPages");
-        public static readonly int Palette = Shader.PropertyToID("_FastPointsPalette");
+        public static readonly int Palettes = Shader.PropertyToID("_FastPointsPalettes");
         public static readonly int Pixels = Shader.PropertyToID("_FastPointsPixels");
         public static readonly int PixelsOut = Shader.PropertyToID("_FastPointsPixelsOut");
         public static readonly int RightEyeOffset = Shader.PropertyToID("_FastPointsRightEyeOffset");

@@ -1,5 +1,4 @@
 using FastPoints.Gpu;
-using FastPoints.Picture;
 using Unity.Entities;
 
 namespace FastPoints.Entities
@@ -8,10 +7,7 @@ namespace FastPoints.Entities
     /// <see cref="PointCloudFile"/> says; users may write another, of planes that are streamed.</summary>
     public struct PointCloudLook : IComponentData
     {
-        /// <summary>Decides on the palette, with <see cref="Gradient"/>: of clouds that are looked up in one, all should have the
-        /// same.</summary>
-        public ColorMode Mode;
-        public Gradient Gradient;
+        /// <summary>See <c>CloudLooks.Of</c>.</summary>
         public CloudLook Value;
     }
 }

@@ -54,13 +54,11 @@ namespace FastPoints.Entities
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
             var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode),
-                taken.Grid.FromCorner(taken.Root.Corner));
+                taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
             source.Source = taken;
             source.Stage = facts.Stage;
             source.Look = new PointCloudLook
             {
-                Mode = mode,
-                Gradient = file.Gradient,
                 Value = CloudLooks.Of(colors, taken, file.HiddenClasses),
             };
         }

@@ -1,4 +1,3 @@
-using FastPoints.Picture;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -14,10 +13,6 @@ namespace FastPoints.Entities
     {
         EntityQuery m_shown;
         EntityQuery m_styles;
-
-        /// <summary>Of the palette; RGB needs none.</summary>
-        ColorMode m_mode = ColorMode.Rgb;
-        Gradient m_gradient;
 
         protected override void OnCreate()
         {
@@ -37,16 +32,11 @@ namespace FastPoints.Entities
             using (var clouds = m_shown.ToComponentDataArray<StreamedPointCloud>(Allocator.Temp))
             using (var looks = m_shown.ToComponentDataArray<PointCloudLook>(Allocator.Temp))
             {
-                // There is one palette: the first cloud that is looked up in one has it.
-                int first = -1;
                 for (int i = 0; i < clouds.Length; i++)
                 {
                     scene.SetLook(clouds[i].Number, looks[i].Value);
                     ShowOthers(scene, entities[i], clouds[i]);
-                    first = first < 0 && looks[i].Mode != ColorMode.Rgb ? i : first;
                 }
-                if (first >= 0)
-                    UsePalette(scene, looks[first].Mode, looks[first].Gradient);
             }
         }
 
@@ -67,15 +57,6 @@ namespace FastPoints.Entities
         {
             using (var styles = m_styles.ToComponentDataArray<PointCloudStyle>(Allocator.Temp))
                 scene.Style = styles[0].Value;
-        }
-
-        void UsePalette(PointScene scene, ColorMode mode, Gradient gradient)
-        {
-            if ((mode, gradient) == (m_mode, m_gradient))
-                return;
-            (m_mode, m_gradient) = (mode, gradient);
-            using (var palette = Palettes.Create(mode, Allocator.Temp, gradient))
-                scene.SetPalette(palette);
         }
     }
 }

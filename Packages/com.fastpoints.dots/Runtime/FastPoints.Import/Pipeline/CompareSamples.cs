@@ -281,7 +281,6 @@ namespace FastPoints.Pipeline
                 plan.SizePx = PointSizing.MinPx;
             using (var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent))
             {
-                canvas.UsePalette(plan.Mode, plan.Gradient);
                 using (var size = SamplePicture.ChooseSize(canvas, points, plan, points.Count))
                     while (size.MoveNext())
                         yield return size.Current;

@@ -15,7 +15,7 @@ namespace FastPoints.Pipeline
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;
-        [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
         public PointDrawing Drawing;
 
@@ -27,7 +27,7 @@ namespace FastPoints.Pipeline
             int start = index * RasterizePointsJob.PointsPerPiece;
             int count = math.min(RasterizePointsJob.PointsPerPiece, Result.Value.Points - start);
             if (count > 0)
-                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(),
+                Drawing.Draw((byte*)Block.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
                     (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), start, count,
                     (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
         }

@@ -63,7 +63,6 @@ namespace FastPoints.Pipeline
                 progress?.Begin("draw");
                 using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
                 {
-                    m_canvas.UsePalette(Plan.Mode, Plan.Gradient);
                     long points = drawSample ? sample.Count : m_reader.PointCount;
                     using (var size = SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points))
                         while (size.MoveNext())
@@ -108,7 +107,7 @@ namespace FastPoints.Pipeline
             {
                 Block = read.Points.Bytes,
                 Result = read.Result,
-                Palette = m_canvas.Palette,
+                Palettes = m_canvas.Palettes,
                 SizeOfTile = m_canvas.SizeOfTile,
                 Drawing = Plan.DrawingOf(read.Points, m_canvas),
                 Pixels = m_canvas.Pixels,

@@ -77,7 +77,6 @@ namespace FastPoints.Pipeline
                     NodesDrawn = selection.NodeCount;
                     PointsDrawn = batch.Count;
                     progress?.Begin("draw");
-                    canvas.UsePalette(Plan.Mode, Plan.Gradient);
                     using (var size = SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count))
                         while (size.MoveNext())
                             yield return size.Current;

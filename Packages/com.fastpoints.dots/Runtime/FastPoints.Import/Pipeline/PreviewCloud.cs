@@ -75,7 +75,6 @@ namespace FastPoints.Pipeline
             progress?.Begin("draw");
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
             {
-                canvas.UsePalette(Plan.Mode, Plan.Gradient);
                 using (var size = SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count))
                     while (size.MoveNext())
                         yield return size.Current;

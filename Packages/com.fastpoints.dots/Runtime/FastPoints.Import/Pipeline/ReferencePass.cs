@@ -36,7 +36,6 @@ namespace FastPoints.Pipeline
             for (int view = 0; view < plans.Length; view++)
             {
                 m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
-                m_canvases[view].UsePalette(plans[view].Mode, plans[view].Gradient);
             }
         }
 
@@ -112,7 +111,7 @@ namespace FastPoints.Pipeline
                 {
                     Block = read.Points.Bytes,
                     Result = read.Result,
-                    Palette = m_canvases[view].Palette,
+                    Palettes = m_canvases[view].Palettes,
                     SizeOfTile = m_canvases[view].SizeOfTile,
                     Drawing = m_plans[view].DrawingOf(read.Points, m_canvases[view]),
                     Pixels = m_canvases[view].Pixels,

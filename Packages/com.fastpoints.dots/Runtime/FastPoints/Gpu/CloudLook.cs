@@ -19,6 +19,9 @@ namespace FastPoints.Gpu
         /// <see cref="Bias"/> is then the root corner's entry.</summary>
         public double3 ValuePerUnit;
 
+        /// <summary>Number of the palette: the tables lie one behind the other.</summary>
+        public int Palette;
+
         /// <summary>Classes whose points are not drawn.</summary>
         public ClassMask HiddenClasses;
 

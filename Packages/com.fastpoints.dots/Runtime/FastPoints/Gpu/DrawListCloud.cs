@@ -76,6 +76,7 @@ namespace FastPoints.Gpu
                 StepY = (float3)(linear.c1 * Step.y),
                 StepZ = (float3)(linear.c2 * Step.z),
                 ColorSource = (uint)Look.Source,
+                ColumnTypes = (uint)Look.Palette << 24,
                 ValuePerStep = (float3)(Look.ValuePerUnit * Step),
                 Bias = (float)Look.Bias,
                 HiddenLow = Look.HiddenClasses.Low,

@@ -16,7 +16,7 @@ namespace FastPoints.Gpu
         public uint ColorSource;
         public float3 StepY;
 
-        /// <summary>Types of the colour plane's columns: bits 0-7, 8-15, 16-23.</summary>
+        /// <summary>Types of the colour plane's columns: bits 0-7, 8-15, 16-23; bits 24-31: number of the palette.</summary>
         public uint ColumnTypes;
         public float3 StepZ;
 

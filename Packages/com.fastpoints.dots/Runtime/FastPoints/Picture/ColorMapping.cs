@@ -14,6 +14,9 @@ namespace FastPoints.Picture
         public PointColumn Second;
         public PointColumn Third;
 
+        /// <summary>The first entry of its table among all (<see cref="Palettes.CreateAll"/>); of no meaning for RGB.</summary>
+        public int FirstEntry;
+
         /// <summary>Entries of the palette are used again and again: what is beyond 255 counts from 0 anew.</summary>
         public bool Wraps;
 
@@ -26,9 +29,11 @@ namespace FastPoints.Picture
 
         /// <summary>The mapping for a mode that the batch has the columns for (see <see
         /// cref="DisplayRanges.Resolve"/>).</summary>
-        public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform)
+        /// <param name="gradient">Of amounts.</param>
+        public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
+            Gradient gradient = Gradient.Auto)
         {
-            var mapping = Of(mode, ranges, transform);
+            var mapping = Of(mode, ranges, transform, gradient);
             var schema = batch.Schema;
             switch (mode)
             {
@@ -46,9 +51,11 @@ namespace FastPoints.Picture
         }
 
         /// <summary>The mapping for a mode, without columns.</summary>
-        public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform)
+        /// <param name="gradient">Of amounts.</param>
+        public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
+            Gradient gradient = Gradient.Auto)
         {
-            var mapping = new ColorMapping { Mode = mode };
+            var mapping = new ColorMapping { Mode = mode, FirstEntry = Palettes.Length * Palettes.IndexOf(mode, gradient) };
             switch (mode)
             {
                 case ColorMode.Rgb:

@@ -29,7 +29,7 @@ namespace FastPoints.Picture
 
         /// <summary>By column: where its values go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
-        [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
 
         /// <summary>Of a <see cref="SizeTree"/>; empty where no size is adaptive.</summary>
@@ -72,7 +72,7 @@ namespace FastPoints.Picture
                     Hide(batch, count);
                 if (SizeNodes.Length > 0)
                     FindGaps(run, batch, count, gaps);
-                Drawing.Draw(batch, (uint*)Palette.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
+                Drawing.Draw(batch, (uint*)Palettes.GetUnsafeReadOnlyPtr(), (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), 0, count,
                     (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels),
                     SizeNodes.Length > 0 ? gaps : null,
                     Sums.Length > 0 ? (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Sums) : null);

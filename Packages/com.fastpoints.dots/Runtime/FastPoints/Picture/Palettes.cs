@@ -8,6 +8,9 @@ namespace FastPoints.Picture
     {
         public const int Length = 256;
 
+        /// <summary>Tables that there are: three ramps, three of categories.</summary>
+        public const int Count = 6;
+
         /// <summary>Where ramps start: what is darker would be lost against a dark background.</summary>
         const double DarkestShare = 0.12, DarkestLight = 0.03;
 
@@ -16,8 +19,7 @@ namespace FastPoints.Picture
         /// <param name="gradient">Of amounts; categories have colours of their own.</param>
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
-            if (gradient == Gradient.Auto)
-                gradient = mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
+            gradient = Resolve(mode, gradient);
             var palette = new NativeArray<uint>(Length, allocator, NativeArrayOptions.UninitializedMemory);
             for (int i = 0; i < Length; i++)
             {
@@ -41,6 +43,42 @@ namespace FastPoints.Picture
             }
             return palette;
         }
+
+        /// <summary>Which of <see cref="CreateAll"/> a mode looks its colours up in.</summary>
+        public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto)
+        {
+            switch (mode)
+            {
+                case ColorMode.Classification:
+                    return 3;
+                case ColorMode.ReturnNumber:
+                    return 4;
+                case ColorMode.PointSource:
+                    return 5;
+                default:
+                    return (int)Resolve(mode, gradient) - (int)Gradient.Viridis;
+            }
+        }
+
+        /// <summary>All tables, one behind the other.</summary>
+        public static NativeArray<uint> CreateAll(Allocator allocator)
+        {
+            var all = new NativeArray<uint>(Count * Length, allocator, NativeArrayOptions.UninitializedMemory);
+            void Add(ColorMode mode, Gradient gradient)
+            {
+                using (var one = Create(mode, Allocator.Temp, gradient))
+                    NativeArray<uint>.Copy(one, 0, all, IndexOf(mode, gradient) * Length, Length);
+            }
+            for (var gradient = Gradient.Viridis; gradient <= Gradient.Gray; gradient++)
+                Add(ColorMode.Elevation, gradient);
+            Add(ColorMode.Classification, Gradient.Auto);
+            Add(ColorMode.ReturnNumber, Gradient.Auto);
+            Add(ColorMode.PointSource, Gradient.Auto);
+            return all;
+        }
+
+        static Gradient Resolve(ColorMode mode, Gradient gradient) => gradient != Gradient.Auto ? gradient
+            : mode == ColorMode.Elevation ? Gradient.Viridis : Gradient.Gray;
 
         static uint Ramp(Gradient gradient, double share)
         {

@@ -16,7 +16,7 @@ namespace FastPoints.Picture
         NativeArray<ulong> m_pixels;
         NativeArray<ulong> m_sums;
         NativeArray<uint> m_colors;
-        NativeArray<uint> m_palette;
+        readonly NativeArray<uint> m_palettes;
         NativeArray<float> m_sizeOfTile;
         NativeReference<float> m_typicalSizePx;
         bool m_isBlending;
@@ -35,7 +35,7 @@ namespace FastPoints.Picture
             m_sizeOfTile = new NativeArray<float>(PointSizing.TilesAlong(widthPx) * PointSizing.TilesAlong(heightPx), allocator);
             m_typicalSizePx = new NativeReference<float>(allocator);
             UseSize(PointSizing.MinPx);
-            m_palette = Palettes.Create(ColorMode.Rgb, allocator);
+            m_palettes = Picture.Palettes.CreateAll(allocator);
             Clear();
         }
 
@@ -49,7 +49,7 @@ namespace FastPoints.Picture
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         /// <summary>256 colours that values are looked up in.</summary>
-        public NativeArray<uint> Palette => m_palette;
+        public NativeArray<uint> Palettes => m_palettes;
 
         /// <summary>Size of points in each tile, row by row from the top: see <see cref="PointSizing"/>.</summary>
         public NativeArray<float> SizeOfTile => m_sizeOfTile;
@@ -59,13 +59,6 @@ namespace FastPoints.Picture
 
         /// <summary>The largest size that a tile may have.</summary>
         public float LargestPx { get; private set; }
-
-        /// <summary>Takes the colours of a mode. No drawing may be in flight.</summary>
-        public void UsePalette(ColorMode mode, Gradient gradient = Gradient.Auto)
-        {
-            using var palette = Palettes.Create(mode, Allocator.Temp, gradient);
-            m_palette.CopyFrom(palette);
-        }
 
         /// <summary>Gives all points one size, 1 to <see cref="PointDrawing.MaxSizePx"/>. No drawing may be in flight.</summary>
         public void UseSize(float sizePx)
@@ -100,7 +93,7 @@ namespace FastPoints.Picture
             return new RasterizePointsJob
             {
                 Bytes = points.Bytes,
-                Palette = m_palette,
+                Palettes = m_palettes,
                 SizeOfTile = m_sizeOfTile,
                 Drawing = drawing,
                 First = first,
@@ -162,7 +155,7 @@ namespace FastPoints.Picture
             m_colors.Dispose();
             m_sizeOfTile.Dispose();
             m_typicalSizePx.Dispose();
-            m_palette.Dispose();
+            m_palettes.Dispose();
         }
     }
 }

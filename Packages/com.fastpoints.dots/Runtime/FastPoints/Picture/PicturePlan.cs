@@ -54,7 +54,7 @@ namespace FastPoints.Picture
         public List<string> Assumptions { get; }
 
         /// <summary>From values to colours, whatever columns these are in.</summary>
-        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform);
+        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
 
         /// <summary>The drawing, on a canvas with its sizes set, of points that lie in batches like this one.</summary>
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
@@ -65,7 +65,7 @@ namespace FastPoints.Picture
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, m_options.WidthPx, m_options.HeightPx),
-                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform),
+                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, Gradient),
                 LargestPx = hasOwnSize ? world.MaxPx : canvas.LargestPx,
                 HasOwnSize = hasOwnSize,
                 Size = world,

@@ -8,8 +8,8 @@ namespace FastPoints.Picture
         /// <param name="bytes">The batch's memory.</param>
         /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>
         /// <param name="x">The run's stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
-        /// <param name="palette">256 colours, one byte each from the lowest: red, green, blue, alpha.</param>
-        public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palette, int first, int count, double* x,
+        /// <param name="palettes">See <see cref="Palettes.CreateAll"/>.</param>
+        public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palettes, int first, int count, double* x,
             double* y, double* z, uint* colors)
         {
             double* values = stackalloc double[ColumnValues.RunLength];
@@ -27,15 +27,16 @@ namespace FastPoints.Picture
                 var weights = mapping.PositionWeights;
                 for (int i = 0; i < count; i++)
                     values[i] = x[i] * weights.x + y[i] * weights.y + z[i] * weights.z;
-                Lookup(values, count, mapping, palette, colors);
+                Lookup(values, count, mapping, palettes, colors);
                 return;
             }
             ColumnValues.ToDoubles(bytes + mapping.First.OffsetBytes, mapping.First.Type, first, count, values);
-            Lookup(values, count, mapping, palette, colors);
+            Lookup(values, count, mapping, palettes, colors);
         }
 
-        static void Lookup(double* values, int count, in ColorMapping mapping, uint* palette, uint* colors)
+        static void Lookup(double* values, int count, in ColorMapping mapping, uint* palettes, uint* colors)
         {
+            uint* palette = palettes + mapping.FirstEntry;
             for (int i = 0; i < count; i++)
             {
                 double entry = values[i] * mapping.Scale + mapping.Bias;

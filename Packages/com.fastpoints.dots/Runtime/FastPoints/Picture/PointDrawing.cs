@@ -48,7 +48,7 @@ namespace FastPoints.Picture
         /// <param name="pixels">Width times height of them, row by row from the top.</param>
         /// <param name="gaps">By point of those drawn: see <see cref="PointSize.ToPx"/>. Null where no size is adaptive.</param>
         /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see cref="BlendedPixels"/>.</param>
-        public readonly unsafe void Draw(byte* bytes, uint* palette, float* sizeOfTile, int first, int count,
+        public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
             ulong* pixels, float* gaps = null, ulong* sums = null)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
@@ -59,7 +59,7 @@ namespace FastPoints.Picture
             {
                 int run = math.min(ColumnValues.RunLength, count - done);
                 Positions.Load(bytes, first + done, run, x, y, z);
-                PointColoring.ColorRun(bytes, Colors, palette, first + done, run, x, y, z, colors);
+                PointColoring.ColorRun(bytes, Colors, palettes, first + done, run, x, y, z, colors);
                 if (LargestPx <= 1 && sums == null)
                     DrawPixels(x, y, z, colors, run, pixels);
                 else

@@ -13,7 +13,7 @@ namespace FastPoints.Picture
         public const int PointsPerPiece = 2048;
 
         [ReadOnly] public NativeArray<byte> Bytes;
-        [ReadOnly] public NativeArray<uint> Palette;
+        [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
         public PointDrawing Drawing;
         public int First;
@@ -27,7 +27,7 @@ namespace FastPoints.Picture
         public unsafe void Execute(int index)
         {
             int start = index * PointsPerPiece;
-            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palette.GetUnsafeReadOnlyPtr(),
+            Drawing.Draw((byte*)Bytes.GetUnsafeReadOnlyPtr(), (uint*)Palettes.GetUnsafeReadOnlyPtr(),
                 (float*)SizeOfTile.GetUnsafeReadOnlyPtr(), First + start, math.min(PointsPerPiece, Count - start),
                 (ulong*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Pixels));
         }

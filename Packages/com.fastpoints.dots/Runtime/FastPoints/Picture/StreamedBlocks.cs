@@ -141,7 +141,7 @@ namespace FastPoints.Picture
                 PlaneCount = planes,
                 Columns = m_columns,
                 Targets = m_targets,
-                Palette = canvas.Palette,
+                Palettes = canvas.Palettes,
                 SizeOfTile = canvas.SizeOfTile,
                 SizeNodes = sizes.Nodes,
                 Clips = m_clips.AsArray(),

@@ -23,15 +23,13 @@ namespace FastPoints.Picture
             m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
         }
 
-        /// <summary>One more cloud; all are drawn with one palette, so that modes other than RGB must be the same.</summary>
+        /// <summary>One more cloud.</summary>
         /// <param name="blocks">Becomes this picture's.</param>
         /// <param name="mode">Not <see cref="ColorMode.Auto"/>.</param>
         public void Add(StreamedBlocks blocks, ColorMode mode)
         {
             m_clouds.Add(blocks);
             m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
-            if (m_clouds.Count == 1 || mode != ColorMode.Rgb)
-                m_canvas.UsePalette(mode, m_options.Gradient);
         }
 
         /// <summary>What the stream's last frame listed, as a camera sees it.</summary>

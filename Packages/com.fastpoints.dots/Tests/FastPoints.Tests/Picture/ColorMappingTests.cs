@@ -14,13 +14,13 @@ namespace FastPoints.Tests.Picture
         static unsafe uint[] Colors(PointBatch batch, DisplayRanges ranges, ColorMode mode, PositionTransform transform)
         {
             var mapping = ColorMapping.For(mode, ranges, batch, transform);
-            using var palette = Palettes.Create(mode, Allocator.Persistent);
+            using var palettes = Palettes.CreateAll(Allocator.Persistent);
             double* x = stackalloc double[batch.Count], y = stackalloc double[batch.Count], z = stackalloc double[batch.Count];
             byte* bytes = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
             PositionColumns.Of(batch).Load(bytes, 0, batch.Count, x, y, z);
             var colors = new uint[batch.Count];
             fixed (uint* at = colors)
-                PointColoring.ColorRun(bytes, mapping, (uint*)palette.GetUnsafeReadOnlyPtr(), 0, batch.Count, x, y, z, at);
+                PointColoring.ColorRun(bytes, mapping, (uint*)palettes.GetUnsafeReadOnlyPtr(), 0, batch.Count, x, y, z, at);
             return colors;
         }
 

@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Collections;
@@ -63,6 +64,18 @@ namespace FastPoints.Tests.Picture
         public void Gray_ShareOfLight_IsEncodedAsSrgb(double light, int value)
         {
             Assert.That((int)(Palettes.Gray(light) & 255), Is.EqualTo(value));
+        }
+
+        [Test]
+        public void CreateAll_EachModeAndGradient_HasItsTable([Values] Gradient gradient)
+        {
+            using var all = Palettes.CreateAll(Allocator.Persistent);
+            foreach (ColorMode mode in Enum.GetValues(typeof(ColorMode)))
+            {
+                using var one = Palettes.Create(mode, Allocator.Persistent, gradient);
+                Assert.That(all.GetSubArray(Palettes.IndexOf(mode, gradient) * Palettes.Length, Palettes.Length).ToArray(),
+                    Is.EqualTo(one.ToArray()), mode.ToString());
+            }
         }
 
         [Test]
