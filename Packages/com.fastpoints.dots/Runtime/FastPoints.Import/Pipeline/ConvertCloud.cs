@@ -5,6 +5,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Octree;
+using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
@@ -81,6 +82,7 @@ namespace FastPoints.Pipeline
                 convert.TakeUp();
                 if (convert.m_journal.At == BuildJournal.Stage.Done)
                 {
+                    progress?.Begin(BuildStages.Finish);
                     done(convert.Finish());
                     progress?.End();
                     yield break;
@@ -94,6 +96,10 @@ namespace FastPoints.Pipeline
                     while (work.MoveNext())
                         yield return work.Current;
                 using (var work = convert.Build())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                progress?.Begin(BuildStages.Finish);
+                using (var work = convert.MeasureShown())
                     while (work.MoveNext())
                         yield return work.Current;
                 done(convert.Finish());
@@ -405,9 +411,24 @@ namespace FastPoints.Pipeline
             }
         }
 
+        IEnumerator<JobHandle> MeasureShown()
+        {
+            if (m_manifest.Points == 0)
+                yield break;
+            using (var folder = CloudFolder.Open(m_folder.PathOf(""), m_manifest))
+            using (var selection = new NodeSelection(folder))
+            {
+                var ranges = new DisplayRanges();
+                using (var measuring = StoredRanges.Measure(folder, selection,
+                    LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges))
+                    while (measuring.MoveNext())
+                        yield return measuring.Current;
+                m_manifest.Shown = ranges.ToShown();
+            }
+        }
+
         ConvertResult Finish()
         {
-            m_progress?.Begin(BuildStages.Finish);
             var manifest = m_manifest;
             if (m_journal.At == BuildJournal.Stage.Done)
             {

@@ -30,8 +30,9 @@ namespace FastPoints.Pipeline
             m_budget = budget > 0 ? budget : DefaultBudget;
         }
 
-        /// <summary>Camera and colours follow from the ranges that the manifest has, and no point is looked at: nothing takes the main
-        /// thread long. Points that lie far out make the rest small then, and degrees are drawn as they are.</summary>
+        /// <summary>Camera and colours follow from the ranges that the manifest has, and no point is looked at: nothing takes the
+        /// main thread long. Degrees are drawn as they are then, and where the manifest does not tell what to show, points that
+        /// lie far out make the rest small.</summary>
         public bool PlansByManifest { get; set; }
 
         /// <summary>Points that were drawn, those out of the picture included.</summary>
@@ -53,22 +54,14 @@ namespace FastPoints.Pipeline
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)
-                {
-                    selection.Choose(null, 0, 0, PointsToPlanWith);
-                    using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
-                    {
-                        using (var loading = LoadNodes.Run(m_folder, selection, batch, null))
-                            while (loading.MoveNext())
-                                yield return loading.Current;
-                        using (var measuring = ranges.Measure(batch, transform, m_options.UpAxis))
-                            while (measuring.MoveNext())
-                                yield return measuring.Current;
-                    }
-                }
+                    using (var measuring = StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges))
+                        while (measuring.MoveNext())
+                            yield return measuring.Current;
                 Plan = new PicturePlan(m_options, ranges, transform);
 
                 selection.Choose(Plan.Camera, m_options.WidthPx, m_options.HeightPx, m_budget);
-                using (var batch = new PointBatch(schema, CheckedCount(selection.Points), Allocator.Persistent))
+                int points = StoredRanges.CheckedCount(m_folder, selection.Points);
+                using (var batch = new PointBatch(schema, points, Allocator.Persistent))
                 using (var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
                 {
                     using (var loading = LoadNodes.Run(m_folder, selection, batch, progress))
@@ -91,11 +84,5 @@ namespace FastPoints.Pipeline
             }
             progress?.End();
         }
-
-        int CheckedCount(long points) =>
-            points <= int.MaxValue / 64
-                ? (int)points
-                : throw PointCloudException.Wanted(FailureCode.Unsupported, m_folder.FolderPath, -1, "points of one picture",
-                    "at most " + int.MaxValue / 64, points);
     }
 }

@@ -17,7 +17,8 @@ namespace FastPoints.Feeds
 
         public DisplayRanges Ranges;
 
-        /// <summary>Whether the ranges are those of all values, strays included: of a manifest, not of a sample.</summary>
+        /// <summary>Whether the ranges are those of all values, strays included: of a manifest that knows no better, not of a
+        /// sample.</summary>
         public bool RangesHaveStrays;
     }
 }

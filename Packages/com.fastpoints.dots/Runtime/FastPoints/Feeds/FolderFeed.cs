@@ -53,7 +53,7 @@ namespace FastPoints.Feeds
             BoundsGeo = folder.Manifest.BoundsGeo,
             MetresPerUnit = folder.Manifest.MetresPerUnit,
             Ranges = DisplayRanges.Of(folder.Manifest),
-            RangesHaveStrays = true,
+            RangesHaveStrays = folder.Manifest.Shown == null,
         };
     }
 }

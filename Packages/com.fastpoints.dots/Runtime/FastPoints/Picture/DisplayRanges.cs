@@ -87,8 +87,17 @@ namespace FastPoints.Picture
         /// <summary>What was assumed, and from what: a line for people each.</summary>
         public readonly List<string> Assumptions = new List<string>();
 
-        /// <summary>What a converted cloud says of itself, without a look at its points: bounds, and ranges of its attributes, strays
-        /// included.</summary>
+        /// <summary>For a cloud's manifest; null where nothing was measured. The up axis is Z.</summary>
+        public ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
+        {
+            BoundsGeo = Robust,
+            Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
+            Intensity = new CloudManifest.Range { Min = IntensityLow, Max = IntensityHigh },
+            HasColor = Color != ColorDepth.None,
+        };
+
+        /// <summary>What a converted cloud says of itself, without a look at its points: what is shown of it, or, where it does
+        /// not tell, bounds and ranges of its attributes, strays included.</summary>
         public static DisplayRanges Of(CloudManifest manifest)
         {
             var bounds = manifest.BoundsGeo;
@@ -100,6 +109,12 @@ namespace FastPoints.Picture
                 ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
             };
             ranges.FindCategories(manifest.Attributes);
+            if (manifest.Shown is ShownRanges shown)
+            {
+                ranges.Robust = shown.BoundsGeo;
+                ranges.ElevationLow = shown.Elevation.Min;
+                ranges.ElevationHigh = shown.Elevation.Max;
+            }
             int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
             if (intensity >= 0)
             {
@@ -107,8 +122,13 @@ namespace FastPoints.Picture
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
                 ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
+                if (manifest.Shown is ShownRanges of && ranges.IntensityVaries)
+                {
+                    ranges.IntensityLow = of.Intensity.Min;
+                    ranges.IntensityHigh = of.Intensity.Max;
+                }
             }
-            if (!manifest.Attributes.HasColor)
+            if (!manifest.Attributes.HasColor || manifest.Shown?.HasColor == false)
                 return ranges;
             double brightest = 0;
             foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })

@@ -71,7 +71,14 @@ namespace FastPoints.Store
         static CloudFolder OpenOnce(string path)
         {
             string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
-            var folder = new CloudFolder(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+            return Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+        }
+
+        /// <summary>A folder of which everything is there but cloud.json.</summary>
+        /// <exception cref="PointCloudException">Its hierarchy is not what the manifest means.</exception>
+        public static CloudFolder Open(string path, CloudManifest manifest)
+        {
+            var folder = new CloudFolder(path, manifest);
             try
             {
                 folder.ReadHierarchy();

@@ -61,6 +61,10 @@ namespace FastPoints.Store
         /// <summary>By attribute.</summary>
         public Range[] Ranges;
 
+        /// <summary>Null where nobody has looked: of clouds in the making, and of those that were converted before there were
+        /// such.</summary>
+        public ShownRanges? Shown;
+
         public int NodeCount;
         public int ChunkCount;
         public string Sampler = "random";
@@ -130,6 +134,14 @@ namespace FastPoints.Store
             }
             json.EndArray();
 
+            if (Shown is ShownRanges shown)
+            {
+                var of = shown.BoundsGeo;
+                json.BeginObject("shown").Add("min", of.Min.x, of.Min.y, of.Min.z).Add("max", of.Max.x, of.Max.y, of.Max.z)
+                    .Add("elevationMin", shown.Elevation.Min).Add("elevationMax", shown.Elevation.Max)
+                    .Add("intensityMin", shown.Intensity.Min).Add("intensityMax", shown.Intensity.Max)
+                    .Add("color", shown.HasColor).EndObject();
+            }
             json.BeginObject("crs").Add("name", CrsName).Add("epsg", CrsEpsg).Add("verticalEpsg", CrsVerticalEpsg)
                 .Add("metresPerUnit", MetresPerUnit).Add("wkt", CrsWkt).EndObject();
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
@@ -231,6 +243,26 @@ namespace FastPoints.Store
                 result.Ranges[i].Max = DoubleOrNaN(Get(attribute, "max", ref member));
             }
             result.Attributes = new PointSchema(schema);
+
+            if (json.TryGetValue("shown", out object shown))
+            {
+                var of = (Dictionary<string, object>)shown;
+                result.Shown = new ShownRanges
+                {
+                    BoundsGeo = new BoundsGeo(Double3(Get(of, "min", ref member)), Double3(Get(of, "max", ref member))),
+                    Elevation = new Range
+                    {
+                        Min = JsonReader.ToDouble(Get(of, "elevationMin", ref member)),
+                        Max = JsonReader.ToDouble(Get(of, "elevationMax", ref member)),
+                    },
+                    Intensity = new Range
+                    {
+                        Min = JsonReader.ToDouble(Get(of, "intensityMin", ref member)),
+                        Max = JsonReader.ToDouble(Get(of, "intensityMax", ref member)),
+                    },
+                    HasColor = (bool)Get(of, "color", ref member),
+                };
+            }
 
             var crs = (Dictionary<string, object>)Get(json, "crs", ref member);
             result.CrsName = (string)Get(crs, "name", ref member);

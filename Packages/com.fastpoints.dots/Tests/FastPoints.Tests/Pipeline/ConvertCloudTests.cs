@@ -252,6 +252,32 @@ namespace FastPoints.Tests.Pipeline
             Assert.That(before.Count, Is.GreaterThan(4));
         }
 
+        [Test]
+        public void Convert_SomeStrays_TellsWhatToShowWithoutThem()
+        {
+            var places = Uniform(20000, 1000);
+            for (int i = 0; i < 20; i++)
+                places[i * 1000].z = 100000;
+            var manifest = Convert(MemoryReader.Of(places, s_centimetres)).Manifest;
+            var shown = manifest.Shown.Value;
+            Assert.That(manifest.BoundsGeo.Max.z, Is.EqualTo(1000).Within(1e-9));
+            Assert.That(shown.Elevation.Min, Is.EqualTo(0.05).Within(0.04), "a two-hundredth lies below");
+            Assert.That(shown.Elevation.Max, Is.EqualTo(9.95).Within(0.05));
+            Assert.That(shown.BoundsGeo.Max.z, Is.LessThan(12));
+            Assert.That(shown.Intensity.Min, Is.EqualTo(655).Within(300), "a hundredth lies below");
+            Assert.That(shown.HasColor, Is.True);
+
+            var read = CloudManifest.FromJson(File.ReadAllText(Path.Combine(Target(), StoreFormat.ManifestName)), "cloud.json");
+            var ranges = DisplayRanges.Of(read);
+            Assert.That((ranges.ElevationLow, ranges.ElevationHigh), Is.EqualTo((shown.Elevation.Min, shown.Elevation.Max)));
+            Assert.That((ranges.IntensityLow, ranges.IntensityHigh), Is.EqualTo((shown.Intensity.Min, shown.Intensity.Max)));
+            Assert.That((ranges.Robust.Max.z, ranges.Full.Max.z),
+                Is.EqualTo((shown.BoundsGeo.Max.z, manifest.BoundsGeo.Max.z)));
+            Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Rgb));
+            read.Shown = null;
+            Assert.That(DisplayRanges.Of(read).ElevationHigh, Is.EqualTo(1000).Within(1e-9), "converted before it was told");
+        }
+
         [TestCase(0, 8)]
         [TestCase(1, 1)]
         [TestCase(3, 3)]

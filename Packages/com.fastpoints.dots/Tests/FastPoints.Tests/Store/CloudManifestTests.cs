@@ -35,6 +35,13 @@ namespace FastPoints.Tests.Store
                     Max = double.NaN } },
                 MetresPerUnit = double.NaN,
                 CrsName = "EPSG:26910",
+                Shown = new ShownRanges
+                {
+                    BoundsGeo = new BoundsGeo(new double3(-1, 0.1, 2), new double3(1e7, 3, 4)),
+                    Elevation = new CloudManifest.Range { Min = 2.5, Max = 3.75 },
+                    Intensity = new CloudManifest.Range { Min = 7, Max = 900 },
+                    HasColor = true,
+                },
                 HierarchyBytes = 12345,
                 HierarchyHash = 42,
                 UpperBytes = 67890,
@@ -54,6 +61,17 @@ namespace FastPoints.Tests.Store
             Assert.That(back.Grid.Origin.z, Is.EqualTo(1.0 / 3));
             Assert.That(back.Attributes[1].Name, Is.EqualTo("odd \"name\"\n\\"));
             Assert.That(back.Divisors[0], Is.EqualTo(257));
+            Assert.That(back.Shown, Is.EqualTo(Example().Shown));
+        }
+
+        [Test]
+        public void FromJson_OfACloudThatDoesNotTellWhatToShow_IsRead()
+        {
+            var manifest = Example();
+            manifest.Shown = null;
+            string json = manifest.ToJson();
+            Assert.That(json, Does.Not.Contain("shown"));
+            Assert.That(CloudManifest.FromJson(json, "cloud.json").Shown, Is.Null);
         }
 
         [Test]
@@ -74,6 +92,8 @@ namespace FastPoints.Tests.Store
         [TestCase("\"sideLog2\": 43", "\"sideLog2\": 63", "\"sideLog2\"")]
         [TestCase("\"Float64\"", "\"Float65\"", "Float65")]
         [TestCase("\"divisor\": 257", "\"divisor\": 0", "\"divisor\"")]
+        [TestCase("\"elevationMax\": 3.75", "\"elevationMax\": \"high\"", "\"elevationMax\"")]
+        [TestCase("\"intensityMin\"", "\"intensity\"", "\"intensityMin\"")]
         [TestCase("\"version\": 1", "\"version\": 2", "version")]
         [TestCase("\"format\": \"fastpoints\"", "\"format\": \"potree\"", "\"format\"")]
         [TestCase("{", "[", "character")]
