@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slice of a whole LAZ file in memory, header and all: the nodes of octrees that keep each in a file of its own. A chain
-    /// of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
+    /// A slice of a whole LAZ or LAS file in memory, header and all: the nodes of octrees that keep each in a file of its own. A
+    /// chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
@@ -21,10 +21,13 @@ namespace FastPoints.Files
         /// <summary>The grid of the columns: a file of another scale or offset is placed on it, where that is exact.</summary>
         public PositionTransform Transform;
 
-        /// <summary>The LASzip VLR's list of items, from their number on, as it must be.</summary>
+        /// <summary>An offset that is no whole number of steps from the grid's is taken for the nearest that is.</summary>
+        public bool RoundsOffset;
+
+        /// <summary>The LASzip VLR's list of items, from their number on, as it must be; none for LAS.</summary>
         [ReadOnly] public NativeArray<byte> Items;
 
-        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured.</summary>
+        /// <summary>A <see cref="PointwiseChunk"/> or <see cref="LayeredChunk"/>, configured; anything for LAS.</summary>
         public NativeArray<byte> Decoder;
 
         /// <summary>Records of a tile.</summary>
@@ -35,6 +38,7 @@ namespace FastPoints.Files
         public NativeReference<LazFileState> State;
         public NativeReference<DecodeResult> Result;
 
+        /// <summary>None for LAS.</summary>
         public LazCompressor Compressor;
         public int PointFormat;
         public int RecordBytes;
@@ -47,6 +51,8 @@ namespace FastPoints.Files
         /// <summary>Points in front of the range, which are decoded because the others follow from them, and not kept.</summary>
         public long Skip;
 
+        bool IsPlain => Compressor == LazCompressor.None;
+
         bool IsLayered => Compressor == LazCompressor.LayeredChunked;
 
         public void Execute()
@@ -56,7 +62,7 @@ namespace FastPoints.Files
             var state = First == 0 ? default : State.Value;
             if (First == 0 && !ReadHeader(input, ref state))
                 result.Error = LazError.NoChunk;
-            else if (First == 0 && !LazFilePlacing.TryMake(input, Transform, out state.Placing))
+            else if (First == 0 && !LazFilePlacing.TryMake(input, Transform, RoundsOffset, out state.Placing))
                 result.Error = LazError.OffGrid;
             int done = 0;
             while (done < Count && result.Error == LazError.None)
@@ -83,11 +89,12 @@ namespace FastPoints.Files
                 if (got < wanted)
                 {
                     Stop(ref result, state.ChunkOffset);
-                    if (!IsLayered)
+                    if (!IsLayered && !IsPlain)
                         result.Points = result.Points > Pointwise->PointsInDoubt ? result.Points - Pointwise->PointsInDoubt : 0;
                 }
                 else if (state.ChunkDone == state.ChunkPoints)
-                    state.ChunkOffset = IsLayered ? state.ChunkEnd : state.ChunkOffset + Pointwise->InputOffset;
+                    state.ChunkOffset = IsPlain ? state.End : IsLayered ? state.ChunkEnd
+                        : state.ChunkOffset + Pointwise->InputOffset;
             }
             State.Value = state;
             Result.Value = result;
@@ -101,6 +108,13 @@ namespace FastPoints.Files
         {
             byte* chunk = input + state.ChunkOffset;
             byte* tile = (byte*)Tile.GetUnsafePtr();
+            if (IsPlain)
+            {
+                long left = (state.End - state.ChunkOffset) / RecordBytes - state.ChunkDone;
+                count = left < count ? (int)left : count;
+                UnsafeUtility.MemCpy(tile, chunk + state.ChunkDone * RecordBytes, (long)count * RecordBytes);
+                return count;
+            }
             return IsLayered ? LayeredChunk.Decode(Layered, chunk, tile, count)
                 : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
         }
@@ -142,6 +156,8 @@ namespace FastPoints.Files
                 return false;
             state.ChunkDone = 0;
             state.ChunkPoints = state.PointsOfChunks > 0 ? state.PointsOfChunks : state.PointsInFile;
+            if (IsPlain)
+                return state.ChunkPoints > 0;
             if (!IsLayered)
             {
                 PointwiseChunk.Start(Pointwise);
@@ -163,13 +179,19 @@ namespace FastPoints.Files
                 return false;
             const int CompressionBits = 0xC0;
             if ((input[LasHeader.At.PointFormat] & ~CompressionBits) != PointFormat
-                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0
+                || (input[LasHeader.At.PointFormat] & CompressionBits) == 0 != IsPlain
                 || *(ushort*)(input + LasHeader.At.RecordBytes) != RecordBytes)
                 return false;
             long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
             state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);
             if (state.PointsInFile == 0 && headerBytes >= LasHeader.At.ByReturn && InputBytes >= LasHeader.At.ByReturn)
                 state.PointsInFile = *(long*)(input + LasHeader.At.Count);
+            if (IsPlain)
+            {
+                state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset);
+                state.End = InputBytes;
+                return true;
+            }
             state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
                 + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
             state.End = EndOfChunks(input, state.ChunkOffset);

@@ -3,7 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>How a LAZ file's whole numbers become those of another scale and offset: exactly, or not at all.</summary>
+    /// <summary>How a LAZ file's whole numbers become those of another scale and offset: exactly, or by the nearest whole number of
+    /// steps where that is wanted, or not at all.</summary>
     unsafe struct LazFilePlacing
     {
         /// <summary>Whether scale and offset are the same, and nothing is to do.</summary>
@@ -30,16 +31,18 @@ namespace FastPoints.Files
         }
 
         /// <param name="header">Of the LAZ file.</param>
+        /// <param name="roundsOffset">Where steps are the same, offsets are taken for the nearest that lie whole steps
+        /// apart.</param>
         /// <returns>Whether the file's steps are whole steps of the grid.</returns>
-        public static bool TryMake(byte* header, in PositionTransform grid, out LazFilePlacing placing)
+        public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LazFilePlacing placing)
         {
             double* scale = (double*)(header + LasHeader.At.Scale), offset = (double*)(header + LasHeader.At.Offset);
             placing = default;
             // Nodes that are all alike are read whatever their scale is, zero or no number among them.
             placing.IsSame = AreSame(scale, offset, grid);
-            return placing.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, out placing.m_x)
-                && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, out placing.m_y)
-                && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, out placing.m_z);
+            return placing.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, roundsOffset, out placing.m_x)
+                && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, roundsOffset, out placing.m_y)
+                && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out placing.m_z);
         }
 
         /// <param name="position">X, Y, Z of a record; left unfinished where false is returned.</param>
@@ -56,9 +59,16 @@ namespace FastPoints.Files
             return true;
         }
 
-        static bool TryMake(double scale, double offset, double step, double origin, out Axis axis)
+        static bool TryMake(double scale, double offset, double step, double origin, bool roundsOffset, out Axis axis)
         {
             axis = default;
+            if (roundsOffset)
+            {
+                double shift = (offset - origin) / step;
+                bool isNear = math.abs(scale - step) <= 1e-9 * math.abs(step) && math.abs(shift) <= int.MaxValue;
+                axis = new Axis { Factor = 1, Shift = isNear ? (long)math.round(shift) : 0 };
+                return isNear;
+            }
             return CommonGrid.TryPlace(scale, offset, step, origin, out axis.Factor, out axis.Shift, out double loss)
                 && loss == 0 && axis.Factor != 0;
         }

@@ -21,7 +21,8 @@ namespace FastPoints.Files
     /// Positions are integers from the corner of the node's cell, in steps of cloud.js' scale; the cloud's grid starts at the
     /// corner of its bounding box. Corners of cells lie between grid places where the box is no whole number of steps: BIN
     /// corners are rounded up, since the converter truncated (a source on this grid comes back exactly, any other within a step);
-    /// those of LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step).
+    /// those of LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step). Such nodes are all of
+    /// one point format, as their converter writes them.
     /// </remarks>
     public sealed class Potree1Reader : PotreeNodeReader
     {
@@ -32,6 +33,9 @@ namespace FastPoints.Files
 
         /// <summary>Of an .hrc file; 8^7 nodes take less.</summary>
         const int MaxHierarchyBytes = 16 << 20;
+
+        /// <summary>Of a node that is LAS or LAZ, which a slot reads whole.</summary>
+        const long MaxLasBytes = 1 << 29;
 
         /// <summary>What corners may lie above a grid place by rounding, in steps.</summary>
         const double CornerTolerance = 1e-5;
@@ -65,8 +69,9 @@ namespace FastPoints.Files
         int m_recordAt;
 
         Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasFile las,
-            List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
+            LazFormat laz, List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
+            Laz = laz;
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
@@ -88,10 +93,17 @@ namespace FastPoints.Files
             var listed = index.Hierarchy != null ? ReadList(index.Hierarchy, info) : null;
             PotreeLayout layout = null;
             LasFile las = null;
+            LazFormat laz = null;
             if (index.NodeFormat != null)
             {
                 using (var source = FileSource.Open(files.AnyNode()))
+                {
                     las = LasFile.Read(source);
+                    laz = las.Header.IsCompressed ? LazFormat.Read(las) : null;
+                    if (laz != null && laz.Compressor == LazCompressor.None)
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, LasHeader.At.PointFormat,
+                            "LASzip compressor", "1 to 3", 0);
+                }
                 info.Schema = las.Info.Schema;
                 info.Transform = las.Info.Transform;
                 info.PointFormat = las.Header.PointFormat;
@@ -107,7 +119,7 @@ namespace FastPoints.Files
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
                         "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
             }
-            var reader = new Potree1Reader(index, files, layout, las, listed);
+            var reader = new Potree1Reader(index, files, layout, las, laz, listed);
             try
             {
                 using (var steps = reader.FindLevels(1))
@@ -129,6 +141,9 @@ namespace FastPoints.Files
 
         /// <summary>Of the nodes, where they are LAS or LAZ: positions and attributes that all of them must have.</summary>
         internal LasFile Las => m_las;
+
+        /// <summary>Of the nodes, where they are LAZ; null otherwise.</summary>
+        internal LazFormat Laz { get; }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
@@ -296,6 +311,9 @@ namespace FastPoints.Files
                 using (var source = FileSource.Open(path))
                 {
                     var header = LasHeader.Read(source);
+                    if (source.Length > MaxLasBytes)
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, path, -1, "bytes of a node",
+                            "at most " + Text(MaxLasBytes), source.Length);
                     long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
                     most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
                     return (long)Math.Min(header.PointsClaimed, (ulong)most);

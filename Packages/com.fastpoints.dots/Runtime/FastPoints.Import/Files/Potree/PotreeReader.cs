@@ -185,7 +185,7 @@ namespace FastPoints.Files
         internal void TellBroken(int block, string kind, string detail, long byteOffset)
         {
             if (m_toldBlocks.Add(block))
-                Findings.Tell(kind, NameOf(block), detail, byteOffset);
+                Findings.Tell(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
         }
 
         public override void Dispose() => m_tree.Dispose();

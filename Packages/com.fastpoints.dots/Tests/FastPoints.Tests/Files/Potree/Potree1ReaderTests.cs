@@ -318,9 +318,15 @@ namespace FastPoints.Files.Tests
 
                 var node = s_cloud.PointsOfNode.First(n => n.Key.Length == 4 && n.Value.Count > 3);
                 string path = m_folder.File("data/" + node.Key + ".las");
-                File.WriteAllBytes(path, File.ReadAllBytes(path).Take(100).ToArray());
+                var bytes = File.ReadAllBytes(path);
+                bytes[LasHeader.At.PointFormat] = 0;
+                File.WriteAllBytes(path, bytes);
                 Assert.That(ReadPoints.EachBlock(reader, reader.Info.Schema, _ => { }), Is.EqualTo(Points - node.Value.Count));
-                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("node " + node.Key + ": its file cannot be read"));
+                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("node " + node.Key + ": its file is not what the"));
+                Assert.That(reader.Info.Warnings.Single().Path, Is.EqualTo(path));
+                File.WriteAllBytes(path, bytes.Take(100).ToArray());
+                Assert.That(() => ReadPoints.EachBlock(reader, reader.Info.Schema, _ => { }),
+                    Throws.TypeOf<PointCloudException>().With.Message.StartsWith(path));
             }
         }
 
