@@ -16,6 +16,8 @@ namespace FastPoints.Files
     {
         const int StreamBufferBytes = 16 * 1024;
 
+        internal const long NoSuchFile = -1;
+
         FileStream m_stream;
 
         FileSource(string path, long length)
@@ -56,6 +58,22 @@ namespace FastPoints.Files
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
                 throw FileFailures.Reading(path, e);
+            }
+        }
+
+        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> where there is none, or no path.</summary>
+        internal static long LengthOf(string path)
+        {
+            if (path == null)
+                return NoSuchFile;
+            try
+            {
+                var file = new FileInfo(path);
+                return file.Exists ? file.Length : NoSuchFile;
+            }
+            catch (Exception e) when (FileFailures.IsFileFailure(e))
+            {
+                return NoSuchFile;
             }
         }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -67,7 +68,15 @@ namespace FastPoints.Files
 
         /// <summary>Work (for a pump) that reads the pages of <see cref="Tree"/> that its first levels take, and no more:
         /// afterwards the blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
-        public virtual IEnumerator<JobHandle> FindLevels(int levels) => FindBlocks();
+        public IEnumerator<JobHandle> FindLevels(int levels) => FindBelow(default, levels);
+
+        /// <summary>The same for one node and what is below it. Never opens or reads a file on the main thread.</summary>
+        /// <param name="node">Its <see cref="SourceNode.Key"/>.</param>
+        /// <param name="levels">Of the tree, counted from its root.</param>
+        public virtual IEnumerator<JobHandle> FindBelow(int4 node, int levels) => FindBlocks();
+
+        /// <summary>Whether <see cref="FindBelow"/> has nothing to read.</summary>
+        public virtual bool IsKnownBelow(int4 node, int levels) => BlocksAreKnown;
 
         public abstract int BlockCount { get; }
 

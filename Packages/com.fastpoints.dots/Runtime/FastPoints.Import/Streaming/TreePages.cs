@@ -10,8 +10,8 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// The hierarchy of a source that brings its octree along, as pages of some levels each. What is below the levels that are
-    /// known is read when a page of it is wanted, level by level for all of the source. Main thread; never waits.
+    /// The hierarchy of a source that brings its octree along, as pages of some levels each. Of what is not known, that is read
+    /// which a wanted page takes, and no more: a look into one corner costs what lies there. Main thread; never waits.
     /// </summary>
     sealed class TreePages : IDisposable
     {
@@ -22,21 +22,25 @@ namespace FastPoints.Streaming
         public const int FirstLevels = LevelsPerPage + 1;
 
         const int NotNumbered = -1;
+        const int None = -1;
 
         readonly PointReader m_reader;
         readonly TreeGrid m_grid;
         readonly List<int4> m_rootOfPage = new List<int4> { default };
         readonly List<int> m_firstHangingOfPage = new List<int> { NotNumbered };
+        readonly List<bool> m_isPageKnown = new List<bool> { true };
         NativeParallelHashMap<int4, int> m_nodeOfKey;
         IEnumerator<JobHandle> m_reading;
         JobHandle m_step;
         JobHandle m_building;
         int m_nodes;
-        int m_levelsKnown;
-        int m_levelsWanted;
 
-        /// <summary>That the reading under way will have read.</summary>
-        int m_levelsRead;
+        /// <summary>The hierarchy cannot be read: nothing more of it is tried.</summary>
+        bool m_isBroken;
+
+        /// <summary>The first that was asked for since the last update, and that which is read; or <see cref="None"/>.</summary>
+        int m_wanted = None;
+        int m_read = None;
 
         /// <exception cref="PointCloudException">The octree has no root.</exception>
         public TreePages(PointReader reader, TreeGrid grid)
@@ -44,8 +48,7 @@ namespace FastPoints.Streaming
             m_reader = reader;
             m_grid = grid;
             m_nodeOfKey = new NativeParallelHashMap<int4, int>(Math.Max(64, reader.Tree.NodeCount), Allocator.Persistent);
-            m_levelsWanted = FirstLevels;
-            TakeLevels(FirstLevels);
+            TakeNodes();
             if (m_nodeOfKey.ContainsKey(default))
                 return;
             Dispose();
@@ -57,12 +60,13 @@ namespace FastPoints.Streaming
         /// <summary>What <see cref="Update"/> goes on after.</summary>
         public JobHandle Step => m_step;
 
-        /// <summary>Whether a page's levels, and what hangs below, are known; if not, they are read from now on.</summary>
+        /// <summary>Whether a page's levels, and what hangs below, are known; if not, the first page of which that is so when it is
+        /// asked is read next.</summary>
         public bool IsKnown(int page)
         {
-            int levels = m_rootOfPage[page].w + FirstLevels;
-            m_levelsWanted = Math.Max(m_levelsWanted, levels);
-            return levels <= m_levelsKnown;
+            if (!m_isPageKnown[page] && m_wanted == None)
+                m_wanted = page;
+            return m_isPageKnown[page];
         }
 
         /// <summary>Goes on reading, if there is something to read.</summary>
@@ -70,7 +74,7 @@ namespace FastPoints.Streaming
         public PointCloudException Update()
         {
             // Jobs that build pages read what would be added to.
-            if (m_reading == null && m_levelsWanted <= m_levelsKnown || !m_step.IsCompleted || !m_building.IsCompleted)
+            if (m_reading == null && m_wanted == None || !m_step.IsCompleted || !m_building.IsCompleted)
                 return null;
             m_step.Complete();
             m_building.Complete();
@@ -78,8 +82,10 @@ namespace FastPoints.Streaming
             {
                 if (m_reading == null)
                 {
-                    m_levelsRead = m_levelsWanted;
-                    m_reading = m_reader.FindLevels(m_levelsRead);
+                    m_read = m_wanted;
+                    m_wanted = None;
+                    var root = m_rootOfPage[m_read];
+                    m_reading = m_reader.FindBelow(root, LevelsOf(root));
                 }
                 if (m_reading.MoveNext())
                 {
@@ -87,13 +93,17 @@ namespace FastPoints.Streaming
                     return null;
                 }
                 EndReading();
-                TakeLevels(m_levelsRead);
+                TakeNodes();
+                m_isPageKnown[m_read] = true;
                 return null;
             }
             catch (PointCloudException failure)
             {
                 EndReading();
-                TakeLevels(int.MaxValue);
+                TakeNodes();
+                m_isBroken = true;
+                for (int page = 0; page < m_isPageKnown.Count; page++)
+                    m_isPageKnown[page] = true;
                 return failure;
             }
         }
@@ -167,17 +177,18 @@ namespace FastPoints.Streaming
                     continue;
                 m_rootOfPage.Add(child);
                 m_firstHangingOfPage.Add(NotNumbered);
+                m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, LevelsOf(child)));
             }
         }
 
-        /// <param name="levels">That were read.</param>
-        void TakeLevels(int levels)
+        void TakeNodes()
         {
             var tree = m_reader.Tree;
             for (; m_nodes < tree.NodeCount; m_nodes++)
                 m_nodeOfKey.TryAdd(tree[m_nodes].Key, m_nodes);
-            // No nodes at the last of them: there are none below.
-            m_levelsKnown = tree.IsWhole || tree.LevelCount < levels ? int.MaxValue : levels;
         }
+
+        /// <summary>That a page takes: its own, and whether there are more.</summary>
+        static int LevelsOf(int4 root) => root.w + FirstLevels;
     }
 }

@@ -60,6 +60,8 @@ namespace FastPoints.Base
                 {
                     cancellation.ThrowIfCancellationRequested();
                     pump.Step();
+                    // A step that awaits no job may wait for another thread.
+                    Thread.Yield();
                 }
             }
             finally

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -11,6 +12,7 @@ using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
@@ -91,6 +93,71 @@ namespace FastPoints.Tests.Streaming
                 Assert.That(stream.Clouds[0].Pages[1].IsLoaded, Is.False);
                 Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(20_000));
                 Assert.That(source.Reader.Tree.LevelCount, Is.GreaterThan(7));
+            }
+        }
+
+        /// <summary>Down to the leaves in one place: pages of the hierarchy that are elsewhere stay unread, on any level.</summary>
+        [TestCase(TreeTestCloud.EptBinary)]
+        [TestCase(TreeTestCloud.Potree1)]
+        [TestCase(TreeTestCloud.Potree2)]
+        public void Run_DeepInOneCorner_ReadsThePagesThatLieThere(string kind)
+        {
+            using (var cloud = new TreeTestCloud(kind, 20_000))
+                LookIntoACorner(cloud.Path, 20_000, 4);
+        }
+
+        /// <summary>A page for each node.</summary>
+        [Test]
+        public void Run_DeepInOneCornerOfACopc_ReadsThePagesThatLieThere()
+        {
+            var random = new System.Random(3);
+            var records = LazRecords.Make(7, 0, 5000, 7);
+            foreach (var record in records)
+                for (int axis = 0; axis < 3; axis++)
+                    BitConverter.GetBytes(random.Next(axis == 2 ? 100 : 1 << 20)).CopyTo(record, 4 * axis);
+            var writer = new CopcFileWriter { LevelsPerPage = 1, MaxNodePoints = 4 };
+            using (var file = new TemporaryFile(writer.Write(records), ".copc.laz"))
+                LookIntoACorner(file.Path, 5000, 40);
+        }
+
+        /// <param name="share">Of the pages below those that are always read, less than one in so many is read.</param>
+        static void LookIntoACorner(string path, int points, int share)
+        {
+            using (var stream = Stream())
+            {
+                var source = TreeTestCloud.Open(path);
+                var tree = source.Reader.Tree;
+                int top = tree.PageCount;
+                Add(stream, source);
+                var (corner, edge) = DeepestNode(path, out int levels, out int pages);
+                stream.ClipBoxes.Add(new ClipBox(corner, corner + edge, false));
+                Settle(stream);
+                Assert.That(tree.LevelCount, Is.EqualTo(levels), "it is looked at down to its leaf");
+                Assert.That(tree.PageCount - top, Is.InRange(1, (pages - top) / share), "of " + (pages - top));
+                Assert.That(tree.IsWhole, Is.False);
+                int read = tree.PageCount;
+                Settle(stream);
+                Assert.That(tree.PageCount, Is.EqualTo(read));
+                stream.ClipBoxes.Clear();
+                Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(points));
+                Assert.That(tree.PageCount, Is.EqualTo(pages));
+                Assert.That(Failures(stream), Is.Empty);
+            }
+        }
+
+        static (double3 Corner, double3 Edge) DeepestNode(string path, out int levels, out int pages)
+        {
+            using (var reader = PointReaders.Open(path))
+            {
+                WorkPump.RunToEnd(reader.FindBlocks());
+                var deepest = reader.Tree[0];
+                for (int i = 0; i < reader.Tree.NodeCount; i++)
+                    if (reader.Tree[i].Level > deepest.Level)
+                        deepest = reader.Tree[i];
+                levels = reader.Tree.LevelCount;
+                pages = reader.Tree.PageCount;
+                var edge = reader.Tree.Cube.Size / math.pow(2.0, deepest.Level);
+                return (reader.Tree.Cube.Min + edge * (double3)deepest.Cell, edge);
             }
         }
 

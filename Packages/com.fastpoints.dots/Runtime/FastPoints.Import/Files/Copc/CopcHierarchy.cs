@@ -28,7 +28,7 @@ namespace FastPoints.Files
         readonly CopcReader m_reader;
         readonly SourceTree m_tree;
         readonly long m_fileBytes;
-        readonly Queue<CopcPage>[] m_pagesOfLevel = new Queue<CopcPage>[CopcEntry.MaxLevel + 1];
+        readonly WaitingPages m_pages = new WaitingPages(CopcEntry.MaxLevel + 1);
         readonly HashSet<long> m_pageOffsets = new HashSet<long>();
         readonly HashSet<ulong> m_chunkOffsets = new HashSet<ulong>();
         readonly HashSet<int4> m_keys = new HashSet<int4>();
@@ -50,29 +50,26 @@ namespace FastPoints.Files
             m_chunkBytesLeft = fileBytes;
             m_buffer = new NativeArray<byte>(PieceBytes, Allocator.Persistent);
             m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
-            for (int level = 0; level < m_pagesOfLevel.Length; level++)
-                m_pagesOfLevel[level] = new Queue<CopcPage>();
             var copc = reader.Copc;
-            AddPage(0, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
+            AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
-        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels.</summary>
-        public IEnumerator<JobHandle> Read(int levels)
+        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
+        /// are about <paramref name="node"/> and what is below it.</summary>
+        public IEnumerator<JobHandle> Read(int4 node, int levels)
         {
-            for (int level = 0; level < Math.Min(levels, m_pagesOfLevel.Length); level++)
+            while (m_pages.TryPeek(node, levels, out var next))
             {
-                var pages = m_pagesOfLevel[level];
-                while (pages.Count > 0)
-                {
-                    // A page takes effect when it is read to its end, so that this work can be given up and begun again.
-                    using (var page = Read(pages.Peek()))
-                        while (page.MoveNext())
-                            yield return page.Current;
-                    pages.Dequeue();
-                    m_tree.PageCount++;
-                }
+                // A page takes effect when it is read to its end, so that this work can be given up and begun again.
+                using (var page = Read(next))
+                    while (page.MoveNext())
+                        yield return page.Current;
+                m_tree.PageCount++;
             }
         }
+
+        /// <summary>Whether <see cref="Read(int4, int)"/> has nothing to do.</summary>
+        public bool IsKnown(int4 node, int levels) => !m_pages.TryPeek(node, levels, out _);
 
         /// <summary>Says how many oddities were not told one by one. When all is read.</summary>
         public void TellRest()
@@ -91,7 +88,7 @@ namespace FastPoints.Files
             m_command.Dispose();
         }
 
-        IEnumerator<JobHandle> Read(CopcPage page)
+        IEnumerator<JobHandle> Read(WaitingPage page)
         {
             var entries = new List<(CopcEntry Entry, long At)>();
             for (long done = 0; done < page.Bytes; done += PieceBytes)
@@ -115,6 +112,7 @@ namespace FastPoints.Files
                 NativeArray<byte>.Copy(m_buffer, m_piece, bytes);
                 Collect(new ByteReader(m_piece, m_reader.Info.Path, page.Offset + done), bytes, entries);
             }
+            m_pages.Remove(page);
             Add(entries);
         }
 
@@ -148,13 +146,14 @@ namespace FastPoints.Files
                 : a.At.CompareTo(b.At));
             foreach (var (entry, at) in entries)
                 if (entry.IsPage)
-                    AddPage(entry.Level, (long)Math.Min(entry.Offset, long.MaxValue), entry.ByteSize, at);
+                    AddPage(entry.Key, (long)Math.Min(entry.Offset, long.MaxValue), entry.ByteSize, at);
                 else
                     AddNode(entry, at);
         }
 
+        /// <param name="root">That the page begins with.</param>
         /// <param name="at">Of the entry in the file, as everywhere here.</param>
-        void AddPage(int level, long offset, long bytes, long at)
+        void AddPage(int4 root, long offset, long bytes, long at)
         {
             if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
                 Tell(at, "a page of the octree's hierarchy would lie at byte " + Text(offset) + " with " + Text(bytes)
@@ -169,7 +168,7 @@ namespace FastPoints.Files
                     Tell(at, "the page at byte " + Text(offset) + " of the octree's hierarchy has " + Text(bytes)
                         + " bytes, wanted a multiple of " + Text(CopcEntry.Bytes));
                 m_pageBytesLeft -= bytes;
-                m_pagesOfLevel[level].Enqueue(new CopcPage { Offset = offset, Bytes = bytes });
+                m_pages.Add(root, offset, bytes);
             }
         }
 

@@ -4,6 +4,7 @@ using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -70,13 +71,15 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 
-        public override IEnumerator<JobHandle> FindLevels(int levels) => m_hierarchy.Read(Math.Max(1, levels));
+        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+
+        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobHandle> FindBlocks()
         {
             if (m_tree.IsWhole)
                 yield break;
-            using (var pages = m_hierarchy.Read(int.MaxValue))
+            using (var pages = m_hierarchy.Read(default, int.MaxValue))
                 while (pages.MoveNext())
                     yield return pages.Current;
             m_hierarchy.TellRest();

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using FastPoints.Base;
@@ -36,16 +35,16 @@ namespace FastPoints.Files
         /// <summary>No zstandard frame makes more of a byte: a block of 128 KiB takes 4.</summary>
         const long MaxZstandardRatio = 1 << 15;
 
-        /// <summary>Of looking for nodes' files without a break.</summary>
-        const double StepMs = 3;
+        /// <summary>Nodes whose files are looked up at once: with what they add, far below a millisecond of the main
+        /// thread.</summary>
+        const int StepNodes = 256;
 
         readonly EptReader m_reader;
         readonly EptIndex m_index;
         readonly SourceTree m_tree;
-        readonly Queue<int3>[] m_pagesOfLevel = new Queue<int3>[EptEntry.MaxLevel + 1];
+        readonly WaitingPages m_waiting = new WaitingPages(EptEntry.MaxLevel + 1);
         readonly HashSet<int4> m_pages = new HashSet<int4>();
         readonly HashSet<int4> m_nodes = new HashSet<int4>();
-        readonly Stopwatch m_stepWatch = new Stopwatch();
         bool m_isFull;
 
         public EptHierarchy(EptReader reader, EptIndex index, SourceTree tree)
@@ -53,65 +52,67 @@ namespace FastPoints.Files
             m_reader = reader;
             m_index = index;
             m_tree = tree;
-            for (int level = 0; level < m_pagesOfLevel.Length; level++)
-                m_pagesOfLevel[level] = new Queue<int3>();
-            m_pagesOfLevel[0].Enqueue(default);
+            m_waiting.Add(default);
             m_pages.Add(default);
         }
 
-        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels.</summary>
-        public IEnumerator<JobHandle> Read(int levels)
+        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
+        /// are about <paramref name="node"/> and what is below it.</summary>
+        public IEnumerator<JobHandle> Read(int4 node, int levels)
         {
-            for (int level = 0; level < Math.Min(levels, m_pagesOfLevel.Length); level++)
+            while (m_waiting.TryPeek(node, levels, out var page))
             {
-                var pages = m_pagesOfLevel[level];
-                while (pages.Count > 0)
+                // Given up between two yields, this begins the page again; nodes that it had added are known by their keys.
+                string name = EptEntry.NameOf(page.Root.w, page.Root.xyz);
+                string path = Path.Combine(m_index.Folder, HierarchyFolder, name + ".json");
+                using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
                 {
-                    // Given up between two yields, this begins the page again; nodes that it had added are known by their keys.
-                    string path = Path.Combine(m_index.Folder, HierarchyFolder, EptEntry.NameOf(level, pages.Peek()) + ".json");
-                    using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
-                    {
-                        using (var parsing = Parse(path, level, pages.Peek(), entries))
-                            while (parsing.MoveNext())
-                                yield return parsing.Current;
-                        using (var adding = Add(entries, path))
-                            while (adding.MoveNext())
-                                yield return adding.Current;
-                    }
-                    pages.Dequeue();
-                    m_tree.PageCount++;
+                    using (var parsing = Parse(path, name, entries))
+                        while (parsing.MoveNext())
+                            yield return parsing.Current;
+                    using (var adding = Add(entries, path))
+                        while (adding.MoveNext())
+                            yield return adding.Current;
                 }
+                m_waiting.Remove(page);
+                m_tree.PageCount++;
             }
         }
 
+        /// <summary>Whether <see cref="Read"/> has nothing to do.</summary>
+        public bool IsKnown(int4 node, int levels) => !m_waiting.TryPeek(node, levels, out _);
+
         /// <summary>A page's entries; none for one that is not there.</summary>
-        IEnumerator<JobHandle> Parse(string path, int level, int3 cell, NativeList<EptEntry> entries)
+        /// <param name="name">Of the node that it begins with.</param>
+        IEnumerator<JobHandle> Parse(string path, string name, NativeList<EptEntry> entries)
         {
-            var file = new FileInfo(path);
+            long length = FileSource.NoSuchFile;
+            using (var asking = PoolWork.Run(() => FileSource.LengthOf(path), found => length = found))
+                while (asking.MoveNext())
+                    yield return asking.Current;
             string problem = null;
-            if (!file.Exists)
+            if (length == FileSource.NoSuchFile)
                 problem = "there is no " + Path.GetFileName(path);
-            else if (file.Length > MaxPageBytes)
-                problem = "it has " + Text(file.Length) + " bytes, wanted at most " + Text(MaxPageBytes);
+            else if (length > MaxPageBytes)
+                problem = "it has " + Text(length) + " bytes, wanted at most " + Text(MaxPageBytes);
             if (problem != null)
             {
-                m_reader.Findings.Tell("the page of the hierarchy that begins with it cannot be read",
-                    EptEntry.NameOf(level, cell), problem);
+                m_reader.Findings.Tell("the page of the hierarchy that begins with it cannot be read", name, problem);
                 yield break;
             }
-            m_reader.Info.FileBytes += file.Length;
-            using (var read = new NativeFileRead(path, default, file.Length, Allocator.Persistent))
+            m_reader.Info.FileBytes += length;
+            using (var read = new NativeFileRead(path, default, length, Allocator.Persistent))
             using (var state = new NativeReference<EptPageState>(Allocator.Persistent))
             {
                 JobHandle parsed = default;
                 try
                 {
-                    yield return read.Begin(Path.GetFullPath(path), 0, (int)file.Length);
+                    yield return read.Begin(Path.GetFullPath(path), 0, (int)length);
                     read.End();
                     var parse = new ParseEptPageJob
                     {
                         Text = read.Buffer,
-                        TextBytes = (int)file.Length,
+                        TextBytes = (int)length,
                         SliceBytes = SliceBytes,
                         State = state,
                         Entries = entries,
@@ -130,7 +131,7 @@ namespace FastPoints.Files
                 }
                 if (state.Value.IsBroken)
                     m_reader.Findings.Tell("the page of the hierarchy that begins with it is broken",
-                        EptEntry.NameOf(level, cell), "the first " + Text(state.Value.Entries) + " entries are read", state.Value.At, path);
+                        name, "the first " + Text(state.Value.Entries) + " entries are read", state.Value.At, path);
             }
         }
 
@@ -151,21 +152,36 @@ namespace FastPoints.Files
             }
             // Doubled as it grows, the set would be there twice for a while.
             m_nodes.EnsureCapacity(Math.Min(MaxNodes, m_nodes.Count + entries.Length));
-            m_stepWatch.Restart();
+            var step = new List<EptEntry>(StepNodes);
             for (int level = first; level <= last; level++)
                 for (int i = 0; i < entries.Length; i++)
                 {
-                    if (entries[i].Level != level || !entries[i].HasKey)
+                    if (entries[i].Level == level && entries[i].HasKey)
+                        step.Add(entries[i]);
+                    if (step.Count < StepNodes && (level < last || i < entries.Length - 1))
                         continue;
-                    Add(entries[i], path);
-                    if (m_stepWatch.Elapsed.TotalMilliseconds < StepMs)
-                        continue;
-                    yield return default;
-                    m_stepWatch.Restart();
+                    using (var adding = Add(step, path))
+                        while (adding.MoveNext())
+                            yield return adding.Current;
+                    step.Clear();
                 }
         }
 
-        void Add(EptEntry entry, string path)
+        /// <summary>Some nodes, with their files' lengths.</summary>
+        IEnumerator<JobHandle> Add(List<EptEntry> step, string path)
+        {
+            var files = new string[step.Count];
+            for (int i = 0; i < files.Length; i++)
+                files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
+            return PoolWork.Run(() => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
+            {
+                for (int i = 0; i < lengths.Length; i++)
+                    Add(step[i], lengths[i], path);
+            });
+        }
+
+        /// <param name="length">Of its file.</param>
+        void Add(EptEntry entry, long length, string path)
         {
             if (m_nodes.Count + m_pages.Count > MaxNodes)
             {
@@ -178,7 +194,7 @@ namespace FastPoints.Files
             if (entry.IsPage)
             {
                 if (m_pages.Add(entry.Key))
-                    m_pagesOfLevel[entry.Level].Enqueue(entry.Cell);
+                    m_waiting.Add(entry.Key);
                 else
                     m_reader.Findings.Tell("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
                 return;
@@ -188,10 +204,10 @@ namespace FastPoints.Files
             else if (entry.Points < 0)
                 m_reader.Findings.Tell("has a number of points that is none", entry.Name, Text(entry.Points), entry.At, path);
             else
-                AddNode(entry);
+                AddNode(entry, length);
         }
 
-        void AddNode(EptEntry entry)
+        void AddNode(EptEntry entry, long bytes)
         {
             if (entry.Points == 0)
             {
@@ -199,15 +215,13 @@ namespace FastPoints.Files
                 return;
             }
             string path = m_reader.PathOf(entry.Level, entry.Cell);
-            var file = new FileInfo(path);
-            if (!file.Exists || file.Length == 0)
+            if (bytes <= 0)
             {
-                m_reader.Findings.Tell("its file is " + (file.Exists ? "empty" : "missing") + ": its points are left out",
+                m_reader.Findings.Tell("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
                     entry.Name, Text(entry.Points) + " points", -1, path);
                 m_reader.AddNode(entry, 0, 0);
                 return;
             }
-            long bytes = file.Length;
             m_reader.Info.FileBytes += bytes;
             long points = Math.Min(entry.Points, MostPoints(bytes));
             if (points < entry.Points)

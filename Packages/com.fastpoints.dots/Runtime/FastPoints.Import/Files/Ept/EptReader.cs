@@ -6,6 +6,7 @@ using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -28,7 +29,7 @@ namespace FastPoints.Files
         readonly EptHierarchy m_hierarchy;
         readonly List<EptBlock> m_blocks = new List<EptBlock>();
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
-        readonly Dictionary<(int, Unity.Mathematics.int3), long> m_endOfNode = new Dictionary<(int, Unity.Mathematics.int3), long>();
+        readonly Dictionary<(int, int3), long> m_endOfNode = new Dictionary<(int, int3), long>();
         readonly int m_blockPoints;
         long m_pointCount;
         int m_maxPointsPerBlock;
@@ -123,13 +124,15 @@ namespace FastPoints.Files
             return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
         }
 
-        public override IEnumerator<JobHandle> FindLevels(int levels) => m_hierarchy.Read(Math.Max(1, levels));
+        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+
+        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobHandle> FindBlocks()
         {
             if (m_tree.IsWhole)
                 yield break;
-            using (var pages = m_hierarchy.Read(int.MaxValue))
+            using (var pages = m_hierarchy.Read(default, int.MaxValue))
                 while (pages.MoveNext())
                     yield return pages.Current;
             string found = "ept.json claims " + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture)
@@ -207,7 +210,7 @@ namespace FastPoints.Files
         internal long EndOfNode(in EptBlock block) =>
             m_endOfNode.TryGetValue((block.Level, block.Cell), out long end) ? end : block.NodePoints;
 
-        internal string PathOf(int level, Unity.Mathematics.int3 cell)
+        internal string PathOf(int level, int3 cell)
         {
             string ending = m_index.DataType == EptDataType.Binary ? ".bin"
                 : m_index.DataType == EptDataType.Laszip ? ".laz" : ".zst";

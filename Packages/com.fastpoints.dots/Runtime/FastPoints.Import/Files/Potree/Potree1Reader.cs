@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Threading;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
@@ -40,13 +41,6 @@ namespace FastPoints.Files
         /// <summary>What corners may lie above a grid place by rounding, in steps.</summary>
         const double CornerTolerance = 1e-5;
 
-        /// <summary>A node whose .hrc file has not been read.</summary>
-        struct Page
-        {
-            public int Level;
-            public int3 Cell;
-        }
-
         /// <summary>A node whose children come next in the page.</summary>
         struct Parent
         {
@@ -61,10 +55,12 @@ namespace FastPoints.Files
         readonly PotreeLayout m_layout;
         readonly LasFile m_las;
         readonly List<(string Name, long Points)> m_listed;
-        readonly Queue<Page> m_pages = new Queue<Page>();
         readonly Queue<Parent> m_parents = new Queue<Parent>();
+
+        /// <summary>Nodes that the hierarchy has, and whose files have not been looked up.</summary>
+        readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
-        Page m_page;
+        WaitingPage m_page;
         ByteReader m_records;
         int m_recordAt;
 
@@ -79,7 +75,7 @@ namespace FastPoints.Files
             m_las = las;
             m_listed = listed;
             if (listed == null)
-                m_pages.Enqueue(default);
+                Pages.Add(default);
         }
 
         /// <summary>Reads cloud.js and, where nodes are LAS or LAZ, one node's header; of the hierarchy the first page.</summary>
@@ -124,8 +120,7 @@ namespace FastPoints.Files
             {
                 using (var steps = reader.FindLevels(1))
                     while (steps.MoveNext())
-                    {
-                    }
+                        Thread.Yield();
                 return reader;
             }
             catch
@@ -171,67 +166,92 @@ namespace FastPoints.Files
             return (int3)math.ceil(corner - CornerTolerance);
         }
 
-        private protected override bool ReadPage(int levels)
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !TryPeek(node, levels, out _);
+
+        private protected override IEnumerator<JobHandle> ReadPages(int4 node, int levels)
         {
-            if (m_listed != null)
-                return ReadListed();
-            if (m_parents.Count == 0 && !BeginPage(levels))
+            while (true)
+            {
+                IEnumerator<JobHandle> looking;
+                if (m_found.Count > 0)
+                    looking = PoolWork.Run(LookerFor(m_found.ToArray()), AddFound);
+                else if (FindNext())
+                    continue;
+                else if (TryPeek(node, levels, out var page))
+                    looking = PoolWork.Run(ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
+                else
+                    break;
+                using (looking)
+                    while (looking.MoveNext())
+                        yield return looking.Current;
+            }
+            Tree.IsWhole = Pages.Count == 0;
+        }
+
+        bool TryPeek(int4 node, int levels, out WaitingPage page)
+        {
+            // All pages but the first begin with a node that is known.
+            return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
+        }
+
+        /// <returns>Whether some more nodes were found without reading a page.</returns>
+        bool FindNext()
+        {
+            if (m_listed != null && m_listedAt < m_listed.Count)
+                FindListed();
+            else if (m_parents.Count == 0)
                 return false;
             for (int i = 0; i < StepNodes && m_parents.Count > 0; i++)
                 ReadChildren(m_parents.Dequeue());
             return true;
         }
 
-        /// <returns>Whether there is a page that the levels take.</returns>
-        bool BeginPage(int levels)
+        void BeginPage(WaitingPage page, Potree1Page read)
         {
-            if (m_pages.Count == 0)
-            {
-                Tree.IsWhole = true;
-                return false;
-            }
-            // Pages are queued level by level, and all but the first begin with a node that is known.
-            m_page = m_pages.Peek();
-            if (m_page.Level > 0 && m_page.Level + 1 >= levels)
-                return false;
-            m_pages.Dequeue();
-            if (!ReadRecords(m_files.HierarchyPathOf(m_page.Level, m_page.Cell)))
-                return true;
-            Tree.PageCount++;
-            int mask = m_records.UInt8(0, "child mask");
-            if (m_page.Level == 0)
-                Add(0, default, m_records.UInt32(1, "points"));
-            m_recordAt = RecordBytes;
-            m_parents.Enqueue(new Parent { Level = m_page.Level, Cell = m_page.Cell, Mask = mask });
-            return true;
-        }
-
-        bool ReadRecords(string path)
-        {
-            string problem;
-            try
-            {
-                using (var source = FileSource.Open(path))
-                {
-                    m_records = source.ReadAtMost(0, MaxHierarchyBytes);
-                    Info.FileBytes += source.Length;
-                }
-                if (m_records.Length >= RecordBytes)
-                    return true;
-                problem = "has " + Text(m_records.Length) + " bytes";
-            }
-            catch (PointCloudException e)
+            m_page = page;
+            Pages.Remove(page);
+            if (read.Problem != null)
             {
                 // Without the first there is no tree at all.
-                if (m_page.Level == 0)
-                    throw;
-                problem = e.Message;
+                if (page.Root.w == 0)
+                    throw read.Problem;
+                Findings.Tell("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
+                    read.Problem.Message);
+                return;
             }
-            if (m_page.Level == 0)
-                throw PointCloudException.Wanted(FailureCode.Truncated, path, 0, "the root's record", RecordBytes + " bytes",
-                    m_records.Length);
-            Findings.Tell("the hierarchy below it is not there", PotreeNames.NameOf(m_page.Level, m_page.Cell), problem);
-            return false;
+            Info.FileBytes += read.FileBytes;
+            m_records = read.Records;
+            Tree.PageCount++;
+            int mask = m_records.UInt8(0, "child mask");
+            if (page.Root.w == 0)
+                Find(0, default, m_records.UInt32(1, "points"));
+            m_recordAt = RecordBytes;
+            m_parents.Enqueue(new Parent { Level = page.Root.w, Cell = page.Root.xyz, Mask = mask });
+        }
+
+        Func<Potree1Page> ReaderOf(WaitingPage page)
+        {
+            string path = m_files.HierarchyPathOf(page.Root.w, page.Root.xyz);
+            return () =>
+            {
+                var read = new Potree1Page();
+                try
+                {
+                    using (var source = FileSource.Open(path))
+                    {
+                        read.Records = source.ReadAtMost(0, MaxHierarchyBytes);
+                        read.FileBytes = source.Length;
+                    }
+                    if (read.Records.Length < RecordBytes)
+                        read.Problem = PointCloudException.Wanted(FailureCode.Truncated, path, 0, "the first node's record",
+                            RecordBytes + " bytes", read.Records.Length);
+                }
+                catch (PointCloudException e)
+                {
+                    read.Problem = e;
+                }
+                return read;
+            };
         }
 
         void ReadChildren(Parent parent)
@@ -242,7 +262,7 @@ namespace FastPoints.Files
                     continue;
                 if (m_recordAt + RecordBytes > m_records.Length)
                 {
-                    Findings.Tell("the hierarchy that begins with it ends early", PotreeNames.NameOf(m_page.Level, m_page.Cell),
+                    Findings.Tell("the hierarchy that begins with it ends early", PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz),
                         "wanted child " + Text(child) + " of " + PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
                     m_parents.Clear();
                     return;
@@ -250,7 +270,7 @@ namespace FastPoints.Files
                 if (IsFull(m_recordAt))
                 {
                     m_parents.Clear();
-                    m_pages.Clear();
+                    Pages.Clear();
                     return;
                 }
                 int mask = m_records.UInt8(m_recordAt, "child mask");
@@ -258,85 +278,100 @@ namespace FastPoints.Files
                 m_recordAt += RecordBytes;
                 int level = parent.Level + 1;
                 var cell = PotreeNames.Child(parent.Cell, child);
-                Add(level, cell, points);
+                Find(level, cell, points);
                 if (mask == 0)
                     continue;
                 if (level == MaxLevels)
                     Findings.Tell("has children below the deepest level that is read", PotreeNames.NameOf(level, cell));
-                else if (level == m_page.Level + m_stepSize)
-                    m_pages.Enqueue(new Page { Level = level, Cell = cell });
+                else if (level == m_page.Root.w + m_stepSize)
+                    Pages.Add(new int4(cell, level));
                 else
                     m_parents.Enqueue(new Parent { Level = level, Cell = cell, Mask = mask });
             }
         }
 
-        bool ReadListed()
+        void FindListed()
         {
             for (int i = 0; i < StepNodes && m_listedAt < m_listed.Count; i++, m_listedAt++)
             {
                 PotreeNames.TryParse(m_listed[m_listedAt].Name, MaxLevels, out int level, out var cell);
-                Add(level, cell, m_listed[m_listedAt].Points);
+                Find(level, cell, m_listed[m_listedAt].Points);
             }
-            Tree.IsWhole = m_listedAt == m_listed.Count;
-            return !Tree.IsWhole;
+        }
+
+        /// <param name="claimed">By the hierarchy.</param>
+        void Find(int level, int3 cell, long claimed) => m_found.Add(new Potree1Node
+        {
+            Level = level,
+            Cell = cell,
+            Claimed = claimed,
+            Path = m_files.PathOf(level, cell),
+        });
+
+        /// <summary>Looks the files of some nodes up: on any thread.</summary>
+        Func<Potree1Node[]> LookerFor(Potree1Node[] nodes)
+        {
+            bool isLas = m_layout == null;
+            return () =>
+            {
+                for (int i = 0; i < nodes.Length; i++)
+                {
+                    nodes[i].Bytes = FileSource.LengthOf(nodes[i].Path);
+                    if (isLas && nodes[i].Bytes > 0)
+                        CountLas(ref nodes[i]);
+                }
+                return nodes;
+            };
+        }
+
+        void AddFound(Potree1Node[] nodes)
+        {
+            m_found.Clear();
+            foreach (var node in nodes)
+                Add(node);
         }
 
         /// <summary>Adds a node with the points that its file has.</summary>
-        /// <param name="claimed">By the hierarchy.</param>
-        void Add(int level, int3 cell, long claimed)
+        void Add(in Potree1Node node)
         {
-            string path = m_files.PathOf(level, cell);
-            long bytes = LengthOf(path), points = 0;
-            PointsClaimed += claimed;
-            if (bytes < 0 && claimed > 0)
-                Findings.Tell("its file is missing: its points are left out", PotreeNames.NameOf(level, cell),
-                    "wanted " + Text(claimed), -1, path);
-            if (bytes > 0)
+            string name = PotreeNames.NameOf(node.Level, node.Cell);
+            long points = 0;
+            PointsClaimed += node.Claimed;
+            if (node.Bytes < 0 && node.Claimed > 0)
+                Findings.Tell("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1, node.Path);
+            if (node.Problem != null)
+                Findings.Tell("its file cannot be read: its points are left out", name, node.Problem);
+            if (node.Bytes > 0)
             {
-                Info.FileBytes += bytes;
-                points = m_layout != null ? bytes / m_layout.RecordBytes : CountLas(path, level, cell);
-                if (points != claimed || m_layout != null && bytes % m_layout.RecordBytes != 0)
-                    Findings.Tell("its file does not hold what the hierarchy says", PotreeNames.NameOf(level, cell),
-                        "wanted " + Text(claimed) + " points, got " + Text(points) + (m_layout == null ? ""
-                            : " and " + Text(bytes % m_layout.RecordBytes) + " bytes"), -1, path);
+                Info.FileBytes += node.Bytes;
+                points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
+                if (points != node.Claimed || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
+                    Findings.Tell("its file does not hold what the hierarchy says", name,
+                        "wanted " + Text(node.Claimed) + " points, got " + Text(points) + (m_layout == null ? ""
+                            : " and " + Text(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
             }
-            AddNode(level, cell, points, 0, bytes, m_layout?.RecordBytes ?? 0);
+            AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
 
         /// <summary>Points by a node's own header, no more than its bytes can hold.</summary>
-        long CountLas(string path, int level, int3 cell)
+        static void CountLas(ref Potree1Node node)
         {
             try
             {
-                using (var source = FileSource.Open(path))
+                using (var source = FileSource.Open(node.Path))
                 {
                     var header = LasHeader.Read(source);
                     if (source.Length > MaxLasBytes)
-                        throw PointCloudException.Wanted(FailureCode.Unsupported, path, -1, "bytes of a node",
+                        throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
                             "at most " + Text(MaxLasBytes), source.Length);
                     long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
                     most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
-                    return (long)Math.Min(header.PointsClaimed, (ulong)most);
+                    node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)most);
                 }
             }
             catch (PointCloudException e)
             {
-                Findings.Tell("its file cannot be read: its points are left out", PotreeNames.NameOf(level, cell), e.Message);
-                return 0;
-            }
-        }
-
-        /// <returns>-1 for no such file.</returns>
-        static long LengthOf(string path)
-        {
-            try
-            {
-                var file = new FileInfo(path);
-                return file.Exists ? file.Length : -1;
-            }
-            catch (Exception e) when (FileFailures.IsFileFailure(e))
-            {
-                return -1;
+                node.Problem = e.Message;
             }
         }
 
@@ -376,7 +411,7 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">It cannot be told.</exception>
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
-            long bytes = LengthOf(files.PathOf(0, default)), points = 0;
+            long bytes = FileSource.LengthOf(files.PathOf(0, default)), points = 0;
             if (listed != null && listed.Count > 0)
                 points = listed[0].Points;
             else if (listed == null)

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Threading;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
@@ -40,27 +41,17 @@ namespace FastPoints.Files
         /// <summary>Of a node's Brotli stream, which a slot holds whole.</summary>
         const long MaxStreamBytes = 1 << 27;
 
-        /// <summary>A page that has not been read, and the node at its root.</summary>
-        struct Page
-        {
-            public long Offset;
-            public long Bytes;
-            public int Level;
-            public int3 Cell;
-        }
-
-        readonly FileSource m_hierarchy;
+        readonly string m_hierarchyPath;
+        readonly long m_hierarchyBytes;
         readonly string m_octreePath;
         readonly long m_octreeBytes;
         readonly FileHandle m_octree;
         readonly PotreeLayout m_layout;
-        readonly Queue<Page> m_pages = new Queue<Page>();
         readonly Queue<(int Level, int3 Cell)> m_nodesOfPage = new Queue<(int, int3)>();
         ByteReader m_records;
-        int m_recordAt;
+        long m_recordOffset;
         long m_pageOffset;
-        int m_pageLevel;
-        int3 m_pageCell;
+        int4 m_pageRoot;
         long m_pageEnd;
         long m_recordsLeft;
         long m_nodesLost;
@@ -68,16 +59,18 @@ namespace FastPoints.Files
         bool m_isPageRoot;
         bool m_isOpen;
 
-        Potree2Reader(Potree2Index index, FileSource hierarchy, long octreeBytes)
+        Potree2Reader(Potree2Index index, string hierarchyPath, long hierarchyBytes, long octreeBytes)
             : base(index.Info, index.Cube, index.Spacing)
         {
-            m_hierarchy = hierarchy;
+            m_hierarchyPath = hierarchyPath;
+            m_hierarchyBytes = hierarchyBytes;
             m_layout = index.Layout;
             IsBrotli = index.IsBrotli;
             m_octreePath = Path.GetFullPath(BesideIndex(index.Info.Path, OctreeName));
             m_octreeBytes = octreeBytes;
-            m_recordsLeft = hierarchy.Length / RecordBytes;
-            m_pages.Enqueue(new Page { Bytes = Math.Min(index.FirstChunkBytes, hierarchy.Length) });
+            m_recordsLeft = hierarchyBytes / RecordBytes;
+            m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
+            Pages.Add(default, 0, Math.Min(index.FirstChunkBytes, hierarchyBytes));
             if (HasPoints)
             {
                 m_octree = AsyncReadManager.OpenFileAsync(m_octreePath);
@@ -91,19 +84,21 @@ namespace FastPoints.Files
         internal static Potree2Reader Open(SourceJson json)
         {
             var index = Potree2Index.Read(json);
-            var hierarchy = FileSource.Open(BesideIndex(json.Path, HierarchyName));
+            string path = BesideIndex(json.Path, HierarchyName);
+            long bytes;
+            using (var hierarchy = FileSource.Open(path))
+                bytes = hierarchy.Length;
             var octree = new FileInfo(BesideIndex(json.Path, OctreeName));
             long octreeBytes = octree.Exists ? octree.Length : -1;
-            index.Info.FileBytes += hierarchy.Length + Math.Max(0, octreeBytes);
+            index.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
             if (octreeBytes < 0)
                 index.Info.Warn(-1, "there is no " + OctreeName + " beside it: the hierarchy can be shown, but there are no points to read");
-            var reader = new Potree2Reader(index, hierarchy, octreeBytes);
+            var reader = new Potree2Reader(index, path, bytes, octreeBytes);
             try
             {
                 using (var steps = reader.FindLevels(1))
                     while (steps.MoveNext())
-                    {
-                    }
+                        Thread.Yield();
                 return reader;
             }
             catch
@@ -146,79 +141,92 @@ namespace FastPoints.Files
         public override void Dispose()
         {
             base.Dispose();
-            m_hierarchy.Dispose();
             if (!m_isOpen)
                 return;
             m_isOpen = false;
             m_octree.Close().Complete();
         }
 
-        private protected override void EndReading() => m_hierarchy.Dispose();
+        public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
 
-        private protected override bool ReadPage(int levels)
+        /// <summary>Whether the page has another record, whose bytes have not been believed before.</summary>
+        bool HasRecord => m_recordsLeft > 0 && m_recordOffset + RecordBytes <= m_pageEnd;
+
+        bool IsRecordRead => m_recordOffset >= m_records.FileOffset &&
+            m_recordOffset + RecordBytes <= m_records.FileOffset + m_records.Length;
+
+        private protected override IEnumerator<JobHandle> ReadPages(int4 node, int levels)
         {
-            if (m_nodesOfPage.Count == 0 && !BeginPage(levels))
-                return false;
-            for (int i = 0; i < StepRecords && m_nodesOfPage.Count > 0; i++)
+            int done = 0;
+            while (m_nodesOfPage.Count > 0 || BeginPage(node, levels))
             {
-                if (m_recordAt + RecordBytes > m_records.Length && !ReadRecords())
-                {
-                    m_nodesLost += m_nodesOfPage.Count;
-                    m_nodesOfPage.Clear();
-                    break;
-                }
-                ReadRecord();
+                if (HasRecord && !IsRecordRead)
+                    using (var reading = PoolWork.Run(ReaderOf(m_recordOffset), TakeRecords))
+                        while (reading.MoveNext())
+                            yield return reading.Current;
+                for (; m_nodesOfPage.Count > 0 && HasRecord && IsRecordRead && done < StepRecords; done++)
+                    ReadRecord();
+                if (m_nodesOfPage.Count == 0 || !HasRecord)
+                    EndPage();
+                if (done < StepRecords)
+                    continue;
+                yield return default;
+                done = 0;
             }
-            if (m_nodesOfPage.Count == 0 && m_nodesLost > 0)
-            {
-                Findings.Tell("the page of the hierarchy that begins with it ends early", PotreeNames.NameOf(m_pageLevel, m_pageCell),
-                    Text(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchy.Path);
-                m_nodesLost = 0;
-            }
-            return true;
+            Tree.IsWhole = Pages.Count == 0;
         }
 
         /// <returns>Whether there is a page that the levels take.</returns>
-        bool BeginPage(int levels)
+        bool BeginPage(int4 node, int levels)
         {
-            if (m_pages.Count == 0)
-            {
-                Tree.IsWhole = true;
+            if (!Pages.TryPeek(node, levels, out var page))
                 return false;
-            }
-            // Pages are queued level by level.
-            if (m_pages.Peek().Level >= levels)
-                return false;
-            var page = m_pages.Dequeue();
+            Pages.Remove(page);
             Tree.PageCount++;
-            m_pageOffset = page.Offset;
+            m_pageOffset = m_recordOffset = page.Offset;
             m_pageEnd = page.Offset + page.Bytes;
-            m_records = new ByteReader(Array.Empty<byte>(), m_hierarchy.Path, page.Offset);
-            m_recordAt = 0;
             m_isPageRoot = true;
-            m_pageLevel = page.Level;
-            m_pageCell = page.Cell;
-            m_nodesOfPage.Enqueue((page.Level, page.Cell));
+            m_pageRoot = page.Root;
+            m_nodesOfPage.Enqueue((page.Root.w, page.Root.xyz));
             return true;
         }
 
-        /// <returns>Whether the page goes on, and its bytes have not been believed before.</returns>
-        bool ReadRecords()
+        /// <summary>More than a page has, mostly: the next is among it then.</summary>
+        Func<ByteReader> ReaderOf(long start)
         {
-            long start = m_records.FileOffset + m_records.Length;
-            long records = Math.Min(Math.Min(StepRecords, m_recordsLeft), (m_pageEnd - start) / RecordBytes);
-            if (records <= 0)
-                return false;
-            m_records = m_hierarchy.ReadAtMost(start, (int)records * RecordBytes);
-            m_recordAt = 0;
-            return m_records.Length >= RecordBytes;
+            string path = m_hierarchyPath;
+            return () =>
+            {
+                using (var hierarchy = FileSource.Open(path))
+                    return hierarchy.ReadAtMost(start, StepRecords * RecordBytes);
+            };
+        }
+
+        void TakeRecords(ByteReader records)
+        {
+            m_records = records;
+            // The file is shorter than it was.
+            if (!IsRecordRead)
+                m_pageEnd = m_recordOffset;
+        }
+
+        /// <summary>All nodes of the page are read, or there are no more records for the others.</summary>
+        void EndPage()
+        {
+            m_nodesLost += m_nodesOfPage.Count;
+            m_nodesOfPage.Clear();
+            if (m_nodesLost > 0)
+                Findings.Tell("the page of the hierarchy that begins with it ends early",
+                    PotreeNames.NameOf(m_pageRoot.w, m_pageRoot.xyz),
+                    Text(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchyPath);
+            m_nodesLost = 0;
         }
 
         void ReadRecord()
         {
             var (level, cell) = m_nodesOfPage.Dequeue();
-            int at = m_recordAt;
-            m_recordAt += RecordBytes;
+            int at = (int)(m_recordOffset - m_records.FileOffset);
+            m_recordOffset += RecordBytes;
             m_recordsLeft--;
             int type = m_records.UInt8(at, "node type");
             int mask = m_records.UInt8(at + 1, "child mask");
@@ -236,14 +244,14 @@ namespace FastPoints.Files
             if (IsFull(where))
             {
                 m_nodesOfPage.Clear();
-                m_pages.Clear();
+                Pages.Clear();
                 m_nodesLost = 0;
                 return;
             }
             Add(level, cell, points, offset, bytes, where);
             if (mask != 0 && level == MaxLevels)
                 Findings.Tell("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
-                    m_hierarchy.Path);
+                    m_hierarchyPath);
             // No more than the page can have records for, so that masks that lie take no memory.
             long room = (m_pageEnd - where) / RecordBytes - 1;
             for (int child = 0; child < 8 && level < MaxLevels; child++)
@@ -257,15 +265,15 @@ namespace FastPoints.Files
 
         void AddPage(int level, int3 cell, long offset, long bytes, long where, bool isPageRoot)
         {
-            bool isInFile = offset >= 0 && bytes >= RecordBytes && offset <= m_hierarchy.Length - RecordBytes;
+            bool isInFile = offset >= 0 && bytes >= RecordBytes && offset <= m_hierarchyBytes - RecordBytes;
             if (!isInFile || isPageRoot || m_recordsLeft <= 0)
             {
                 Findings.Tell("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
                     "wanted " + Text(bytes) + " bytes at byte " + Text(offset) + (isPageRoot ? ", which is itself" : ""), where,
-                    m_hierarchy.Path);
+                    m_hierarchyPath);
                 return;
             }
-            m_pages.Enqueue(new Page { Offset = offset, Bytes = Math.Min(bytes, m_hierarchy.Length - offset), Level = level, Cell = cell });
+            Pages.Add(new int4(cell, level), offset, Math.Min(bytes, m_hierarchyBytes - offset));
         }
 
         /// <summary>Adds a node with the points that octree.bin has of it.</summary>
@@ -277,7 +285,7 @@ namespace FastPoints.Files
             string problem = points > 0 ? FindProblem(ref points, offset, bytes) : null;
             if (problem != null)
                 Findings.Tell("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
-                    m_hierarchy.Path);
+                    m_hierarchyPath);
             if (points > 0 && HasPoints)
                 m_octreeBytesClaimed += bytes;
             AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : m_layout.RecordBytes);

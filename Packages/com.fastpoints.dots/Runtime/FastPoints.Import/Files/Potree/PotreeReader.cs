@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Globalization;
 using FastPoints.Points;
 using Unity.Collections;
@@ -37,9 +36,6 @@ namespace FastPoints.Files
 
         /// <summary>Records of a block that can.</summary>
         const int MaxBlockBytes = 1 << 26;
-
-        /// <summary>Of reading pages without a break.</summary>
-        const double StepMs = 3;
 
         readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
@@ -79,19 +75,17 @@ namespace FastPoints.Files
                 : (long)(block.Bytes * ((range.First + range.Count) / (double)Math.Max(1, block.Points)));
         }
 
+        /// <summary>Pages of the hierarchy that are not read.</summary>
+        private protected WaitingPages Pages { get; } = new WaitingPages(MaxLevels + 1);
+
         public override IEnumerator<JobHandle> FindBlocks() => FindLevels(MaxLevels + 1);
 
-        public override IEnumerator<JobHandle> FindLevels(int levels)
+        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels)
         {
-            var watch = Stopwatch.StartNew();
-            while (!m_tree.IsWhole && ReadPage(levels))
-            {
-                if (watch.Elapsed.TotalMilliseconds < StepMs)
-                    continue;
-                yield return default;
-                watch.Restart();
-            }
-            EndReading();
+            if (!m_tree.IsWhole)
+                using (var reading = ReadPages(node, levels))
+                    while (reading.MoveNext())
+                        yield return reading.Current;
             if (!m_tree.IsWhole)
                 yield break;
             Info.PointsReadable = m_pointCount;
@@ -99,14 +93,9 @@ namespace FastPoints.Files
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>Reads the next part of the hierarchy that the first levels take: some milliseconds' work at most.</summary>
-        /// <returns>Whether there may be more of it.</returns>
-        private protected abstract bool ReadPage(int levels);
-
-        /// <summary>The hierarchy is left alone for a while: close its file.</summary>
-        private protected virtual void EndReading()
-        {
-        }
+        /// <summary>Work for a pump, which can be given up and begun again for another node: the parts of the hierarchy that the
+        /// first levels take about a node and what is below it. Steps of some milliseconds at most.</summary>
+        private protected abstract IEnumerator<JobHandle> ReadPages(int4 node, int levels);
 
         /// <summary>Adds a node and its block.</summary>
         /// <param name="bytes">Of all its points in the file.</param>

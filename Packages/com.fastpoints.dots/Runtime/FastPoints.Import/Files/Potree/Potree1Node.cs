@@ -1,0 +1,24 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Files
+{
+    /// <summary>A node of a Potree 1 hierarchy, and what its file is.</summary>
+    struct Potree1Node
+    {
+        public int Level;
+        public int3 Cell;
+
+        /// <summary>Points by the hierarchy.</summary>
+        public long Claimed;
+        public string Path;
+
+        /// <summary>-1 for no such file.</summary>
+        public long Bytes;
+
+        /// <summary>By the header of a file that is LAS or LAZ.</summary>
+        public long PointsOfLas;
+
+        /// <summary>Why such a file cannot be read; or null.</summary>
+        public string Problem;
+    }
+}
