@@ -60,8 +60,8 @@ namespace FastPoints.Streaming
         /// <summary>What <see cref="Update"/> goes on after.</summary>
         public JobHandle Step => m_step;
 
-        /// <summary>Whether a page's levels, and what hangs below, are known; if not, the first page of which that is so when it is
-        /// asked is read next.</summary>
+        /// <summary>Whether a page's levels, and what hangs below, are known; of those that are asked for and are not, the first
+        /// is read next.</summary>
         public bool IsKnown(int page)
         {
             if (!m_isPageKnown[page] && m_wanted == None)

@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Streaming
             }
         }
 
-        /// <summary>Down to the leaves in one place: pages of the hierarchy that are elsewhere stay unread, on any level.</summary>
+        /// <summary>Down to the leaves in one place: pages of the hierarchy that are elsewhere stay unread.</summary>
         [TestCase(TreeTestCloud.EptBinary)]
         [TestCase(TreeTestCloud.Potree1)]
         [TestCase(TreeTestCloud.Potree2)]

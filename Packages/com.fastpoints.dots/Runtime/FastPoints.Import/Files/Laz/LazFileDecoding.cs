@@ -6,8 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Decodes whole LAS or LAZ files that are all of one kind, one at a time, from memory: a chain of slices as far as a
-    /// range goes.</summary>
+    /// <summary>Decodes whole LAS or LAZ files that are all of one kind, one at a time, from memory: a chain of slices as far
+    /// as a range goes.</summary>
     sealed unsafe class LazFileDecoding : IDisposable
     {
         /// <summary>About 4 ms of decoding on one core.</summary>
@@ -48,8 +48,8 @@ namespace FastPoints.Files
         /// <paramref name="inputDeps"/>.</param>
         /// <param name="first">Of the range, counted from the file's start.</param>
         /// <param name="roundsOffset">See <see cref="DecodeLazFileJob.RoundsOffset"/>.</param>
-        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset, PointBatch to,
-            NativeReference<DecodeResult> result, JobHandle inputDeps)
+        public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
+            PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
         {
             var header = m_las.Header;
             var decode = new DecodeLazFileJob

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>How a LAZ file's whole numbers become those of another scale and offset: exactly, or by the nearest whole number of
-    /// steps where that is wanted, or not at all.</summary>
+    /// <summary>How a LAZ file's whole numbers become those of another scale and offset: exactly, or by the nearest whole number
+    /// of steps where that is wanted, or not at all.</summary>
     unsafe struct LazFilePlacing
     {
         /// <summary>Whether scale and offset are the same, and nothing is to do.</summary>

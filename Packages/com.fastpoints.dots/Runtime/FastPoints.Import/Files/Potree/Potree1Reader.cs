@@ -262,8 +262,9 @@ namespace FastPoints.Files
                     continue;
                 if (m_recordAt + RecordBytes > m_records.Length)
                 {
-                    Findings.Tell("the hierarchy that begins with it ends early", PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz),
-                        "wanted child " + Text(child) + " of " + PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
+                    Findings.Tell("the hierarchy that begins with it ends early",
+                        PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz), "wanted child " + Text(child) + " of " +
+                        PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
                     m_parents.Clear();
                     return;
                 }
@@ -338,7 +339,8 @@ namespace FastPoints.Files
             long points = 0;
             PointsClaimed += node.Claimed;
             if (node.Bytes < 0 && node.Claimed > 0)
-                Findings.Tell("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1, node.Path);
+                Findings.Tell("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1,
+                    node.Path);
             if (node.Problem != null)
                 Findings.Tell("its file cannot be read: its points are left out", name, node.Problem);
             if (node.Bytes > 0)

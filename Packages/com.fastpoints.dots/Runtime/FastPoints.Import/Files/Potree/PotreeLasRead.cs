@@ -5,8 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>A slot for nodes that are LAS or LAZ files: the file is read whole, then a chain of slices decodes it as far as the
-    /// range goes, to the cloud's grid.</summary>
+    /// <summary>A slot for nodes that are LAS or LAZ files: the file is read whole, then a chain of slices decodes it as far as
+    /// the range goes, to the cloud's grid.</summary>
     sealed class PotreeLasRead : BlockRead
     {
         readonly Potree1Reader m_reader;

@@ -322,8 +322,9 @@ namespace FastPoints.Files.Tests
                 bytes[LasHeader.At.PointFormat] = 0;
                 File.WriteAllBytes(path, bytes);
                 Assert.That(ReadPoints.EachBlock(reader, reader.Info.Schema, _ => { }), Is.EqualTo(Points - node.Value.Count));
-                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("node " + node.Key + ": its file is not what the"));
-                Assert.That(reader.Info.Warnings.Single().Path, Is.EqualTo(path));
+                var warning = reader.Info.Warnings.Single();
+                Assert.That(warning.Text, Does.StartWith("node " + node.Key + ": its file is not what the"));
+                Assert.That(warning.Path, Is.EqualTo(path));
                 File.WriteAllBytes(path, bytes.Take(100).ToArray());
                 Assert.That(() => ReadPoints.EachBlock(reader, reader.Info.Schema, _ => { }),
                     Throws.TypeOf<PointCloudException>().With.Message.StartsWith(path));
