@@ -62,6 +62,7 @@ namespace FastPoints.Cli
             using (var preview = new PreviewCloud(reader, settings))
             {
                 WorkPump.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
+                WorkPump.RunToEnd(preview.PlanPicture(), cancellation);
                 ranges = preview.Ranges;
                 sample = new SampleReader(preview.Sample, reader.Info.Path);
             }
