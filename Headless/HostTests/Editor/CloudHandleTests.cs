@@ -1,4 +1,5 @@
 using System.IO;
+using System.Linq;
 using FastPoints.Base;
 using FastPoints.Editor;
 using FastPoints.Files;
@@ -35,6 +36,20 @@ namespace FastPoints.HostTests.Editor
             Assert.That(read.Sources, Is.EqualTo(handle.Sources));
             Assert.That(math.all(read.BoundsGeo.Max == handle.BoundsGeo.Max), Is.True);
             Assert.That(read.Stamp.Compare(new[] { source }), Is.EqualTo(SourceChange.None));
+        }
+
+        [TestCase(2, 2, "b.las: at byte 7: odd 1")]
+        [TestCase(30, CloudHandle.MostWarnings, "11 more")]
+        public void Describe_Warnings_AreKeptUpToALimit(int count, int kept, string last)
+        {
+            var handle = new CloudHandle { CloudPath = "a" };
+
+            handle.Describe("LAS", Enumerable.Range(0, count).Select(i => new CloudWarning("/home/a/b.las", 7, "odd " + i)).ToList());
+
+            var read = CloudHandle.FromJson(handle.ToJson(), "a.pointcloud");
+            Assert.That(read.Warnings, Has.Count.EqualTo(kept).And.Some.EqualTo("b.las: at byte 7: odd 0"));
+            Assert.That(read.Warnings.Last(), Is.EqualTo(last));
+            Assert.That(read.Format, Is.EqualTo("LAS"));
         }
 
         [Test]

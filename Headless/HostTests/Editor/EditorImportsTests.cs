@@ -7,8 +7,10 @@ using FastPoints.Cli;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.HostTests.Cli;
+using FastPoints.Points;
 using FastPoints.Streaming;
 using NUnit.Framework;
+using StandIns.Scene;
 using Unity.Entities;
 using UnityEditor;
 using UnityEngine;
@@ -163,6 +165,62 @@ namespace FastPoints.HostTests.Editor
 
             m_project.Imports.TakePointFile("Assets/scan.las");
             Assert.That(m_project.Imports.Queue.Requests, Is.Empty, "it is converted already");
+        }
+
+        [Test]
+        public void Import_UpAxisAndUnit_DecideOnHowTheCloudStands()
+        {
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            m_project.UpdateToTheEnd();
+            Assert.That(asset.TryGetSpace(out var bounds, out var asIs), Is.True);
+            Assert.That((asIs.Up, asIs.OriginGeo), Is.EqualTo((UpAxis.Z, asset.Origin)));
+
+            m_project.SetImporter = importer => (importer.UpAxis, importer.MetresPerUnit) = (UpAxis.Y, 0.001);
+            m_project.Import("Assets/scan.pointcloud");
+
+            Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
+            Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, 0.001)));
+            Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
+            Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
+
+            m_project.SetImporter = null;
+            m_project.Import("Assets/scan.pointcloud");
+            Assert.That(asset.TryGetSpace(out _, out var back), Is.True);
+            Assert.That(back, Is.EqualTo(asIs));
+        }
+
+        [Test]
+        public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
+        {
+            m_project.SetImporter = importer => importer.UpAxis = UpAxis.Y;
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            m_project.UpdateToTheEnd();
+
+            var handle = m_project.Imports.HandleOf("Assets/scan.pointcloud");
+            Assert.That(handle.OriginUp, Is.EqualTo(UpAxis.Y));
+            Assert.That(asset.Origin, Is.EqualTo(handle.Origin));
+            Assert.That(asset.Origin.y, Is.EqualTo(asset.BoundsMin.y).Within(0.5));
+        }
+
+        [Test]
+        public void PointCloud_AssetGetsAnotherUpAxis_IsTurned()
+        {
+            var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            m_project.UpdateToTheEnd();
+            using var world = StreamingWorld();
+            var cloud = PointCloudDrops.Show(asset, null, null);
+            void ShownAs(UpAxis up) => ImportProject.Updates(() =>
+            {
+                SceneLoop.Update();
+                world.Update();
+            }, () => cloud.TryGetSpace(out var space) && space.Up == up);
+            ShownAs(UpAxis.Z);
+
+            m_project.SetImporter = importer => importer.UpAxis = UpAxis.X;
+            m_project.Import("Assets/scan.pointcloud");
+
+            ShownAs(UpAxis.X);
+            UnityEngine.Object.DestroyImmediate(cloud.gameObject);
         }
 
         [TestCase("Assets/x.pointcloud", "{}")]

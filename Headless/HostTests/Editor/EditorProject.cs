@@ -32,6 +32,9 @@ namespace FastPoints.HostTests.Editor
         public ProjectPaths Paths { get; }
         public EditorImports Imports { get; private set; }
 
+        /// <summary>What a user has set in an importer's inspector; null for nothing.</summary>
+        public Action<CloudImporter> SetImporter { get; set; }
+
         /// <summary>What the last import said.</summary>
         public AssetImportContext LastImport { get; private set; }
 
@@ -58,6 +61,7 @@ namespace FastPoints.HostTests.Editor
         public void Import(string path)
         {
             CloudImporter importer = path.EndsWith(CloudHandle.Extension) ? new HandleImporter() : new PointFileImporter();
+            SetImporter?.Invoke(importer);
             LastImport = new AssetImportContext(path);
             importer.OnImportAsset(LastImport);
             var made = (PointCloudAsset)LastImport.mainObject;
@@ -68,6 +72,7 @@ namespace FastPoints.HostTests.Editor
                     (made.ProjectPath, made.PlayerPath, made.Points, made.BoundsMin, made.BoundsMax, made.Crs);
                 (before.ProjectSources, before.PlayerSource, before.HasOrigin, before.Origin) =
                     (made.ProjectSources, made.PlayerSource, made.HasOrigin, made.Origin);
+                (before.Up, before.UnitMetres) = (made.Up, made.UnitMetres);
             }
             else
                 AssetDatabase.Assets[path] = made;

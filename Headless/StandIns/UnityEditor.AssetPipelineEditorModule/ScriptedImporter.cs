@@ -44,6 +44,10 @@ namespace UnityEditor.AssetImporters
         public override void OnInspectorGUI()
         {
         }
+
+        protected void ApplyRevertGUI()
+        {
+        }
     }
 
     public class ScriptedImporterEditor : AssetImporterEditor

@@ -62,6 +62,12 @@ namespace UnityEditor
         }
 
         public bool ApplyModifiedProperties() => false;
+
+        public SerializedProperty FindProperty(string propertyPath) => new SerializedProperty();
+    }
+
+    public class SerializedProperty
+    {
     }
 
     [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]

@@ -24,6 +24,8 @@ namespace UnityEditor
 
     public sealed class EditorGUILayout
     {
+        public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => false;
+
         public static void LabelField(string label, string label2, params GUILayoutOption[] options)
         {
         }

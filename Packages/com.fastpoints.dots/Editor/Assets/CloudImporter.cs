@@ -1,5 +1,7 @@
 using FastPoints.Entities;
 using FastPoints.Points;
+using FastPoints.Streaming;
+using Unity.Mathematics;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;
@@ -11,7 +13,14 @@ namespace FastPoints.Editor
     public abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised where the asset comes out otherwise.</summary>
-        protected const int Version = 2;
+        protected const int Version = 3;
+
+        [Tooltip("The axis of the file that points up.")]
+        public UpAxis UpAxis = UpAxis.Z;
+
+        [Min(0)]
+        [Tooltip("Metres of a unit of the file: 0.001 for millimetres. 0: as the file says, else metres.")]
+        public double MetresPerUnit;
 
         /// <summary>Reads the asset's file.</summary>
         /// <param name="guid">The asset's.</param>
@@ -35,14 +44,17 @@ namespace FastPoints.Editor
             ctx.SetMainObject(asset);
         }
 
-        static void Fill(PointCloudAsset asset, CloudHandle handle, string guid)
+        void Fill(PointCloudAsset asset, CloudHandle handle, string guid)
         {
             asset.ProjectPath = handle.CloudPath;
             asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
             asset.ProjectSources = handle.Sources.ToArray();
             asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
-            asset.HasOrigin = handle.Origin.HasValue;
-            asset.Origin = handle.Origin ?? default;
+            var origin = OriginOf(handle);
+            asset.HasOrigin = origin.HasValue;
+            asset.Origin = origin ?? default;
+            asset.Up = UpAxis;
+            asset.UnitMetres = MetresPerUnit;
             asset.Points = handle.Points;
             // Infinity is no number that Unity's text files keep.
             var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;
@@ -51,5 +63,10 @@ namespace FastPoints.Editor
             asset.Crs = handle.Crs ?? "";
             asset.MetresPerUnit = handle.MetresPerUnit;
         }
+
+        /// <summary>Where the cloud was shown first; another axis has another floor.</summary>
+        double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
+            : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
+            : UnitySpace.Of(handle.BoundsGeo, handle.MetresPerUnit, UpAxis).OriginGeo;
     }
 }

@@ -19,8 +19,6 @@ namespace FastPoints.Editor
 
         public override bool showImportedObject => false;
 
-        protected override bool needsApplyRevert => false;
-
         string Asset => ((AssetImporter)target).assetPath;
 
         public override void OnEnable()
@@ -49,6 +47,17 @@ namespace FastPoints.Editor
             }
             if (m_message != null)
                 EditorGUILayout.HelpBox(m_message, MessageType.Warning);
+            DrawSettings();
+        }
+
+        /// <summary>What the importer is told: applied when somebody says so.</summary>
+        void DrawSettings()
+        {
+            serializedObject.Update();
+            EditorGUILayout.PropertyField(serializedObject.FindProperty(nameof(CloudImporter.UpAxis)));
+            EditorGUILayout.PropertyField(serializedObject.FindProperty(nameof(CloudImporter.MetresPerUnit)));
+            serializedObject.ApplyModifiedProperties();
+            ApplyRevertGUI();
         }
 
         /// <summary>Reads what is drawn: not at every repaint.</summary>
@@ -77,6 +86,8 @@ namespace FastPoints.Editor
             long points = cloud?.Manifest?.Points ?? handle.Points;
             EditorGUILayout.LabelField("Points", points < 0 ? "not counted yet"
                 : points.ToString("N0", CultureInfo.InvariantCulture));
+            if (handle.Format != null)
+                EditorGUILayout.LabelField("Format", handle.Format);
             EditorGUILayout.LabelField("Coordinates", cloud?.Manifest?.CrsName ?? handle.Crs ?? "not known");
             var bounds = cloud?.Manifest?.BoundsGeo ?? handle.BoundsGeo;
             if (!bounds.IsEmpty)
@@ -88,6 +99,8 @@ namespace FastPoints.Editor
             foreach (string source in handle.Sources)
                 EditorGUILayout.LabelField("Source", source);
             EditorGUILayout.LabelField("Converted", handle.CloudPath);
+            if (handle.Warnings.Count > 0)
+                EditorGUILayout.HelpBox(string.Join("\n", handle.Warnings), MessageType.Warning);
             if (cloud?.Manifest?.Attributes == null)
                 return;
             for (int i = 0; i < cloud.Manifest.Attributes.Count; i++)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
+using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Mathematics;
 using UnityEditor;
@@ -270,7 +271,9 @@ namespace FastPoints.Editor
                     StampFile.Write(cloud, session.Stamp);
                     return;
                 }
-                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp, OriginShown(asset));
+                var shown = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
+                HandleFile.Update(Paths.Absolute(asset), session.Result.Manifest, session.Stamp, OriginShown(asset),
+                    shown != null ? shown.Up : UpAxis.Z, session.Source);
                 AssetDatabase.ImportAsset(asset);
             }
             catch (PointCloudException e)

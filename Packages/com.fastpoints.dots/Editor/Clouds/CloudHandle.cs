@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
@@ -16,6 +18,7 @@ namespace FastPoints.Editor
     {
         public const string Extension = ".pointcloud";
         const int Version = 1;
+        public const int MostWarnings = 20;
         const string FormatName = "fastpoints-handle";
 
         /// <summary>The converted cloud's own, which its content decides; 0 until there is one.</summary>
@@ -33,8 +36,15 @@ namespace FastPoints.Editor
         /// <summary>The place that transforms move, georeferenced: where the cloud was shown first. Null until then.</summary>
         public double3? Origin;
 
+        /// <summary>The axis on whose floor <see cref="Origin"/> is.</summary>
+        public UpAxis OriginUp = UpAxis.Z;
+
         /// <summary>Of the sources when they were taken; null without any.</summary>
         public SourceStamp Stamp;
+
+        /// <summary>What was wrong with the sources when they were converted, a line each; <see cref="MostWarnings"/> at
+        /// most.</summary>
+        public List<string> Warnings = new List<string>();
 
         /// <summary>"LAS", "PLY", ...</summary>
         public string Format;
@@ -65,6 +75,17 @@ namespace FastPoints.Editor
             MetresPerUnit = info.Crs.MetresPerUnit;
         }
 
+        /// <summary>Takes over what was found out about the sources while they were read.</summary>
+        public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
+        {
+            Format = format;
+            Warnings.Clear();
+            for (int i = 0; i < warnings.Count && i < MostWarnings; i++)
+                // Without the folder, which is another on the next machine.
+                Warnings.Add(i == MostWarnings - 1 && warnings.Count > MostWarnings ? warnings.Count - i + " more"
+                    : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
+        }
+
         /// <summary>Takes over what was found when the cloud was converted.</summary>
         public void Describe(CloudManifest manifest)
         {
@@ -86,7 +107,16 @@ namespace FastPoints.Editor
                 json.Add("octree", true);
             if (Origin is double3 origin)
                 json.Add("origin", origin.x, origin.y, origin.z);
+            if (OriginUp != UpAxis.Z)
+                json.Add("originUp", OriginUp.ToString());
             Stamp?.Write(json, "stamp");
+            if (Warnings.Count > 0)
+            {
+                json.BeginArray("warnings");
+                foreach (string warning in Warnings)
+                    json.Add(null, warning);
+                json.EndArray();
+            }
             json.Add("sourceFormat", Format).Add("points", Points);
             if (!BoundsGeo.IsEmpty)
             {
@@ -114,7 +144,9 @@ namespace FastPoints.Editor
                 Sources = json.Texts("sources"),
                 IsOctree = json.Flag("octree"),
                 Origin = json.Has("origin") ? Place(json, "origin") : (double3?)null,
+                OriginUp = AxisOf(json, "originUp"),
                 Stamp = stamp == null ? null : SourceStamp.Read(stamp),
+                Warnings = json.Has("warnings") ? json.Texts("warnings") : new List<string>(),
                 Format = json.TextOrNull("sourceFormat"),
                 Points = json.Long("points"),
                 BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(Place(bounds, "min"), Place(bounds, "max")),
@@ -124,6 +156,15 @@ namespace FastPoints.Editor
             if (handle.CloudPath.Length == 0)
                 throw json.Wrong("cloud", "wanted a folder, got nothing");
             return handle;
+        }
+
+        static UpAxis AxisOf(JsonMembers json, string name)
+        {
+            string text = json.TextOrNull(name);
+            if (text == null)
+                return UpAxis.Z;
+            return Enum.TryParse(text, out UpAxis axis) && Enum.IsDefined(typeof(UpAxis), axis) ? axis
+                : throw json.Wrong(name, "wanted X, Y or Z, got \"" + text + "\"");
         }
 
         static double3 Place(JsonMembers json, string name)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -57,12 +58,19 @@ namespace FastPoints.Editor
 
         /// <summary>After a conversion: what was found, and the stamp that its source had.</summary>
         /// <param name="origin">Where scenes show the cloud; kept from then on. Null for where the manifest puts it.</param>
-        public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null)
+        /// <param name="up">On whose floor that is.</param>
+        /// <param name="source">What was converted, with its warnings; may be null.</param>
+        public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null,
+            UpAxis up = UpAxis.Z, SourceInfo source = null)
         {
             var handle = Read(path);
             string before = handle.ToJson();
             handle.Describe(manifest);
-            handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit).OriginGeo;
+            if (handle.Origin == null)
+                handle.OriginUp = up;
+            handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
+            if (source != null)
+                handle.Describe(source.Format, source.Warnings);
             // A time that version control has touched is no reason to write.
             if (handle.Stamp == null || !handle.Stamp.HasBytesOf(stamp))
                 handle.Stamp = stamp;

@@ -30,10 +30,8 @@ namespace FastPoints.Samples.StreamingFlight
         {
             var asset = Cloud != null ? Cloud.Cloud : null;
             // What is not converted yet has no bounds.
-            if (asset == null || asset.BoundsMin.x > asset.BoundsMax.x)
+            if (asset == null || !asset.TryGetSpace(out var bounds, out var space))
                 return;
-            var bounds = new BoundsGeo { Min = asset.BoundsMin, Max = asset.BoundsMax };
-            var space = UnitySpace.Of(bounds, asset.MetresPerUnit);
             var low = space.FromGeo(bounds.Min);
             var high = space.FromGeo(bounds.Max);
             m_turns += Time.deltaTime / Seconds;

@@ -29,10 +29,11 @@ namespace FastPoints.Entities
         /// <summary>As far as an asset knows it.</summary>
         public static bool TryGet(PointCloudAsset asset, out Bounds local)
         {
-            var bounds = asset != null ? new BoundsGeo(asset.BoundsMin, asset.BoundsMax) : BoundsGeo.Empty;
-            bool isKnown = !bounds.IsEmpty && bounds.IsFinite;
-            local = isKnown ? Of(bounds, UnitySpace.Of(bounds, asset.MetresPerUnit)) : default;
-            return isKnown;
+            local = default;
+            if (asset == null || !asset.TryGetSpace(out var bounds, out var space))
+                return false;
+            local = Of(bounds, space);
+            return true;
         }
 
         /// <summary>The box along the world's axes around a box under a transform.</summary>

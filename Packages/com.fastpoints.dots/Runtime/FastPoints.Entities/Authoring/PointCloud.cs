@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Picture;
+using FastPoints.Points;
 using FastPoints.Streaming;
 using Unity.Entities;
 using UnityEngine;
@@ -44,6 +45,8 @@ namespace FastPoints.Entities
         ColorMode m_openedColor;
         Gradient m_openedGradient;
         ClassMask m_openedClasses;
+        UpAxis m_openedUp;
+        double m_openedUnitMetres;
 
         /// <summary>Null where <see cref="Path"/> says which.</summary>
         public PointCloudAsset Cloud
@@ -155,7 +158,8 @@ namespace FastPoints.Entities
         }
 
         bool IsAsOpened => ReferenceEquals(m_openedCloud, m_cloud) && m_openedPath == (m_path ?? "") &&
-            m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses));
+            m_openedColor == m_color && m_openedGradient == m_gradient && m_openedClasses.Equals(ClassMask.Of(m_hiddenClasses)) &&
+            (m_cloud == null || m_openedUp == m_cloud.Up && m_openedUnitMetres == m_cloud.UnitMetres);
 
         void Set<T>(ref T field, T value)
         {
@@ -169,6 +173,8 @@ namespace FastPoints.Entities
         {
             (m_openedCloud, m_openedPath, m_openedColor, m_openedGradient) = (m_cloud, m_path ?? "", m_color, m_gradient);
             m_openedClasses = ClassMask.Of(m_hiddenClasses);
+            if (m_cloud != null)
+                (m_openedUp, m_openedUnitMetres) = (m_cloud.Up, m_cloud.UnitMetres);
             if ((m_cloud == null && string.IsNullOrEmpty(m_path)) || !m_entity.TryCreate(out var entities))
                 return;
             entities.AddComponentData(Entity, TransformMatrix.Of(transform));

@@ -1,3 +1,5 @@
+using FastPoints.Points;
+using FastPoints.Streaming;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -34,6 +36,12 @@ namespace FastPoints.Entities
         /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
         public double MetresPerUnit;
 
+        /// <summary>Metres of a unit as somebody has set it, whatever the file says; 0 where nobody has.</summary>
+        public double UnitMetres;
+
+        /// <summary>The axis that points up.</summary>
+        public UpAxis Up = UpAxis.Z;
+
         /// <summary>Whether <see cref="Origin"/> is known: where the cloud was shown first, so that another conversion moves
         /// nothing.</summary>
         public bool HasOrigin;
@@ -50,6 +58,19 @@ namespace FastPoints.Entities
             PlayerSource = PlayerSource,
             HasOrigin = HasOrigin,
             OriginGeo = Origin,
+            Up = Up,
+            UnitMetres = UnitMetres,
         };
+
+        /// <summary>The space that a transform moves.</summary>
+        /// <returns>False where the bounds are not known.</returns>
+        public bool TryGetSpace(out BoundsGeo bounds, out UnitySpace space)
+        {
+            bounds = new BoundsGeo(BoundsMin, BoundsMax);
+            space = UnitySpace.Of(bounds, UnitMetres > 0 ? UnitMetres : MetresPerUnit, Up);
+            if (HasOrigin)
+                space.OriginGeo = Origin;
+            return !bounds.IsEmpty && bounds.IsFinite;
+        }
     }
 }

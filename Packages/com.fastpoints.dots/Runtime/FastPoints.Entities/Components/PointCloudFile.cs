@@ -1,5 +1,6 @@
 using FastPoints.Gpu;
 using FastPoints.Picture;
+using FastPoints.Points;
 using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
@@ -33,6 +34,12 @@ namespace FastPoints.Entities
 
         /// <summary>Georeferenced, CRS units.</summary>
         public double3 OriginGeo;
+
+        /// <summary>The cloud's axis that points up.</summary>
+        public UpAxis Up = UpAxis.Z;
+
+        /// <summary>Metres of a unit, where the file does not say or is wrong; 0 for what it says.</summary>
+        public double UnitMetres;
 
         /// <summary>What points are coloured by; another where the cloud has nothing for it. Looked at when it is opened, as are
         /// the others: only what they need is streamed.</summary>

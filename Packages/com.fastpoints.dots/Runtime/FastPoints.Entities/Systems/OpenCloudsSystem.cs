@@ -139,7 +139,7 @@ namespace FastPoints.Entities
         /// <summary>Where all states stand: what comes first decides, so that nothing moves when it is replaced.</summary>
         void Place(Entity entity, CloudFacts facts, PointCloudFile file)
         {
-            var space = UnitySpace.Of(facts.BoundsGeo, facts.MetresPerUnit);
+            var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);
             if (file.HasOrigin)
                 space.OriginGeo = file.OriginGeo;
             EntityManager.AddComponentData(entity, new PointCloudSpace { Value = space });

@@ -53,7 +53,7 @@ namespace FastPoints.Entities
             var facts = m_feed.Newest;
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty));
-            var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode),
+            var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).Along(file.Up),
                 taken.Grid.FromCorner(taken.Root.Corner), file.Gradient);
             source.Source = taken;
             source.Stage = facts.Stage;

@@ -56,7 +56,7 @@ namespace FastPoints.Picture
             bounds = Solid(bounds);
             if (outline == null || outline.Length < 8 || isPoint)
                 outline = Corners(bounds);
-            Axes(upAxis, out var east, out var north, out var up);
+            upAxis.Directions(out var east, out var north, out var up);
             double width = math.dot(bounds.Size, math.abs(east));
             double depth = math.dot(bounds.Size, math.abs(north));
             double height = math.dot(bounds.Size, math.abs(up));
@@ -202,31 +202,6 @@ namespace FastPoints.Picture
             (corner & 1) == 0 ? bounds.Min.x : bounds.Max.x,
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
-
-        static void Axes(UpAxis upAxis, out double3 east, out double3 north, out double3 up)
-        {
-            var x = new double3(1, 0, 0);
-            var y = new double3(0, 1, 0);
-            var z = new double3(0, 0, 1);
-            switch (upAxis)
-            {
-                case UpAxis.X:
-                    east = y;
-                    north = z;
-                    up = x;
-                    break;
-                case UpAxis.Y:
-                    east = x;
-                    north = -z;
-                    up = y;
-                    break;
-                default:
-                    east = x;
-                    north = y;
-                    up = z;
-                    break;
-            }
-        }
 
         /// <summary>At least a millionth as thick in every direction as it is long, and as long as doubles can resolve
         /// there.</summary>

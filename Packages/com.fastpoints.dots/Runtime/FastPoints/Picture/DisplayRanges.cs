@@ -138,6 +138,18 @@ namespace FastPoints.Picture
             return ranges;
         }
 
+        /// <summary>These, with elevation along another axis: its own are where nearly all points are.</summary>
+        public DisplayRanges Along(UpAxis up)
+        {
+            if (up == UpAxis || Robust.IsEmpty)
+                return this;
+            var along = (DisplayRanges)MemberwiseClone();
+            along.UpAxis = up;
+            along.ElevationLow = Robust.Min[(int)up];
+            along.ElevationHigh = Robust.Max[(int)up];
+            return along;
+        }
+
         /// <summary>Work for a pump: fills this from a batch. The batch must stay until the work is done.</summary>
         public IEnumerator<JobHandle> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Gpu;
+using FastPoints.Points;
 using FastPoints.Streaming;
 
 namespace FastPoints.Picture

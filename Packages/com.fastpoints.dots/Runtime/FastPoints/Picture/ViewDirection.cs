@@ -12,12 +12,4 @@ namespace FastPoints.Picture
         /// <summary>Perspective, from the south-east and above.</summary>
         Iso,
     }
-
-    /// <summary>The axis of a cloud that points up.</summary>
-    public enum UpAxis
-    {
-        X = 0,
-        Y = 1,
-        Z = 2,
-    }
 }

@@ -5,8 +5,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// A cloud's own space in Unity's axes: left-handed, Y up, in metres where the unit is known, from an origin near the cloud, so
-    /// that a scan with the coordinates of a map stands where its transform is. X is Unity's X, and of a cloud whose Z is up, Y
-    /// is Unity's Z (north is forward) and Z its Y.
+    /// that a scan with the coordinates of a map stands where its transform is. East is Unity's X, north its Z, up its Y
+    /// (<see cref="UpAxes"/>).
     /// </summary>
     public struct UnitySpace
     {
@@ -16,16 +16,21 @@ namespace FastPoints.Streaming
         /// <summary>Unity's units for one CRS unit.</summary>
         public double Scale;
 
+        /// <summary>The cloud's axis that is Unity's Y.</summary>
+        public UpAxis Up;
+
         /// <param name="boundsGeo">Of the cloud; the middle of its floor becomes the origin, to a whole CRS unit.</param>
         /// <param name="metresPerUnit">0 where unknown, NaN where it is an angle: then units stay as they are.</param>
-        public static UnitySpace Of(BoundsGeo boundsGeo, double metresPerUnit)
+        public static UnitySpace Of(BoundsGeo boundsGeo, double metresPerUnit, UpAxis up = UpAxis.Z)
         {
             bool isKnown = metresPerUnit > 0 && metresPerUnit <= double.MaxValue;
-            var floor = new double3(boundsGeo.Center.x, boundsGeo.Center.y, boundsGeo.Min.z);
+            var floor = boundsGeo.Center;
+            floor[(int)up] = boundsGeo.Min[(int)up];
             return new UnitySpace
             {
                 OriginGeo = boundsGeo.IsEmpty ? new double3(0, 0, 0) : math.round(floor),
                 Scale = isKnown ? metresPerUnit : 1,
+                Up = up,
             };
         }
 
@@ -33,22 +38,27 @@ namespace FastPoints.Streaming
         /// <param name="localToWorld">From this space to the world.</param>
         public CloudPlacement Place(CloudGrid grid, GridCube root, double4x4 localToWorld)
         {
-            var x = localToWorld.c0.xyz * Scale;
-            var y = localToWorld.c2.xyz * Scale;
-            var z = localToWorld.c1.xyz * Scale;
+            Up.Directions(out var east, out var north, out var up);
+            // A column for each of the cloud's axes.
+            var fromCloud = math.transpose(new double3x3(east, up, north));
+            var linear = math.mul(new double3x3(localToWorld.c0.xyz, localToWorld.c1.xyz, localToWorld.c2.xyz), fromCloud) * Scale;
             var fromOrigin = grid.ToGeo(root.Corner) - OriginGeo;
-            return new CloudPlacement(new double3x3(x, y, z),
-                localToWorld.c3.xyz + x * fromOrigin.x + y * fromOrigin.y + z * fromOrigin.z);
+            return new CloudPlacement(linear, localToWorld.c3.xyz + math.mul(linear, fromOrigin));
         }
 
         /// <summary>A place of the cloud, in this space.</summary>
         public double3 FromGeo(double3 geo)
         {
+            Up.Directions(out var east, out var north, out var up);
             var from = (geo - OriginGeo) * Scale;
-            return new double3(from.x, from.z, from.y);
+            return new double3(math.dot(from, east), math.dot(from, up), math.dot(from, north));
         }
 
         /// <summary>The inverse: what a user picked, in coordinates of the CRS.</summary>
-        public double3 ToGeo(double3 unity) => OriginGeo + new double3(unity.x, unity.z, unity.y) / Scale;
+        public double3 ToGeo(double3 unity)
+        {
+            Up.Directions(out var east, out var north, out var up);
+            return OriginGeo + (east * unity.x + up * unity.y + north * unity.z) / Scale;
+        }
     }
 }

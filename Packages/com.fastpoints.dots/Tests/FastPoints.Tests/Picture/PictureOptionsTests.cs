@@ -1,5 +1,6 @@
 using FastPoints.Gpu;
 using FastPoints.Picture;
+using FastPoints.Points;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Picture
