@@ -3,8 +3,8 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
-using FastPoints.Store;
 using FastPoints.HostTests.Cli;
+using FastPoints.Store;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Writing

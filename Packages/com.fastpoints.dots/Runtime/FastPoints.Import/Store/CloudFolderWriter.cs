@@ -53,7 +53,7 @@ namespace FastPoints.Store
         readonly string m_part;
         readonly Queue<Order> m_orders = new Queue<Order>();
         readonly Thread m_thread;
-        FolderLock m_lock;
+        readonly FolderLock m_lock;
         Exception m_failure;
         bool m_isEnding;
         bool m_isLost;
