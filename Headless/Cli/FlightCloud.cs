@@ -14,8 +14,8 @@ using Unity.Collections;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its preview.
-    /// What colours it has, and what is streamed for them.</summary>
+    /// <summary>A cloud before it is streamed: converted, with an octree of its own (COPC, Potree, EPT), or any other file as its
+    /// preview. What colours it has, and what is streamed for them.</summary>
     public static class FlightCloud
     {
         /// <summary>Points of the upper levels that decide on colours and ranges.</summary>

@@ -13,8 +13,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Cli
 {
-    /// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until nothing
-    /// more comes.</summary>
+    /// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until
+    /// nothing more comes.</summary>
     public static class StreamedPictureStep
     {
         const long PoolBytes = 2L << 30;

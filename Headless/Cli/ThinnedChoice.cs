@@ -8,8 +8,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli
 {
-    /// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there is a
-    /// point.</summary>
+    /// <summary>Some of a batch's points: the first one of each cell before all others, so that no cell is bare for which there
+    /// is a point.</summary>
     public static class ThinnedChoice
     {
         const int RunLength = ColumnValues.RunLength;

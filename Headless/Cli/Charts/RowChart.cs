@@ -7,8 +7,8 @@ using System.Text;
 namespace FastPoints.Cli
 {
     /// <summary>
-    /// Named rows of samples along one axis as SVG: each row has a lane for each series, in which every sample is a marker, with a bar
-    /// from the least to the greatest and a tick at the median; what stands to the right of it is text.
+    /// Named rows of samples along one axis as SVG: each row has a lane for each series, in which every sample is a marker, with
+    /// a bar from the least to the greatest and a tick at the median; what stands to the right of it is text.
     /// </summary>
     public sealed class RowChart(string title, string xLabel, string textHead, params string[] series)
     {

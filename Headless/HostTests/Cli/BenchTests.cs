@@ -11,7 +11,8 @@ using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {
-    /// <summary>A run of workloads: its results as Unity's package would write them, its page, and runs beside earlier ones.</summary>
+    /// <summary>A run of workloads: its results as Unity's package would write them, its page, and runs beside earlier
+    /// ones.</summary>
     public sealed class BenchTests
     {
         ScratchFolder m_scratch;

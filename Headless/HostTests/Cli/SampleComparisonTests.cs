@@ -6,8 +6,8 @@ namespace FastPoints.HostTests.Cli
 {
     public sealed class SampleComparisonTests
     {
-        /// <summary>Of seven against seven, eight ratios are cut off at each end, as the tables of Mann and Whitney have it (critical U
-        /// of 8 at 5 %, two-sided): the ninth is the interval's end.</summary>
+        /// <summary>Of seven against seven, eight ratios are cut off at each end, as the tables of Mann and Whitney have it
+        /// (critical U of 8 at 5 %, two-sided): the ninth is the interval's end.</summary>
         [Test]
         public void Of_SevenAgainstSeven_CutsAsTheTablesSay()
         {
@@ -48,7 +48,8 @@ namespace FastPoints.HostTests.Cli
             Assert.That(comparison.IsBeyondNoise, Is.False);
         }
 
-        /// <summary>The limits hold what they promise: of runs that differ by chance alone, about one in twenty is marked.</summary>
+        /// <summary>The limits hold what they promise: of runs that differ by chance alone, about one in twenty is
+        /// marked.</summary>
         [Test]
         public void Of_RunsThatDifferByChance_MarksAboutOneInTwenty()
         {

@@ -16,9 +16,10 @@ namespace FastPoints.HostTests.Cli
             var schema = new PointSchema([new(AttributeNames.X, AttributeType.Float64), new(AttributeNames.Y, AttributeType.Float64),
                 new(AttributeNames.Z, AttributeType.Float64)]);
             var batch = new PointBatch(schema, 1010, Allocator.Persistent) { Count = 1010 };
-            var x = batch.Column<double>(AttributeNames.X);
+            NativeArray<double> x = batch.Column<double>(AttributeNames.X), y = batch.Column<double>(AttributeNames.Y),
+                z = batch.Column<double>(AttributeNames.Z);
             for (int i = 0; i < 1010; i++)
-                x[i] = i < 1000 ? 0 : 10 * (i - 999);
+                (x[i], y[i], z[i]) = (i < 1000 ? 0 : 10 * (i - 999), 0, 0);
             return batch;
         }
 

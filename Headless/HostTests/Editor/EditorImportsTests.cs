@@ -18,28 +18,8 @@ using UnityEngine;
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>From a file that is taken into a project to a cloud in its scene.</summary>
-    public sealed class EditorImportsTests
+    public sealed class EditorImportsTests : EditorFixture
     {
-        EditorProject m_project;
-        readonly List<string> m_logged = new List<string>();
-
-        [SetUp]
-        public void OpenProject()
-        {
-            m_project = new EditorProject();
-            m_logged.Clear();
-            UnityEngine.Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
-        }
-
-        [TearDown]
-        public void CloseProject()
-        {
-            UnityEngine.Debug.s_sink = null;
-            FastPointsSettings.instance.ConvertAtOnce = true;
-            FastPointsSettings.instance.ConvertOctrees = false;
-            m_project.Dispose();
-        }
-
         string HandlePath(string name) => Path.Combine(m_project.Paths.Project, "Assets", name);
 
         [Test]

@@ -13,26 +13,11 @@ using UnityEngine;
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>What of a project's clouds goes into a player.</summary>
-    public sealed class PlayerCloudTests
+    public sealed class PlayerCloudTests : EditorFixture
     {
-        EditorProject m_project;
-        readonly List<string> m_logged = new List<string>();
-
         [SetUp]
-        public void OpenProject()
-        {
-            m_project = new EditorProject();
-            m_logged.Clear();
-            Debug.s_sink = (_, text) => m_logged.Add(text);
+        public void ReferToACloud() =>
             AssetDatabase.Dependencies["Assets/main.unity"] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
-        }
-
-        [TearDown]
-        public void CloseProject()
-        {
-            Debug.s_sink = null;
-            m_project.Dispose();
-        }
 
         void Take(params string[] names)
         {
@@ -57,7 +42,7 @@ namespace FastPoints.HostTests.Editor
 
             Assert.That(added.Single().Key, Is.EqualTo("PointClouds/a.fastpoints"));
             Assert.That(added.Single().Value, Is.EqualTo(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")));
-            Assert.That(m_logged.Single(), Does.StartWith("1 point clouds in the player, 0.")
+            Assert.That(m_logged.Single(), Does.StartWith("Log: 1 point clouds in the player, 0.")
                 .And.Contains("2,000 points  PointClouds/a.fastpoints"));
         }
 

@@ -17,23 +17,18 @@ using KeywordVariant = StandIns.Graphics.KeywordVariant;
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>Which variants of the package's shaders go into a player.</summary>
-    public sealed class PlayerShaderTests
+    public sealed class PlayerShaderTests : EditorFixture
     {
         const string Scene = "Assets/main.unity";
         const string OfPackage = "Packages/com.fastpoints.dots/Runtime/FastPoints.Entities/Authoring/PointCloudSettings.cs";
 
-        readonly List<string> m_logged = new List<string>();
         readonly PlayerShaderProcessor m_processor = new PlayerShaderProcessor();
-        EditorProject m_project;
         GameObject m_root;
 
         [SetUp]
-        public void OpenProject()
+        public void MakeScene()
         {
-            m_project = new EditorProject();
             m_root = new GameObject("root");
-            m_logged.Clear();
-            Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
             AssetDatabase.Dependencies[Scene] = new[] { OfPackage };
             EditorSceneManager.Scenes[Scene] = new[] { m_root };
             EditorSceneManager.Opened.Clear();
@@ -41,16 +36,13 @@ namespace FastPoints.HostTests.Editor
         }
 
         [TearDown]
-        public void CloseProject()
+        public void DeleteScene()
         {
             BuildPipeline.isBuildingPlayer = false;
-            FastPointsSettings.instance.PlayerVariants = VariantChoice.Automatic;
             EditorSceneManager.Scenes.Clear();
             CompilationPipeline.Assemblies.Clear();
             AssetDatabase.AssetBundleNames.Clear();
             Object.DestroyImmediate(m_root);
-            Debug.s_sink = null;
-            m_project.Dispose();
         }
 
         static Shader Load(string name) =>

@@ -14,27 +14,8 @@ using UnityEngine;
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>Small pictures of clouds: of their files at once, and of their octrees when they are converted.</summary>
-    public sealed class ThumbnailTests
+    public sealed class ThumbnailTests : EditorFixture
     {
-        EditorProject m_project;
-        readonly List<string> m_logged = new List<string>();
-
-        [SetUp]
-        public void OpenProject()
-        {
-            m_project = new EditorProject();
-            m_logged.Clear();
-            UnityEngine.Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
-        }
-
-        [TearDown]
-        public void CloseProject()
-        {
-            UnityEngine.Debug.s_sink = null;
-            FastPointsSettings.instance.ConvertAtOnce = true;
-            m_project.Dispose();
-        }
-
         CloudThumbnails Thumbnails => m_project.Imports.Thumbnails;
 
         string PictureOf(PointCloudAsset asset) => CloudThumbnails.PathOf(m_project.Paths.Absolute(asset.ProjectPath));

@@ -13,27 +13,8 @@ using UnityEngine;
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>
-    public sealed class TransferTests
+    public sealed class TransferTests : EditorFixture
     {
-        EditorProject m_project;
-        readonly List<string> m_logged = new List<string>();
-
-        [SetUp]
-        public void OpenProject()
-        {
-            m_project = new EditorProject();
-            m_logged.Clear();
-            UnityEngine.Debug.s_sink = (type, text) => m_logged.Add(type + ": " + text);
-        }
-
-        [TearDown]
-        public void CloseProject()
-        {
-            UnityEngine.Debug.s_sink = null;
-            FastPointsSettings.instance.Place = ProjectPaths.DefaultClouds;
-            m_project.Dispose();
-        }
-
         PointCloudAsset Converted(string name = "scan")
         {
             var asset = m_project.Imports.Take(m_project.Scratch.Demo(name + ".las", 20_000), "Assets");

@@ -209,8 +209,8 @@ namespace FastPoints.HostTests.Gpu
                 streams.Ranges.Robust.Size.y), name + "-flat");
         }
 
-        /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing outside is
-        /// drawn.</summary>
+        /// <summary>A box that keeps and a turned one that cuts: both pictures have the same nodes and points, and nothing
+        /// outside is drawn.</summary>
         [TestCase(false, false)]
         [TestCase(true, false)]
         [TestCase(true, true)]

@@ -154,8 +154,8 @@ namespace FastPoints.HostTests.Gpu
             CheckBytes(stream);
         }
 
-        /// <summary>Once all has been made: what is drawn at once depends on when reads arrive, and a buffer may have to grow late.
-        /// Garbage of a frame would be in every round. The safety checks of the test build remember each job, so that what
+        /// <summary>Once all has been made: what is drawn at once depends on when reads arrive, and a buffer may have to grow
+        /// late. Garbage of a frame would be in every round. The safety checks of the test build remember each job, so that what
         /// schedules jobs is not looked at here.</summary>
         [Test]
         public void Record_FrameAfterFrame_MakesNoGarbage()

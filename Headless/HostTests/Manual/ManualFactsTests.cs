@@ -94,7 +94,8 @@ namespace FastPoints.HostTests.Manual
         [TestCase("ConvertClouds", false)]
         public void IsThere_NameOfTheApi_IsToldFromOthers(string name, bool isThere) => Assert.That(IsThere(name), Is.EqualTo(isThere));
 
-        /// <summary>Pages speak of types of the package by names that begin with Point, Cloud or Stream: others may be Unity's.</summary>
+        /// <summary>Pages speak of types of the package by names that begin with Point, Cloud or Stream: others may be
+        /// Unity's.</summary>
         [Test]
         public void TypesInCode_OfTheTaskPages_AreThere()
         {

@@ -13,8 +13,8 @@ using StandIns.Io;
 
 namespace FastPoints.HostTests.Preview
 {
-    /// <summary>Previews where each read takes 10 ms, which are counted and not waited for. Two are under way at once, as the host
-    /// has two threads for them.</summary>
+    /// <summary>Previews where each read takes 10 ms, which are counted and not waited for. Two are under way at once, as the
+    /// host has two threads for them.</summary>
     [NonParallelizable]
     public sealed class SlowReadTests
     {

@@ -34,8 +34,8 @@ namespace FastPoints.RepoTools.Api
         public string Compose() => string.Join('\t', Id, Assembly, Kind, Type, Flags, Detail, Constraints, Obsolete, In, Varied)
             .TrimEnd('\t');
 
-        /// <summary>HDRP's signatures are known of 6000.0 and 6000.4, and of little of 6000.3: its other generations are taken for
-        /// 6000.4's.</summary>
+        /// <summary>HDRP's signatures are known of 6000.0 and 6000.4, and of little of 6000.3: its other generations are taken
+        /// for 6000.4's.</summary>
         public bool IsIn(string generation) => In == "*" || In.Split(',').Contains(generation)
             || (generation != "6000.0" && In.Split(',').Contains(HdrpGeneration));
 

@@ -106,8 +106,8 @@ namespace FastPoints.RepoTools.Meta
             }
         }
 
-        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~ names; the package
-        /// manager copies what is in <see cref="Samples"/> into a project, .meta files with it.</summary>
+        /// <summary>Paths below the root with '/', of files and of folders that hold a file. Unity skips hidden and ~ names; the
+        /// package manager copies what is in <see cref="Samples"/> into a project, .meta files with it.</summary>
         private SortedSet<string> Assets()
         {
             var assets = new SortedSet<string>(StringComparer.Ordinal);

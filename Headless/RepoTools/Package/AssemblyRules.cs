@@ -7,7 +7,8 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.RepoTools.Package
 {
-    /// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the editor.</summary>
+    /// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the
+    /// editor.</summary>
     public static class AssemblyRules
     {
         /// <summary>Parts of a file that only an editor compiles; they hold no directive of their own in this package.</summary>

@@ -5,7 +5,8 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.RepoTools.Package
 {
-    /// <summary>What a user may put on a GameObject or find on an entity is on some page of the manual, and links of pages lead somewhere.</summary>
+    /// <summary>What a user may put on a GameObject or find on an entity is on some page of the manual, and links of pages lead
+    /// somewhere.</summary>
     public static class DocumentationRules
     {
         private const string Folder = "Documentation~/";

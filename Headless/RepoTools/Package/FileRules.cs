@@ -4,14 +4,16 @@ using System.Linq;
 
 namespace FastPoints.RepoTools.Package
 {
-    /// <summary>Which files a package has and where (US-0032, 0040, 0110, 0113 of the validation suite), and that there are no others.</summary>
+    /// <summary>Which files a package has and where (US-0032, 0040, 0110, 0113 of the validation suite), and that there are no
+    /// others.</summary>
     public static class FileRules
     {
         private const int LongestPath = 140;
 
         private static readonly string[] s_required = { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
-        /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are for.</summary>
+        /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are
+        /// for.</summary>
         private static readonly string[] s_hidden = { "Documentation~", "Samples~" };
 
         private static readonly string[] s_folders = { "Runtime", "Editor", "Shaders", "Tests", "Benchmarks" };

@@ -4,8 +4,8 @@ using System.Linq;
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>
-    /// What Unity's package validation suite (0.86) and npm ask of a package, as far as it can be told without an editor, and what a
-    /// user gets who installs it.
+    /// What Unity's package validation suite (0.86) and npm ask of a package, as far as it can be told without an editor, and
+    /// what a user gets who installs it.
     /// </summary>
     public static class PackageCommand
     {

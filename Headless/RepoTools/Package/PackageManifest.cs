@@ -5,7 +5,8 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.RepoTools.Package
 {
-    /// <summary>package.json, held to US-0005, 0006 and 0007 of the validation suite but for the names that are Unity's own.</summary>
+    /// <summary>package.json, held to US-0005, 0006 and 0007 of the validation suite but for the names that are Unity's
+    /// own.</summary>
     public sealed class PackageManifest
     {
         private const int LongestDisplayName = 50;

@@ -4,8 +4,8 @@ using System.Linq;
 
 namespace FastPoints.RepoTools.Package
 {
-    /// <summary>package.json's samples and the folders of Samples~ are the same (US-0116 of the validation suite), each with a name and a
-    /// word on what it is.</summary>
+    /// <summary>package.json's samples and the folders of Samples~ are the same (US-0116 of the validation suite), each with a
+    /// name and a word on what it is.</summary>
     public static class SampleRules
     {
         private const string Folder = "Samples~";

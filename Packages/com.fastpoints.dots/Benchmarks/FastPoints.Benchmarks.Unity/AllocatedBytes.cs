@@ -3,7 +3,8 @@ using Unity.Profiling;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Managed bytes that were allocated since the frame began: a test that is no coroutine lies within one frame.</summary>
+    /// <summary>Managed bytes that were allocated since the frame began: a test that is no coroutine lies within one
+    /// frame.</summary>
     sealed class AllocatedBytes : IDisposable
     {
         readonly ProfilerRecorder m_recorder = ProfilerRecorder.StartNew(ProfilerCategory.Memory, "GC Allocated In Frame");

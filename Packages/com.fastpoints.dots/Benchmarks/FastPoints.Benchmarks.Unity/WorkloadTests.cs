@@ -9,8 +9,8 @@ using Unity.PerformanceTesting;
 namespace FastPoints.Benchmarks
 {
     /// <summary>
-    /// Each workload as a performance test: warm-up, then samples in turns with the workload that bounds it. <c>fastpoints bench</c>
-    /// times the same workloads, and gives its results the same names, so that runs of both can be laid side by side.
+    /// Each workload as a performance test: warm-up, then samples in turns with the workload that bounds it. <c>fastpoints
+    /// bench</c> times the same workloads, and gives its results the same names, so that runs of both can be laid side by side.
     /// </summary>
     public sealed class WorkloadTests
     {

@@ -3,8 +3,8 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Clouds are drawn in edit mode too, in whatever pipelines are installed: their assemblies are known by the attribute
-    /// alone.</summary>
+    /// <summary>Clouds are drawn in edit mode too, in whatever pipelines are installed: their assemblies are known by the
+    /// attribute alone.</summary>
     [InitializeOnLoad]
     public static class EditModePasses
     {

@@ -151,7 +151,8 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Has the picture of a handle's cloud drawn: of the cloud where it is converted, of its files where it is not.</summary>
+        /// <summary>Has the picture of a handle's cloud drawn: of the cloud where it is converted, of its files where it is
+        /// not.</summary>
         public void AddThumbnail(CloudHandle handle)
         {
             string cloud = Paths.Absolute(handle.CloudPath);

@@ -29,7 +29,8 @@ namespace FastPoints.Editor
             settings.UpdateMs = EditorGUILayout.IntSlider("Main thread of an update (ms)", settings.UpdateMs, 1, 30);
             settings.GpuMiB = EditorGUILayout.IntSlider("Graphics memory of points (MiB)", settings.GpuMiB, 64, 16384);
             settings.CopiedMiB = EditorGUILayout.IntSlider("Copied into Assets up to (MiB)", settings.CopiedMiB, 0, 2048);
-            settings.PlayerVariants = (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
+            settings.PlayerVariants =
+                (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
             string place = EditorGUILayout.DelayedTextField("Converted clouds in", settings.Place);
             EditorGUILayout.HelpBox("A folder beside Assets, or anywhere: what is there already stays where it is. " +
                 "Graphics memory holds in the editor where a scene has no Point Cloud Settings, and new ones begin with it; " +

@@ -46,8 +46,8 @@ namespace FastPoints.Editor
 
         public void Cancel() => m_cancellation.Cancel();
 
-        /// <summary>Cancels, and waits for the megabyte that is being copied: what ends threads without notice, as a domain reload
-        /// does, finds nothing half copied.</summary>
+        /// <summary>Cancels, and waits for the megabyte that is being copied: what ends threads without notice, as a domain
+        /// reload does, finds nothing half copied.</summary>
         public void Dispose()
         {
             m_cancellation.Cancel();

@@ -9,8 +9,9 @@ using FastPoints.Picture;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Small pictures of clouds, drawn by jobs, a slice an update, and kept where the converted clouds are or would be: of files from the
-    /// first wave of a preview, of converted clouds from the top of their octrees. Main thread; one at a time, the others wait.
+    /// Small pictures of clouds, drawn by jobs, a slice an update, and kept where the converted clouds are or would be: of files
+    /// from the first wave of a preview, of converted clouds from the top of their octrees. Main thread; one at a time, the
+    /// others wait.
     /// </summary>
     public sealed class CloudThumbnails : IDisposable
     {

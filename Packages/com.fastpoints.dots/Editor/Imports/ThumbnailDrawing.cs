@@ -9,8 +9,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Editor
 {
-    /// <summary>One small picture, of a converted cloud or of files that are not converted. Opened on any thread, drawn and disposed
-    /// on the main thread.</summary>
+    /// <summary>One small picture, of a converted cloud or of files that are not converted. Opened on any thread, drawn and
+    /// disposed on the main thread.</summary>
     sealed class ThumbnailDrawing : IDisposable
     {
         /// <summary>Points of a converted cloud's picture at most.</summary>

@@ -33,8 +33,9 @@ namespace FastPoints.Editor
                 if (RefersToPackage(scene))
                     AddScene(scene);
             foreach (string asset in assets)
-                if (asset.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase) && RefersToPackage(asset))
-                    Add(AssetDatabase.LoadAssetAtPath<GameObject>(asset));
+                if (asset.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase) && RefersToPackage(asset) &&
+                    AssetDatabase.LoadAssetAtPath<GameObject>(asset) is { } prefab)
+                    Add(prefab);
         }
 
         void AddScene(string path)

@@ -9,8 +9,8 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and tells their sizes:
-    /// converted ones, and those that can be streamed as they are. One that is neither ends the build: without it the player would
-    /// show nothing.</summary>
+    /// converted ones, and those that can be streamed as they are. One that is neither ends the build: without it the player
+    /// would show nothing.</summary>
     public sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)

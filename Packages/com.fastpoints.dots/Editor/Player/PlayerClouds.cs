@@ -66,8 +66,8 @@ namespace FastPoints.Editor
             if (IsKnown(asset, source, playerPath))
                 return;
             if (!File.Exists(source) && !Directory.Exists(source))
-                throw new PointCloudException(FailureCode.NotFound, asset, -1, "is neither converted nor is there its source: wanted " +
-                    source);
+                throw new PointCloudException(FailureCode.NotFound, asset, -1,
+                    "is neither converted nor is there its source: wanted " + source);
             m_entries.Add(new Entry
             {
                 Folder = source,

@@ -5,8 +5,8 @@ using UnityEditor.UnityLinker;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Has code stripping keep the readers of point cloud files where a player has clouds that are not converted: nothing
-    /// else in it refers to them.</summary>
+    /// <summary>Has code stripping keep the readers of point cloud files where a player has clouds that are not converted:
+    /// nothing else in it refers to them.</summary>
     public sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string Kept = "<linker>\n" +

@@ -11,7 +11,8 @@ namespace FastPoints.Editor
 {
     /// <summary>
     /// Leaves those variants of the package's shaders out of players that nothing in them asks for. Unity asks about shaders
-    /// where it builds them, and not where it takes them from an earlier build: where that one lacks a variant, the build says so.
+    /// where it builds them, and not where it takes them from an earlier build: where that one lacks a variant, the build says
+    /// so.
     /// </summary>
     public sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
     {
@@ -79,8 +80,8 @@ namespace FastPoints.Editor
             if (s_asked.Count > 0)
                 Debug.Log("FastPoints: " + s_kept.Count + " of " + s_asked.Count + " variants of the point shaders: " + s_reason);
             else if (PlayerVariants.Read(EarlierPath) is { } earlier && !wanted.IsWithin(earlier))
-                Debug.LogError("FastPoints: Unity took the shaders of an earlier build, which lack variants that the scenes need by now: " +
-                    "points may be drawn as single pixels. Build with Clean Build.");
+                Debug.LogError("FastPoints: Unity took the shaders of an earlier build, which lack variants that the scenes " +
+                    "need by now: points may be drawn as single pixels. Build with Clean Build.");
         }
 
         /// <summary>Of the build in which Unity built the shaders: one a platform, as Unity's own cache.</summary>

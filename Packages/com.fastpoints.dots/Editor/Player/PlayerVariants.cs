@@ -29,7 +29,8 @@ namespace FastPoints.Editor
         }
 
         /// <summary>Adds what is drawn with a style.</summary>
-        /// <param name="isEver">Whether there may be clip boxes, hidden classes, headsets: what is drawn without them is needed, too.</param>
+        /// <param name="isEver">Whether there may be clip boxes, hidden classes, headsets: what is drawn without them is needed,
+        /// too.</param>
         public void Add(in PointStyle style, in DrawnOptions isEver)
         {
             for (int options = 0; options < 8; options++)

@@ -34,8 +34,8 @@ namespace FastPoints.Rendering
         /// <summary>Depth and colour of each pixel.</summary>
         public GraphicsBuffer Pixels { get; private set; }
 
-        /// <summary>Whether the device counts rows from the top and has buffers as large as the picture needs, and depth follows from
-        /// the distance along the view alone, as it does but for oblique projections.</summary>
+        /// <summary>Whether the device counts rows from the top and has buffers as large as the picture needs, and depth follows
+        /// from the distance along the view alone, as it does but for oblique projections.</summary>
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);

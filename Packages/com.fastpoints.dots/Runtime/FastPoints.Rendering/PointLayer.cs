@@ -8,8 +8,8 @@ namespace FastPoints.Rendering
     /// camera's picture, with its depth. So it needs nothing of the picture's own targets.</summary>
     sealed class PointLayer
     {
-        /// <summary>Of floats where they can be added up: exact for 2,000 points a pixel. Of halves, colours are exact to a few 255ths
-        /// for some 20 points.</summary>
+        /// <summary>Of floats where they can be added up: exact for 2,000 points a pixel. Of halves, colours are exact to a few
+        /// 255ths for some 20 points.</summary>
         static GraphicsFormat Sums =>
             SystemInfo.IsFormatSupported(GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Blend)
                 ? GraphicsFormat.R32G32B32A32_SFloat : GraphicsFormat.R16G16B16A16_SFloat;

@@ -76,8 +76,8 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>Records the draws for both eyes of a headset into the two slices of the target, all of which is set: at once
-        /// (single-pass instanced: each block is two instances), or one eye after the other where the style draws through a layer or
-        /// a compute shader, or where the device's vertex shaders cannot choose a slice.</summary>
+        /// (single-pass instanced: each block is two instances), or one eye after the other where the style draws through a layer
+        /// or a compute shader, or where the device's vertex shaders cannot choose a slice.</summary>
         /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
         {

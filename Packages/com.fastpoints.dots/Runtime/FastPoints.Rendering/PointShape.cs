@@ -13,13 +13,13 @@ namespace FastPoints.Rendering
         /// <summary>A disc that faces the camera.</summary>
         Disc,
 
-        /// <summary>A disc that bulges towards the camera: points share a pixel by which of them is nearer to its centre, which keeps
-        /// detail that overlapping discs hide. The fragment's own depth costs the card its early test.</summary>
+        /// <summary>A disc that bulges towards the camera: points share a pixel by which of them is nearer to its centre, which
+        /// keeps detail that overlapping discs hide. The fragment's own depth costs the card its early test.</summary>
         Paraboloid,
 
-        /// <summary>A disc that is blended with those that lie at most its diameter behind it, with weights that fall towards the rim:
-        /// the smoothest, and without the noise of points that overlap by chance. Points are drawn twice, into a layer of 32 bytes a
-        /// pixel.</summary>
+        /// <summary>A disc that is blended with those that lie at most its diameter behind it, with weights that fall towards the
+        /// rim: the smoothest, and without the noise of points that overlap by chance. Points are drawn twice, into a layer of 32
+        /// bytes a pixel.</summary>
         Splat,
     }
 }

@@ -10,11 +10,12 @@ namespace FastPoints.Rendering
         /// <summary>Of all but pixels.</summary>
         public PointSize Size;
 
-        /// <summary>Strength of eye-dome lighting: 0 for none, which costs nothing; 0.25 is usual. It takes two more textures of the
-        /// picture's size, 12 bytes a pixel and their depth, and one pass over them.</summary>
+        /// <summary>Strength of eye-dome lighting: 0 for none, which costs nothing; 0.25 is usual. It takes two more textures of
+        /// the picture's size, 12 bytes a pixel and their depth, and one pass over them.</summary>
         public float EdlStrength;
 
-        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean. It takes the same layer.</summary>
+        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean. It takes the same
+        /// layer.</summary>
         public bool FillsHoles;
 
         /// <summary>Whether points are drawn into a layer of their own first.</summary>

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>Tints each node by its size, so that the octree's levels can be told apart. A node's entity comes and goes with its
-    /// place in memory: those that are new are the ones without a tint.</summary>
+    /// <summary>Tints each node by its size, so that the octree's levels can be told apart. A node's entity comes and goes with
+    /// its place in memory: those that are new are the ones without a tint.</summary>
     [DisableAutoCreation]
     public partial class TintNodesSystem : SystemBase
     {

@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Samples.ManyClouds
 {
-    /// <summary>Many clouds, each with a transform of its own: turned, of other sizes, moving. All share one budget of points and one
-    /// pool of memory, so that the frame costs what is seen, and not what there is.</summary>
+    /// <summary>Many clouds, each with a transform of its own: turned, of other sizes, moving. All share one budget of points and
+    /// one pool of memory, so that the frame costs what is seen, and not what there is.</summary>
     [AddComponentMenu("FastPoints/Samples/Cloud Grid")]
     public sealed class CloudGrid : MonoBehaviour
     {

@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight
 {
-    /// <summary>Flies this GameObject, a camera as a rule, around in a cloud: an ellipse within its bounds, over its floor, looking along
-    /// the way and down.</summary>
+    /// <summary>Flies this GameObject, a camera as a rule, around in a cloud: an ellipse within its bounds, over its floor,
+    /// looking along the way and down.</summary>
     [AddComponentMenu("FastPoints/Samples/Fly Through")]
     public sealed class FlyThrough : MonoBehaviour
     {

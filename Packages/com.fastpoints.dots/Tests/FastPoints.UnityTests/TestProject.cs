@@ -15,8 +15,8 @@ using UnityEngine.TestTools;
 namespace FastPoints.UnityTests
 {
     /// <summary>
-    /// What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it, and what was
-    /// converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a test.
+    /// What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it, and what
+    /// was converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a test.
     /// </summary>
     public static class TestProject
     {

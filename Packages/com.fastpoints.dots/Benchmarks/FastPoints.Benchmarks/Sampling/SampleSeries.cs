@@ -3,7 +3,8 @@ using System.Linq;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Unit of a series. The numbers are those of <c>Unity.PerformanceTesting.SampleUnit</c>, which its JSON holds.</summary>
+    /// <summary>Unit of a series. The numbers are those of <c>Unity.PerformanceTesting.SampleUnit</c>, which its JSON
+    /// holds.</summary>
     public enum SeriesUnit
     {
         Millisecond = 2,

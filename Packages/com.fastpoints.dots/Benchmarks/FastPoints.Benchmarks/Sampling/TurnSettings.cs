@@ -17,8 +17,8 @@ namespace FastPoints.Benchmarks
 
         public CancellationToken Cancellation;
 
-        /// <summary>Runs before the first timed one: a run-time compiler compiles its last tier in the background after 30 calls and
-        /// a pause in which nothing new is called. Long runs call enough within themselves.</summary>
+        /// <summary>Runs before the first timed one: a run-time compiler compiles its last tier in the background after 30 calls
+        /// and a pause in which nothing new is called. Long runs call enough within themselves.</summary>
         public int WarmUpRuns = 40;
         public int FewestWarmUpRuns = 3;
         public double WarmUpMs = 400;

@@ -7,8 +7,8 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A camera flies a round low over a converted cloud in a scene, nodes coming and going: the error is the main thread's time for a
-    /// frame that 99 of 100 do not exceed. Points are those of
+    /// <summary>A camera flies a round low over a converted cloud in a scene, nodes coming and going: the error is the main
+    /// thread's time for a frame that 99 of 100 do not exceed. Points are those of
     /// all frames, bytes those that came into the pool.</summary>
     public sealed class SceneFramesWorkload : IWorkload
     {
@@ -57,9 +57,9 @@ namespace FastPoints.Benchmarks
                 Bytes = uploaded,
                 Error = times.QuantileMs(0.99),
                 ErrorUnit = "ms p99 a frame",
-                Note = string.Format(CultureInfo.InvariantCulture, "main thread {0:0.0} ms a frame (p50), {1:0.0} (p99), {2:0.0} (max); "
-                    + "{3} bytes of garbage in {4} frames", times.QuantileMs(0.5), times.QuantileMs(0.99), times.QuantileMs(1), garbage,
-                    Frames),
+                Note = string.Format(CultureInfo.InvariantCulture, "main thread {0:0.0} ms a frame (p50), {1:0.0} (p99), {2:0.0} "
+                    + "(max); {3} bytes of garbage in {4} frames", times.QuantileMs(0.5), times.QuantileMs(0.99),
+                    times.QuantileMs(1), garbage, Frames),
             };
         }
 

@@ -4,8 +4,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A file that is not converted comes into a scene: until all that its preview brings is shown. The error is the time to
-    /// the first frame that draws points.</summary>
+    /// <summary>A file that is not converted comes into a scene: until all that its preview brings is shown. The error is the
+    /// time to the first frame that draws points.</summary>
     public abstract class ScenePreviewBase : IWorkload
     {
         string m_path;
@@ -46,8 +46,8 @@ namespace FastPoints.Benchmarks
                     Error = firstMs,
                     ErrorUnit = "ms to first points",
                     // Most of the frames wait for jobs, without a pause: of their times the longest alone means something.
-                    Note = string.Format(CultureInfo.InvariantCulture, "the longest of {0} frames took {1:0.0} ms of the main thread",
-                        frames, scene.FrameTimes.QuantileMs(1)),
+                    Note = string.Format(CultureInfo.InvariantCulture,
+                        "the longest of {0} frames took {1:0.0} ms of the main thread", frames, scene.FrameTimes.QuantileMs(1)),
                 };
             }
         }

@@ -41,8 +41,8 @@ namespace FastPoints.Benchmarks
                 Bytes = quarterBytes + bytes,
                 Error = (double)bytes / points,
                 ErrorUnit = "bytes a point",
-                Note = string.Format(CultureInfo.InvariantCulture, "bytes of the pool a resident point: {0:0.00} of {1:N0} points, "
-                    + "{2:0.00} of {3:N0}", (double)bytes / points, points, (double)quarterBytes / quarter, quarter),
+                Note = string.Format(CultureInfo.InvariantCulture, "bytes of the pool a resident point: {0:0.00} of {1:N0} "
+                    + "points, {2:0.00} of {3:N0}", (double)bytes / points, points, (double)quarterBytes / quarter, quarter),
             };
         }
 

@@ -1,8 +1,4 @@
 using System.IO;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Pipeline;
-using FastPoints.Points;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
@@ -21,11 +17,7 @@ namespace FastPoints.Benchmarks
 
         public void Prepare(WorkloadContext context)
         {
-            string path = Path.Combine(context.ScratchFolder, "stream-copy.fastpoints");
-            var settings = new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
-            using (var reader = PointReaders.Open(TerrainBenchmarkFile.Make(context)))
-                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
-            m_files = Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories);
+            m_files = Directory.GetFiles(TerrainBenchmarkFile.MakeConverted(context), "*.bin", SearchOption.AllDirectories);
             m_piece = new byte[1 << 20];
             long bytes = 0;
             foreach (string file in m_files)

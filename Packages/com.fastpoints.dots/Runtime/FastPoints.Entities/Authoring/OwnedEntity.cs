@@ -2,8 +2,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>The entity that a GameObject's component has in the default world, in edit mode too. Goes with the component, or with
-    /// the world.</summary>
+    /// <summary>The entity that a GameObject's component has in the default world, in edit mode too. Goes with the component, or
+    /// with the world.</summary>
     struct OwnedEntity
     {
         World m_world;

@@ -9,8 +9,8 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud in a scene of GameObjects: makes the entity that streams it, which stands where the GameObject does, in edit
-    /// mode too.</summary>
+    /// <summary>A cloud in a scene of GameObjects: makes the entity that streams it, which stands where the GameObject does, in
+    /// edit mode too.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud")]
@@ -55,9 +55,9 @@ namespace FastPoints.Entities
             set => Set(ref m_cloud, value);
         }
 
-        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets. Where readers
-        /// are loaded (FastPoints.Import), any point cloud: COPC, Potree and EPT are streamed as they are, of others a preview is
-        /// shown.</summary>
+        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets. Where
+        /// readers are loaded (FastPoints.Import), any point cloud: COPC, Potree and EPT are streamed as they are, of others a
+        /// preview is shown.</summary>
         public string Path
         {
             get => m_path;
@@ -103,7 +103,8 @@ namespace FastPoints.Entities
             return isThere;
         }
 
-        /// <summary>There may be something new on disk: it is shown when it is there, and what is shown stays until then.</summary>
+        /// <summary>There may be something new on disk: it is shown when it is there, and what is shown stays until
+        /// then.</summary>
         public void LookAgain()
         {
             if (m_entity.TryGet(out var entities))

@@ -5,8 +5,9 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. Of the points there is
-    /// nothing in it. The editor makes it, of a <c>.pointcloud</c> handle or of a file in <c>Assets</c>.</summary>
+    /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. Of the
+    /// points there is nothing in it. The editor makes it, of a <c>.pointcloud</c> handle or of a file in
+    /// <c>Assets</c>.</summary>
     public sealed class PointCloudAsset : ScriptableObject
     {
         /// <summary>The folder in an editor: in the project, with '/', or absolute.</summary>

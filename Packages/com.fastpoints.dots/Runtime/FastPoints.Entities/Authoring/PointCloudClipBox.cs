@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, moved, turned and scaled as the
-    /// GameObject is.</summary>
+    /// <summary>A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, moved, turned and scaled
+    /// as the GameObject is.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Clip Box")]

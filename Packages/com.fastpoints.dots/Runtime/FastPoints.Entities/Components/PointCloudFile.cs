@@ -8,8 +8,8 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud on disk: an entity with this, and a transform, is opened and streamed. A converted one, and what it is made
-    /// of where that is known: shown until the folder is there. Or, where readers are loaded
+    /// <summary>A cloud on disk: an entity with this, and a transform, is opened and streamed. A converted one, and what it is
+    /// made of where that is known: shown until the folder is there. Or, where readers are loaded
     /// (<see cref="Feeds.CloudFeeds"/>), any point cloud.</summary>
     public sealed class PointCloudFile : IComponentData
     {
@@ -21,11 +21,12 @@ namespace FastPoints.Entities
         /// <see cref="Path"/>.</summary>
         public string ProjectPath;
 
-        /// <summary>Files and folders that the cloud is made of, in an editor: absolute, or in the project. May be null.</summary>
+        /// <summary>Files and folders that the cloud is made of, in an editor: absolute, or in the project. May be
+        /// null.</summary>
         public string[] ProjectSources;
 
-        /// <summary>The file or folder that a player streams as it is where <see cref="Path"/> is not there: absolute, or below the
-        /// streaming assets. May be null.</summary>
+        /// <summary>The file or folder that a player streams as it is where <see cref="Path"/> is not there: absolute, or below
+        /// the streaming assets. May be null.</summary>
         public string PlayerSource;
 
         /// <summary>Whether <see cref="OriginGeo"/> is the place that the transform moves; otherwise what is shown first
@@ -52,8 +53,8 @@ namespace FastPoints.Entities
         /// <summary>What went wrong when it was opened; null where nothing did.</summary>
         public string Error;
 
-        /// <summary>Somebody knows of something new on disk: it is looked for, what is shown stays until it is there. Goes back to
-        /// false.</summary>
+        /// <summary>Somebody knows of something new on disk: it is looked for, what is shown stays until it is there. Goes back
+        /// to false.</summary>
         public bool LooksAgain;
 
         /// <summary>The folder's whole path.</summary>

@@ -8,8 +8,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud's states while its entity is there: opened on a thread of the pool, so that a slow disk stops nobody, then
-    /// stepped on the main thread.</summary>
+    /// <summary>A cloud's states while its entity is there: opened on a thread of the pool, so that a slow disk stops nobody,
+    /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {
         Task<CloudFeed> m_opening;

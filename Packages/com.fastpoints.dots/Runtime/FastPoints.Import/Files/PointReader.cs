@@ -12,9 +12,9 @@ namespace FastPoints.Files
     /// fixed-stride file), any of which can be read in any order, several at once.
     /// </summary>
     /// <remarks>
-    /// All members belong to the main thread; any may open a reader (<see cref="PointReaders"/>). Reading happens through <see cref="BlockRead"/> slots: the reader makes as many
-    /// as the caller wants in flight, and memory is what these slots hold, whatever the file's size.
-    /// Dispose the slots before the reader.
+    /// All members belong to the main thread; any may open a reader (<see cref="PointReaders"/>). Reading happens through <see
+    /// cref="BlockRead"/> slots: the reader makes as many as the caller wants in flight, and memory is what these slots hold,
+    /// whatever the file's size. Dispose the slots before the reader.
     /// </remarks>
     public abstract class PointReader : IDisposable
     {
@@ -55,8 +55,9 @@ namespace FastPoints.Files
         /// <summary>Where they are spread, how many places there are to look at.</summary>
         public virtual int MostBeginnings => 0;
 
-        /// <summary>As <see cref="FindBeginnings()"/>, until so many places were looked at; called again for more. The blocks come
-        /// in an order of which every beginning is spread over the source, and those found before keep their numbers.</summary>
+        /// <summary>As <see cref="FindBeginnings()"/>, until so many places were looked at; called again for more. The blocks
+        /// come in an order of which every beginning is spread over the source, and those found before keep their
+        /// numbers.</summary>
         public virtual IEnumerator<JobHandle> FindBeginnings(int places) => FindBeginnings();
 
         /// <summary>Points of the whole source, after <see cref="FindBeginnings()"/>.</summary>

@@ -70,8 +70,8 @@ namespace FastPoints.Octree
         }
 
         /// <summary>
-        /// Cubes with at most <paramref name="target"/> points by an estimate, as large as they can be, down to its cells; smaller
-        /// ones where it is so uncertain that they might have twice as many.
+        /// Cubes with at most <paramref name="target"/> points by an estimate, as large as they can be, down to its cells;
+        /// smaller ones where it is so uncertain that they might have twice as many.
         /// </summary>
         /// <param name="density">Of the same cube.</param>
         public static PartitionMap Plan(GridCube cube, DensityTree density, long target)

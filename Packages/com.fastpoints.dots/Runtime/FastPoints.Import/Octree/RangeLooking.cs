@@ -2,8 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Octree
 {
-    /// <summary>A <see cref="RangeLook"/> at points of which nodes above may have taken any: in slices, as a chunk's first range has
-    /// all of its points. Blittable.</summary>
+    /// <summary>A <see cref="RangeLook"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
+    /// has all of its points. Blittable.</summary>
     public unsafe struct RangeLooking
     {
         public SampledRange Range;

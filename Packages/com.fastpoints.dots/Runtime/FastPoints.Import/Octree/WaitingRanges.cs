@@ -5,8 +5,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Octree
 {
-    /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they come
-    /// from, each with the next one's number.</summary>
+    /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
+    /// come from, each with the next one's number.</summary>
     public unsafe struct WaitingRanges : IDisposable
     {
         NativeList<SampledRange> m_ranges;

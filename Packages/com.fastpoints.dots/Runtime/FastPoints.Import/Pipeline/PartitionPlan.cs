@@ -70,7 +70,8 @@ namespace FastPoints.Pipeline
             }
         }
 
-        /// <summary>Chunks of their final size where they are so few that each can have its pages, larger ones otherwise.</summary>
+        /// <summary>Chunks of their final size where they are so few that each can have its pages, larger ones
+        /// otherwise.</summary>
         static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan)
         {
             using (density)

@@ -50,8 +50,8 @@ namespace FastPoints.Pipeline
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of sources
-        /// whose sample does not tell. Goes by the sample as it was then.</summary>
+        /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of
+        /// sources whose sample does not tell. Goes by the sample as it was then.</summary>
         public DensityEstimate Density { get; private set; }
 
         /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>

@@ -7,8 +7,8 @@ using FastPoints.Files;
 
 namespace FastPoints.Pipeline
 {
-    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers jump
-    /// about in a cloud and read many of its pieces at once, which only files allow. The file has its name when it is whole;
+    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers
+    /// jump about in a cloud and read many of its pieces at once, which only files allow. The file has its name when it is whole;
     /// called off or failed, it leaves nothing.</summary>
     public sealed class StreamSpool : IDisposable
     {

@@ -12,7 +12,8 @@ namespace FastPoints.Pipeline
     /// by.</summary>
     public static class TreeTop
     {
-        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Nodes that are damaged give what they have.</summary>
+        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Nodes that are damaged give what they
+        /// have.</summary>
         /// <param name="attributes">Beside the positions; those that the source has not are left out.</param>
         /// <param name="wanted">Points: whole nodes, until there are so many.</param>
         /// <param name="read">Takes the points over.</param>

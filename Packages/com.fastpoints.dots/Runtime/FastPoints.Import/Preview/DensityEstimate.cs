@@ -12,13 +12,14 @@ namespace FastPoints.Preview
     /// those that no sampled point lies in, of which nothing is known.
     /// </summary>
     /// <remarks>
-    /// The error is that of the choice of stretches. It holds where these lie at chance places of their parts of the file, as runs
-    /// and text do; beginnings of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another no
-    /// sample of beginnings knows.
+    /// The error is that of the choice of stretches. It holds where these lie at chance places of their parts of the file, as
+    /// runs and text do; beginnings of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
+    /// no sample of beginnings knows.
     /// </remarks>
     public sealed class DensityEstimate : IDisposable
     {
-        /// <summary>A cell that fewer stretches have points in is not divided: half of its parts would have two or three.</summary>
+        /// <summary>A cell that fewer stretches have points in is not divided: half of its parts would have two or
+        /// three.</summary>
         const int LeastStretches = 32;
 
         /// <summary>Cells of more stretches where there are many, so that there are some thousands of cells.</summary>
@@ -49,7 +50,8 @@ namespace FastPoints.Preview
         /// <summary>What lies farther out: strays.</summary>
         public DensityCell Outside => m_tree[DensityTree.Outside];
 
-        /// <summary>Work for a pump: the estimate from a sample as it stands. What stands in for other points is left out.</summary>
+        /// <summary>Work for a pump: the estimate from a sample as it stands. What stands in for other points is left
+        /// out.</summary>
         /// <param name="bounds">That the grid divides: where nearly all points are.</param>
         /// <param name="take">Gets the estimate, which the caller disposes; null where the sample does not say what its points
         /// stand for.</param>

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Which points of a sample that is still collected are of which block, by place among those that are there. Each run
-    /// goes on from where the one before ended.</summary>
+    /// <summary>Which points of a sample that is still collected are of which block, by place among those that are there. Each
+    /// run goes on from where the one before ended.</summary>
     [BurstCompile]
     struct ListBlockRunsJob : IJob
     {

@@ -26,8 +26,8 @@ namespace FastPoints.Preview
         /// waiting.</summary>
         static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
 
-        /// <summary>From this share on there is a wave whatever it takes; before it where so many points are decoded for it, which
-        /// takes half a second.</summary>
+        /// <summary>From this share on there is a wave whatever it takes; before it where so many points are decoded for it,
+        /// which takes half a second.</summary>
         const double FirstShareOfAny = 0.2;
         const long LeastPointsBeforeFifth = 2_000_000;
 

@@ -70,7 +70,8 @@ namespace FastPoints.Preview
             EndPlace = m_plan.PlaceOf(end);
         }
 
-        /// <summary>Work for a pump: reads the first runs of the usual plan, and takes the other one where that is slow.</summary>
+        /// <summary>Work for a pump: reads the first runs of the usual plan, and takes the other one where that is
+        /// slow.</summary>
         IEnumerator<JobHandle> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);

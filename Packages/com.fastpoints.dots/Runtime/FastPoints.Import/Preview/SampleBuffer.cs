@@ -97,7 +97,8 @@ namespace FastPoints.Preview
             Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>Work for a pump: runs of places become runs of points; after <see cref="Close(PositionTransform)"/>.</summary>
+        /// <summary>Work for a pump: runs of places become runs of points; after <see
+        /// cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">All within the places that are closed.</param>
         /// <param name="end">Of these places.</param>
         public IEnumerator<JobHandle> MoveRuns(NativeList<SampleRun> runs, int end)

@@ -8,8 +8,8 @@ using Unity.Mathematics;
 namespace FastPoints.Gpu
 {
     /// <summary>
-    /// From nodes to draw to a <see cref="SizeTree"/>. Where a node is several levels below its parent, as none between had points,
-    /// the levels between get nodes of the parent's gap. A node of its parent's own cube takes no place below it.
+    /// From nodes to draw to a <see cref="SizeTree"/>. Where a node is several levels below its parent, as none between had
+    /// points, the levels between get nodes of the parent's gap. A node of its parent's own cube takes no place below it.
     /// </summary>
     [BurstCompile]
     public unsafe struct BuildSizeTreeJob : IJob

@@ -15,7 +15,8 @@ namespace FastPoints.Gpu
         public float MinPx;
         public float MaxPx;
 
-        /// <summary>Adaptive: squares of this many gaps leave few pixels open. See Documentation~/error-against-time.md.</summary>
+        /// <summary>Adaptive: squares of this many gaps leave few pixels open. See
+        /// Documentation~/error-against-time.md.</summary>
         public const float DefaultGaps = 1.5f;
 
         /// <summary>What a point takes at most where nothing else is said, but for sizes in pixels.</summary>

@@ -9,8 +9,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>One candidate of a search at a time: reads a page's table or a node's planes, or has these made, has a job look at
-    /// them, and takes what that found. Its memory is used again.</summary>
+    /// <summary>One candidate of a search at a time: reads a page's table or a node's planes, or has these made, has a job look
+    /// at them, and takes what that found. Its memory is used again.</summary>
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;

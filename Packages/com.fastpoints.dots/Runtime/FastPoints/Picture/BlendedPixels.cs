@@ -5,9 +5,9 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// Surface splatting (Botsch, Hornung, Zwicker, Kobbelt, "High-quality surface splatting on today's GPUs", 2005) with discs that
-    /// face the camera: of the points that a pixel lies in, all that are at most a window behind the nearest are averaged, each
-    /// with a weight that falls from its middle to its rim. Sums are whole numbers, so that no order matters:
+    /// Surface splatting (Botsch, Hornung, Zwicker, Kobbelt, "High-quality surface splatting on today's GPUs", 2005) with discs
+    /// that face the camera: of the points that a pixel lies in, all that are at most a window behind the nearest are averaged,
+    /// each with a weight that falls from its middle to its rim. Sums are whole numbers, so that no order matters:
     /// <code>
     /// word 0: bit 63 .. 32 green, 31 .. 0 red     word 1: bit 63 .. 32 weights, 31 .. 0 blue
     /// </code>

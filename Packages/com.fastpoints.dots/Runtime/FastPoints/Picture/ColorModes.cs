@@ -30,8 +30,8 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>What must be read before it is known which mode will do: colour, intensity, classes, and what the mode that is
-        /// asked for wants beside.</summary>
+        /// <summary>What must be read before it is known which mode will do: colour, intensity, classes, and what the mode that
+        /// is asked for wants beside.</summary>
         public static string[] AttributesToMeasure(ColorMode wanted)
         {
             var names = new List<string>

@@ -44,7 +44,8 @@ namespace FastPoints.Picture
 
         bool m_hasFar;
 
-        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is framed.</summary>
+        /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is
+        /// framed.</summary>
         double m_shareFramed = 1;
 
         /// <summary>Whether the CRS says that X and Y are angles; otherwise it is guessed from the bounds.</summary>

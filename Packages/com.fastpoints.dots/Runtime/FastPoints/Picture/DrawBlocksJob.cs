@@ -48,7 +48,8 @@ namespace FastPoints.Picture
         /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
-        /// <summary>Empty to draw; to blend what was drawn, see <see cref="BlendedPixels"/>. Written by atomic addition.</summary>
+        /// <summary>Empty to draw; to blend what was drawn, see <see cref="BlendedPixels"/>. Written by atomic
+        /// addition.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
 
         public void Execute(int index)

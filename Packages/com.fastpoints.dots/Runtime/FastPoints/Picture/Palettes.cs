@@ -133,8 +133,8 @@ namespace FastPoints.Picture
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
-        /// <summary>Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values (fit by R.
-        /// Du), at most an eighth off, at the ends.</summary>
+        /// <summary>Turbo (Mikhailov, 2019): the rainbow with smooth lightness. Polynomials of degree five over its sRGB values
+        /// (fit by R. Du), at most an eighth off, at the ends.</summary>
         public static uint Turbo(double share)
         {
             double red = Polynomial(share, 0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943, 0);

@@ -45,7 +45,8 @@ namespace FastPoints.Picture
         /// <summary>Depth and colour: see <see cref="PointDrawing"/>.</summary>
         public NativeArray<ulong> Pixels => m_pixels;
 
-        /// <summary>Of points that are blended: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.</summary>
+        /// <summary>Of points that are blended: see <see cref="BlendedPixels"/>. Empty before <see
+        /// cref="BeginBlending"/>.</summary>
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         /// <summary>256 colours that values are looked up in.</summary>
@@ -76,8 +77,8 @@ namespace FastPoints.Picture
             m_isBlending = false;
         }
 
-        /// <summary>What was drawn shows how far away each pixel's nearest point is: the same points, drawn again, are blended with
-        /// it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
+        /// <summary>What was drawn shows how far away each pixel's nearest point is: the same points, drawn again, are blended
+        /// with it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
         public unsafe void BeginBlending()
         {
             if (!m_sums.IsCreated)

@@ -13,8 +13,8 @@ namespace FastPoints.Picture
     /// bit 63 ............ 32  31 .. 24  23 .. 16  15 .. 8  7 .. 0
     ///     depth (ordered)     radius    blue      green    red
     /// </code>
-    /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on no order and on no number of threads; of two points at one depth the smaller colour
-    /// stays. Blittable, for jobs.
+    /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on
+    /// no order and on no number of threads; of two points at one depth the smaller colour stays. Blittable, for jobs.
     /// </summary>
     public struct PointDrawing
     {
@@ -37,8 +37,8 @@ namespace FastPoints.Picture
         /// <summary>Discs in place of squares.</summary>
         public bool IsRound;
 
-        /// <summary>Discs that bulge towards the camera: a paraboloid, whose rim is its radius farther away than its middle, which
-        /// has the point's own depth. So points share a pixel by which of them is nearer to its centre.</summary>
+        /// <summary>Discs that bulge towards the camera: a paraboloid, whose rim is its radius farther away than its middle,
+        /// which has the point's own depth. So points share a pixel by which of them is nearer to its centre.</summary>
         public bool IsDomed;
 
         /// <summary>Draws points <paramref name="first"/> and on. Any number of threads may draw at once.</summary>
@@ -47,7 +47,8 @@ namespace FastPoints.Picture
         /// <see cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
         /// <param name="pixels">Width times height of them, row by row from the top.</param>
         /// <param name="gaps">By point of those drawn: see <see cref="PointSize.ToPx"/>. Null where no size is adaptive.</param>
-        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see cref="BlendedPixels"/>.</param>
+        /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
+        /// cref="BlendedPixels"/>.</param>
         public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
             ulong* pixels, float* gaps = null, ulong* sums = null)
         {

@@ -13,7 +13,8 @@ namespace FastPoints.Picture
     /// </summary>
     /// <remarks>
     /// Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the same
-    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. It multiplies the encoded sRGB values, which is light to the power of 2.2.
+    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. It multiplies the encoded sRGB
+    /// values, which is light to the power of 2.2.
     /// </remarks>
     [BurstCompile]
     public struct ResolvePictureJob : IJobFor
@@ -33,8 +34,8 @@ namespace FastPoints.Picture
         /// <summary>0: no eye-dome lighting.</summary>
         public float EdlStrength;
 
-        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean: a gap in a surface, not what lies
-        /// beside its edge.</summary>
+        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean: a gap in a surface, not what
+        /// lies beside its edge.</summary>
         public bool FillsHoles;
 
         /// <summary>Of the eight around a hole, so many have points at least: at the edge of a surface there are three to

@@ -5,7 +5,8 @@ namespace FastPoints.Points
     /// <summary>What follows from the axis that points up.</summary>
     public static class UpAxes
     {
-        /// <summary>Unit vectors of the cloud's space that are east, north and up for people: right-handed, as its axes.</summary>
+        /// <summary>Unit vectors of the cloud's space that are east, north and up for people: right-handed, as its
+        /// axes.</summary>
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
             var x = new double3(1, 0, 0);

@@ -24,8 +24,8 @@ namespace FastPoints.Store
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
 
-        /// <summary>Whether the folder is about to change: it is being built, or has not got its name yet, with which all its files
-        /// will have other paths.</summary>
+        /// <summary>Whether the folder is about to change: it is being built, or has not got its name yet, with which all its
+        /// files will have other paths.</summary>
         public bool IsInTheMaking => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 

@@ -10,8 +10,8 @@ namespace FastPoints.Streaming
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>CRS units of a grid step, where <see cref="NodePlace.Corner"/> is that of the node's cube; else 0, and the middle
-        /// of a node's box lies in its cube.</summary>
+        /// <summary>CRS units of a grid step, where <see cref="NodePlace.Corner"/> is that of the node's cube; else 0, and the
+        /// middle of a node's box lies in its cube.</summary>
         public double3 Step;
 
         /// <summary>Some place in a node's cube.</summary>

@@ -90,9 +90,9 @@ namespace FastPoints.Streaming
         /// goes before the source.</summary>
         public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
 
-        /// <summary>Work for a pump that opens the same cloud once more, to look at single points: with positions and classes, and
-        /// all other planes of attributes where they lie in files or <see cref="CreateWholeMaker"/> makes them. Opens files on
-        /// another thread. Comes to nothing where the cloud was in memory alone, and its source is disposed.</summary>
+        /// <summary>Work for a pump that opens the same cloud once more, to look at single points: with positions and classes,
+        /// and all other planes of attributes where they lie in files or <see cref="CreateWholeMaker"/> makes them. Opens files
+        /// on another thread. Comes to nothing where the cloud was in memory alone, and its source is disposed.</summary>
         /// <param name="opened">Takes the source over.</param>
         /// <exception cref="PointCloudException">The cloud is not there any more, or damaged.</exception>
         public abstract IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened);

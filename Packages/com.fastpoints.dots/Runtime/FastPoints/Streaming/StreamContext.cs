@@ -56,7 +56,8 @@ namespace FastPoints.Streaming
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
 
-        /// <summary>By selected node: its place in <see cref="Drawn"/>; <see cref="NotDrawn"/>; or <see cref="NotShown"/>.</summary>
+        /// <summary>By selected node: its place in <see cref="Drawn"/>; <see cref="NotDrawn"/>; or <see
+        /// cref="NotShown"/>.</summary>
         public NativeList<int> DrawnOfSelected { get; }
 
         /// <summary>A hole, or hidden: what is below it can be drawn.</summary>

@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// A cloud's own space in Unity's axes: left-handed, Y up, in metres where the unit is known, from an origin near the cloud, so
-    /// that a scan with the coordinates of a map stands where its transform is. East is Unity's X, north its Z, up its Y
+    /// A cloud's own space in Unity's axes: left-handed, Y up, in metres where the unit is known, from an origin near the cloud,
+    /// so that a scan with the coordinates of a map stands where its transform is. East is Unity's X, north its Z, up its Y
     /// (<see cref="UpAxes"/>).
     /// </summary>
     public struct UnitySpace

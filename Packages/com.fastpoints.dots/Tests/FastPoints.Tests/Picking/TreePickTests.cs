@@ -20,8 +20,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picking
 {
-    /// <summary>Points of COPC, EPT and Potree that are streamed as they are, and of previews: what is picked of a converted cloud
-    /// is right (<see cref="PointPickerTests"/>), and they are the same.</summary>
+    /// <summary>Points of COPC, EPT and Potree that are streamed as they are, and of previews: what is picked of a converted
+    /// cloud is right (<see cref="PointPickerTests"/>), and they are the same.</summary>
     public sealed class TreePickTests
     {
         const int MostFrames = 10_000_000;

@@ -5,8 +5,8 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests.Performance
 {
-    /// <summary>How a conversion leaves the editor's frames alone: frames without one and beside one, in one test, so that both see
-    /// the same machine.</summary>
+    /// <summary>How a conversion leaves the editor's frames alone: frames without one and beside one, in one test, so that both
+    /// see the same machine.</summary>
     public sealed class FrameRateTests : TestProjectFixture
     {
         const int Frames = 200;

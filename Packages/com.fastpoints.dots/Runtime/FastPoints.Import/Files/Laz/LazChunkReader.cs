@@ -194,7 +194,8 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
-        /// <summary>Takes each chunk for a block, where none is too long for that: millions of them take no memory then.</summary>
+        /// <summary>Takes each chunk for a block, where none is too long for that: millions of them take no memory
+        /// then.</summary>
         private protected bool TryTakeChunksAsBlocks()
         {
             m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
