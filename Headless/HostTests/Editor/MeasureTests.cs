@@ -6,6 +6,7 @@ using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.HostTests.Cli;
 using FastPoints.Picking;
+using FastPoints.Points;
 using FastPoints.Rendering;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -128,6 +129,26 @@ namespace FastPoints.HostTests.Editor
                 Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
                 Assert.That(pick.Path, Is.EqualTo(m_path));
                 Assert.That(pick.IsPreview, Is.False);
+            }
+        }
+
+        [Test]
+        public void ScenePicker_UnitAndUpAxisThatSomebodySet_AreThoseOfTheDistance()
+        {
+            using (var picker = new ScenePicker())
+            {
+                StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
+                var asIs = new Measurement(from, to);
+                Assert.That((from.Up, from.MetresPerUnit), Is.EqualTo((UpAxis.Z, m_folder.Manifest.MetresPerUnit)));
+                Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
+                var file = m_world.EntityManager.GetComponentObject<PointCloudFile>(m_cloud.Entity);
+                (file.Up, file.UnitMetres) = (UpAxis.X, 0.25);
+
+                from = Find(picker, Down());
+
+                var set = new Measurement(from, to);
+                Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.yz)).Within(1e-12));
+                Assert.That(set.LengthMetres, Is.EqualTo(asIs.LengthGeo * 0.25));
             }
         }
 

@@ -44,7 +44,13 @@ namespace FastPoints.Entities
         /// <summary>Once a frame.</summary>
         /// <param name="budgetMs">Of the main thread.</param>
         /// <returns>Whether no search goes on: <see cref="Pick"/> is the result of the last one.</returns>
-        public bool Update(double budgetMs = 1) => m_picker.Update(budgetMs);
+        public bool Update(double budgetMs = 1)
+        {
+            bool wasSearching = IsSearching, isDone = m_picker.Update(budgetMs);
+            if (wasSearching && isDone && Pick.Point != null)
+                TakeSettings(EntityOf(Pick.Cloud));
+            return isDone;
+        }
 
         /// <summary>The entity of a number of a cloud in the stream; null where there is none.</summary>
         public Entity EntityOf(int cloud)
@@ -81,6 +87,20 @@ namespace FastPoints.Entities
                 var world = m_world ?? World.DefaultGameObjectInjectionWorld;
                 return world != null && world.IsCreated ? world.GetExistingSystemManaged<PointCloudSystemGroup>() : null;
             }
+        }
+
+        /// <summary>What somebody has set of a cloud's unit and up axis.</summary>
+        void TakeSettings(Entity cloud)
+        {
+            if (cloud == Entity.Null)
+                return;
+            var entities = Group.World.EntityManager;
+            if (!entities.HasComponent<PointCloudFile>(cloud))
+                return;
+            var file = entities.GetComponentObject<PointCloudFile>(cloud);
+            Pick.Up = file.Up;
+            if (file.UnitMetres > 0)
+                Pick.MetresPerUnit = file.UnitMetres;
         }
 
         /// <summary>Null where the entity is gone.</summary>

@@ -1,3 +1,4 @@
+using FastPoints.Points;
 using Unity.Mathematics;
 
 namespace FastPoints.Picking
@@ -15,8 +16,9 @@ namespace FastPoints.Picking
             var steps = b.Place - a.Place;
             DeltaGeo = !IsGeo ? new double3(double.NaN, double.NaN, double.NaN)
                 : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PlaceGeo - a.PlaceGeo;
-            double metres = from.Crs.MetresPerUnit;
+            double metres = from.MetresPerUnit;
             MetresPerUnit = IsGeo && metres > 0 && metres <= double.MaxValue ? metres : double.NaN;
+            Up = from.Up;
         }
 
         /// <summary>In Unity's units, as the clouds stood.</summary>
@@ -31,11 +33,22 @@ namespace FastPoints.Picking
         /// <summary>NaN where nobody knows, or the units are angles.</summary>
         public double MetresPerUnit { get; }
 
+        /// <summary>The axis that points up.</summary>
+        public UpAxis Up { get; }
+
         /// <summary>In CRS units.</summary>
         public double LengthGeo => math.length(DeltaGeo);
 
         /// <summary>On the map, without the difference in height; in CRS units.</summary>
-        public double HorizontalGeo => math.length(DeltaGeo.xy);
+        public double HorizontalGeo
+        {
+            get
+            {
+                var across = DeltaGeo;
+                across[(int)Up] = 0;
+                return math.length(across);
+            }
+        }
 
         /// <summary>NaN where <see cref="MetresPerUnit"/> is. Heights count in the horizontal unit.</summary>
         public double LengthMetres => LengthGeo * MetresPerUnit;

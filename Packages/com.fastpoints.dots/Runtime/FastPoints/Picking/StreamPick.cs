@@ -18,6 +18,13 @@ namespace FastPoints.Picking
         /// <summary>Of the point's cloud: units, coordinate system.</summary>
         public CloudCrs Crs { get; internal set; }
 
+        /// <summary>Metres of a horizontal unit, 0 where unknown, NaN where it is an angle: as the cloud says, unless somebody
+        /// knows better.</summary>
+        public double MetresPerUnit { get; set; }
+
+        /// <summary>The axis of the cloud that points up: Z, unless somebody knows better.</summary>
+        public UpAxis Up { get; set; } = UpAxis.Z;
+
         /// <summary>The point's cloud is a preview, or a build in progress: not all of its points could be hit.</summary>
         public bool IsPreview { get; internal set; }
 

@@ -156,6 +156,7 @@ namespace FastPoints.Picking
             Pick.Cloud = target.Cloud;
             Pick.Path = StoreFormat.FinishedPath(source.Path);
             Pick.Crs = source.Crs;
+            Pick.MetresPerUnit = source.Crs.MetresPerUnit;
             Pick.IsPreview = !source.HasAllPoints;
             // What comes after it has to be nearer.
             m_ray.To = m_found.Point.Distance;
