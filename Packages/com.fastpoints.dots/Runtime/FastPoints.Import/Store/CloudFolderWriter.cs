@@ -2,12 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Octree;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
@@ -19,43 +17,12 @@ namespace FastPoints.Store
     /// second build of the same target out.</remarks>
     public sealed unsafe class CloudFolderWriter : IDisposable
     {
-        const int PieceBytes = 1 << 20;
         const string LockName = "build.lock";
-        const string TemporarySuffix = ".tmp";
-
-        enum OrderKind
-        {
-            /// <summary>A file in one piece.</summary>
-            Whole,
-            /// <summary>A piece of a file that has its temporary name still.</summary>
-            Piece,
-            /// <summary>The first bytes of such a file, which is complete then.</summary>
-            Seal,
-            /// <summary>Records at the end of a file that the build alone reads.</summary>
-            Records,
-            /// <summary>What was written to such a file so far is put on the disk itself.</summary>
-            Sync,
-        }
-
-        struct Order
-        {
-            public OrderKind Kind;
-            public string Path;
-            public IntPtr Bytes;
-            public long Count;
-            public long Offset;
-            public RecordPages Pages;
-            public int StrideBytes;
-            public WriteTicket Ticket;
-        }
 
         readonly string m_target;
         readonly string m_part;
-        readonly Queue<Order> m_orders = new Queue<Order>();
-        readonly Thread m_thread;
         readonly FolderLock m_lock;
-        Exception m_failure;
-        bool m_isEnding;
+        readonly WriteQueue m_queue;
         bool m_isLost;
         bool m_isComplete;
         bool m_isKept;
@@ -80,8 +47,7 @@ namespace FastPoints.Store
                 m_lock?.Dispose();
                 throw e as PointCloudException ?? FileFailures.Writing(m_part, e);
             }
-            m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
-            m_thread.Start();
+            m_queue = new WriteQueue(RenewLock, FolderLock.RenewAfter);
         }
 
         /// <summary>Whether a build of this target was killed before.</summary>
@@ -97,7 +63,7 @@ namespace FastPoints.Store
             {
                 byte[] bytes = new UTF8Encoding(false).GetBytes(text);
                 fixed (byte* first = bytes)
-                    WriteFile(PathOf(name), first, bytes.Length);
+                    WriteQueue.WriteFile(PathOf(name), first, bytes.Length);
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -170,38 +136,25 @@ namespace FastPoints.Store
         }
 
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
-        public WriteTicket Write(string name, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, name, bytes, 0);
+        public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
         /// <summary>Queues a piece of a file, which is there when <see cref="Seal"/> is done with it. The bytes belong to the
-        /// writer
-        /// until the ticket is done.</summary>
+        /// writer until the ticket is done.</summary>
         /// <param name="offset">Of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
-            Enqueue(OrderKind.Piece, name, bytes, offset);
+            m_queue.WritePiece(PathOf(name), bytes, offset);
 
         /// <summary>Queues the first bytes of a file in pieces, with which it is complete.</summary>
-        public WriteTicket Seal(string name, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, name, bytes, 0);
+        public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
 
         /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
         /// <param name="offset">The file's size so far.</param>
-        public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
-        {
-            Kind = OrderKind.Records,
-            Path = Path.Combine(m_part, name),
-            Pages = pages,
-            StrideBytes = strideBytes,
-            Offset = offset,
-            Ticket = new WriteTicket(),
-        });
+        public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
+            m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
 
         /// <summary>Queues that what was queued for a temporary file before is on the disk itself, not in the system's memory
         /// alone, when the ticket is done: a loss of power takes nothing of it.</summary>
-        public WriteTicket SyncRecords(string name) => Enqueue(new Order
-        {
-            Kind = OrderKind.Sync,
-            Path = Path.Combine(m_part, name),
-            Ticket = new WriteTicket(),
-        });
+        public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
         /// <summary>Path of a file of the folder while it is in the making.</summary>
         public string PathOf(string name) => Path.Combine(m_part, name);
@@ -253,10 +206,12 @@ namespace FastPoints.Store
         /// <exception cref="PointCloudException">It cannot, or is another writer's by now.</exception>
         public void Complete()
         {
-            EndThread();
-            CheckLock();
-            if (m_failure != null)
-                throw m_failure;
+            m_queue.End();
+            m_isLost |= !m_lock.IsHeld;
+            if (m_isLost)
+                throw TakenOver();
+            if (m_queue.Failure != null)
+                throw m_queue.Failure;
             try
             {
                 foreach (string folder in new[] { BuildFiles.RecordFolderName, BuildFiles.TopFolderName })
@@ -292,12 +247,11 @@ namespace FastPoints.Store
 
         public void Dispose()
         {
-            EndThread();
+            m_queue.End();
             if (m_isComplete)
                 return;
             m_isComplete = true;
-            CheckLock();
-            if (!m_isKept && !m_isLost)
+            if (!m_isKept && !m_isLost && m_lock.IsHeld)
                 Delete(new DirectoryInfo(m_part));
             m_lock.Dispose();
         }
@@ -354,155 +308,17 @@ namespace FastPoints.Store
             return taken ?? throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by " + owner);
         }
 
-        void RenewLock()
+        /// <summary>On the thread that writes.</summary>
+        /// <returns>Why nothing may be written any more; null where the folder is this writer's.</returns>
+        PointCloudException RenewLock()
         {
-            if (!m_isLost && !m_lock.Renew(DateTime.UtcNow))
-                LoseLock();
-        }
-
-        void CheckLock()
-        {
-            if (!m_isLost && !m_lock.IsHeld)
-                LoseLock();
+            m_isLost |= !m_lock.Renew(DateTime.UtcNow);
+            return m_isLost ? TakenOver() : null;
         }
 
         /// <summary>After a long sleep of the machine another one may have taken this writer for gone: the folder is
         /// his.</summary>
-        void LoseLock()
-        {
-            m_isLost = true;
-            m_failure = new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
-        }
-
-        void EndThread()
-        {
-            lock (m_orders)
-            {
-                m_isEnding = true;
-                Monitor.PulseAll(m_orders);
-            }
-            m_thread.Join();
-        }
-
-        void WriteOrders()
-        {
-            while (true)
-            {
-                Order order;
-                lock (m_orders)
-                {
-                    if (m_orders.Count == 0 && !m_isEnding)
-                        Monitor.Wait(m_orders, FolderLock.RenewAfter);
-                    if (m_orders.Count == 0 && m_isEnding)
-                        return;
-                    m_orders.TryDequeue(out order);
-                }
-                RenewLock();
-                if (order.Ticket == null)
-                    continue;
-                // After a failure nothing is written any more: what follows would rely on what is missing.
-                try
-                {
-                    if (m_failure == null)
-                        Carry(order);
-                }
-                catch (Exception e) when (FileFailures.IsFileFailure(e))
-                {
-                    m_failure = FileFailures.Writing(order.Path, e);
-                }
-                order.Ticket.Finish(m_failure);
-            }
-        }
-
-        WriteTicket Enqueue(OrderKind kind, string name, NativeArray<byte> bytes, long offset) => Enqueue(new Order
-        {
-            Kind = kind,
-            Path = Path.Combine(m_part, name),
-            Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
-            Count = bytes.Length,
-            Offset = offset,
-            Ticket = new WriteTicket(),
-        });
-
-        WriteTicket Enqueue(Order order)
-        {
-            lock (m_orders)
-            {
-                m_orders.Enqueue(order);
-                Monitor.PulseAll(m_orders);
-            }
-            return order.Ticket;
-        }
-
-        void Carry(in Order order)
-        {
-            var bytes = (byte*)order.Bytes;
-            string temporary = order.Path + TemporarySuffix;
-            switch (order.Kind)
-            {
-                case OrderKind.Whole:
-                    WriteFile(order.Path, bytes, order.Count);
-                    break;
-                case OrderKind.Piece:
-                    using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
-                        Write(file, bytes, order.Count);
-                    break;
-                case OrderKind.Seal:
-                    using (var file = Open(temporary, FileMode.OpenOrCreate, 0))
-                    {
-                        Write(file, bytes, order.Count);
-                        file.Flush(true);
-                    }
-                    Rename(temporary, order.Path);
-                    break;
-                case OrderKind.Sync:
-                    using (var file = new FileStream(order.Path, FileMode.Open, FileAccess.Write))
-                        file.Flush(true);
-                    break;
-                default:
-                    using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))
-                        for (var page = order.Pages.First; page != null; page = page->Next)
-                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * order.StrideBytes));
-                    break;
-            }
-        }
-
-        void WriteFile(string path, byte* bytes, long count)
-        {
-            string temporary = path + TemporarySuffix;
-            using (var file = Open(temporary, FileMode.Create, 0))
-            {
-                Write(file, bytes, count);
-                file.Flush(true);
-            }
-            Rename(temporary, path);
-        }
-
-        static FileStream Open(string path, FileMode mode, long offset)
-        {
-            // A buffer of one byte: what is written goes straight on.
-            var file = new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
-            file.Position = offset;
-            return file;
-        }
-
-        static void Write(FileStream file, byte* bytes, long count)
-        {
-            for (long done = 0; done < count;)
-            {
-                int piece = (int)Math.Min(PieceBytes, count - done);
-                file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
-                done += piece;
-            }
-        }
-
-        /// <summary>In place of what is there, if anything is.</summary>
-        static void Rename(string from, string to)
-        {
-            if (File.Exists(to))
-                File.Replace(from, to, null);
-            else
-                File.Move(from, to);
-        }
+        PointCloudException TakenOver() =>
+            new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
     }
 }
