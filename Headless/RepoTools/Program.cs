@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.RepoTools.Api;
+using FastPoints.RepoTools.Behaviour;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.Meta;
@@ -20,6 +21,8 @@ namespace FastPoints.RepoTools
                         (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
               hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
+              behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list of what
+                        is unverified from it
               package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
               --check   writes nothing; says what is not as it should be
@@ -95,6 +98,8 @@ namespace FastPoints.RepoTools
                     return HlslCommand.Run(repository, check);
                 case "formats":
                     return FormatCommand.Run(repository);
+                case "behaviour":
+                    return BehaviourCommand.Run(repository, check);
                 case "package":
                     return PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot));
                 default:

@@ -22,6 +22,9 @@ namespace FastPoints.RepoTools
 
         public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
 
+        /// <summary>What Unity does that the package relies on.</summary>
+        public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
+
         /// <summary>The full list of Unity's signatures; it may be absent.</summary>
         public string FullApi => Path.Combine(DataRoot, "unity-api");
 
