@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using StandIns.Safety;
+using StandIns.Scheduling;
 
 namespace StandIns.Memory
 {
@@ -26,6 +28,7 @@ namespace StandIns.Memory
 
         internal static void* Allocate(long size, int alignment)
         {
+            CheckThread();
             void* memory = NativeHeap.Allocate(size, alignment);
             (t_blocks ??= new List<IntPtr>()).Add((IntPtr)memory);
             return memory;
@@ -42,6 +45,15 @@ namespace StandIns.Memory
                 return;
             t_blocks.RemoveAt(at);
             NativeHeap.Free(memory);
+        }
+
+        /// <summary>Threads of the pool have no such memory.</summary>
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        static void CheckThread()
+        {
+            if (!JobThread.IsExecuting && !MainThread.IsCurrent)
+                throw new ArgumentException("Could not allocate native memory. If this allocation was made from a managed thread "
+                    + "outside of a job, you must use Allocator.Persistent or Allocator.TempJob.");
         }
 
         internal static void FreeSince(Mark mark)

@@ -16,7 +16,7 @@ namespace StandIns.Safety
         {
             if (JobThread.IsExecuting)
                 throw new InvalidOperationException($"{what} can not be called from within a job.");
-            if (!JobThread.IsMain())
+            if (!MainThread.IsCurrent)
                 throw new InvalidOperationException($"{what} can only be called from the main thread.");
         }
 

@@ -1,5 +1,4 @@
 using System;
-using System.Threading;
 
 namespace StandIns.Scheduling
 {
@@ -12,8 +11,6 @@ namespace StandIns.Scheduling
         static bool t_isWorker;
         [ThreadStatic]
         static int t_executing;
-
-        static Thread s_main;
 
         /// <summary>0 on the main thread, workers from 1.</summary>
         internal static int Index => t_index;
@@ -31,22 +28,5 @@ namespace StandIns.Scheduling
         internal static void Enter() => t_executing++;
 
         internal static void Leave() => t_executing--;
-
-        /// <summary>Makes the calling thread the main thread.</summary>
-        internal static void BecomeMain() => s_main = Thread.CurrentThread;
-
-        /// <summary>
-        /// Whether the calling thread is the main thread: the first that used the job system, or, that one being gone, the next.
-        /// </summary>
-        internal static bool IsMain()
-        {
-            Thread current = Thread.CurrentThread;
-            if (s_main == current)
-                return true;
-            Thread main = s_main;
-            if (t_isWorker || (main != null && main.IsAlive))
-                return false;
-            return Interlocked.CompareExchange(ref s_main, current, main) == main;
-        }
     }
 }

@@ -33,10 +33,10 @@ namespace FastPoints.Store
         }
 
         /// <summary>What is wrong with the table, or null: nothing that it says is used before. See
-        /// <see cref="TableCheck"/>.</summary>
+        /// <see cref="TableCheck"/>. On any thread.</summary>
         public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
-            using (var shapes = layout.CreateShapes(Allocator.Temp))
+            using (var shapes = layout.CreateShapes(Allocator.Persistent))
             {
                 var check = new TableCheck
                 {

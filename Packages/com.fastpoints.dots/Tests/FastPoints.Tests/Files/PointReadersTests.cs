@@ -1,8 +1,11 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Text;
+using System.Threading.Tasks;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Files.Tests
@@ -26,6 +29,24 @@ namespace FastPoints.Files.Tests
         {
             File.WriteAllBytes(m_path, Encoding.ASCII.GetBytes(content));
             CheckFailure(FailureCode.Unsupported, name);
+        }
+
+        static FormatFixture[] Fixtures() => FormatFixture.All.ToArray();
+
+        /// <summary>As where an opening is called off before anybody takes what it opened.</summary>
+        [TestCaseSource(nameof(Fixtures))]
+        public void Open_OnAThreadOfThePool_CanBeGivenUpThere(FormatFixture fixture)
+        {
+            Directory.CreateDirectory(m_path + "-folder");
+            try
+            {
+                string path = fixture.Write(m_path + "-folder");
+                Task.Run(() => PointReaders.Open(path).Dispose()).GetAwaiter().GetResult();
+            }
+            finally
+            {
+                Directory.Delete(m_path + "-folder", true);
+            }
         }
 
         [Test]

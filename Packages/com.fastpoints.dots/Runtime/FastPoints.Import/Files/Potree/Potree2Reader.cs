@@ -45,7 +45,7 @@ namespace FastPoints.Files
         readonly long m_hierarchyBytes;
         readonly string m_octreePath;
         readonly long m_octreeBytes;
-        readonly FileHandle m_octree;
+        FileHandle m_octree;
         readonly PotreeLayout m_layout;
         readonly Queue<(int Level, int3 Cell)> m_nodesOfPage = new Queue<(int, int3)>();
         ByteReader m_records;
@@ -71,11 +71,6 @@ namespace FastPoints.Files
             m_recordsLeft = hierarchyBytes / RecordBytes;
             m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
             Pages.Add(default, 0, Math.Min(index.FirstChunkBytes, hierarchyBytes));
-            if (HasPoints)
-            {
-                m_octree = AsyncReadManager.OpenFileAsync(m_octreePath);
-                m_isOpen = true;
-            }
         }
 
         /// <summary>Reads metadata.json; the hierarchy is read when it is asked for, but for its first page.</summary>
@@ -115,6 +110,18 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
+        /// <summary>Opened when a block is read, on the main thread as all handles: threads of the pool open readers.</summary>
+        ref readonly FileHandle Octree
+        {
+            get
+            {
+                if (!m_isOpen)
+                    m_octree = AsyncReadManager.OpenFileAsync(m_octreePath);
+                m_isOpen = true;
+                return ref m_octree;
+            }
+        }
+
         bool HasPoints => m_octreeBytes >= 0;
 
         /// <exception cref="PointCloudException">NotFound where octree.bin is not there.</exception>
@@ -134,17 +141,22 @@ namespace FastPoints.Files
             return m_octreePath;
         }
 
-        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) => read.Begin(m_octree, offset, bytes);
+        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) => read.Begin(Octree, offset, bytes);
 
         internal override int3 ShiftOf(int block) => default;
 
-        public override void Dispose()
+        public override void CloseFile()
         {
-            base.Dispose();
             if (!m_isOpen)
                 return;
             m_isOpen = false;
             m_octree.Close().Complete();
+        }
+
+        public override void Dispose()
+        {
+            CloseFile();
+            base.Dispose();
         }
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
