@@ -1,4 +1,6 @@
 using System;
+using System.Collections;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using FastPoints.Base;
@@ -119,6 +121,37 @@ namespace FastPoints.HostTests.Editor
 
             Assert.That(session.State, Is.EqualTo(BuildState.Failed));
             Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.NotFound));
+        }
+
+        sealed class BrokenList : IReadOnlyList<string>
+        {
+            public int Count => 1;
+
+            public string this[int index] => throw new InvalidOperationException("planted");
+
+            public IEnumerator<string> GetEnumerator() => throw new InvalidOperationException("planted");
+
+            IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+        }
+
+        [Test]
+        public void Tick_OpeningThrowsWhatNobodyForesaw_FailsAndSaysWhere()
+        {
+            using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+            UpdateUntil(session, () => session.IsEnded);
+
+            Assert.That(session.State, Is.EqualTo(BuildState.Failed));
+            Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
+            Assert.That(session.Failure, Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
+                .Contains(nameof(BuildSessionTests)));
+        }
+
+        [Test]
+        public void Suspend_WhenTheOpeningThrowsWhatNobodyForesaw_Ends()
+        {
+            using var session = new BuildSession(new BrokenList(), m_project.Target(), ImportProject.Settings());
+            session.Suspend();
+            Assert.That(session.State, Is.EqualTo(BuildState.Suspended));
         }
 
         [Test]

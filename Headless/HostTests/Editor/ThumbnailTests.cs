@@ -130,6 +130,25 @@ namespace FastPoints.HostTests.Editor
         }
 
         [Test]
+        public void Thumbnail_WhenWhatNobodyForesawIsThrown_IsToldOnceAndTheNextIsDrawn()
+        {
+            string scan = m_project.Scratch.Demo("scan.las", 5000);
+            string first = m_project.Scratch["first.fastpoints"], second = m_project.Scratch["second.fastpoints"];
+            Thumbnails.Drawn += cloud =>
+            {
+                if (cloud == first)
+                    throw new InvalidOperationException("planted");
+            };
+            Thumbnails.AddFiles(first, new[] { scan });
+            Thumbnails.AddFiles(second, new[] { scan });
+            Draw();
+            Assert.That(m_logged, Has.Count.EqualTo(1));
+            Assert.That(m_logged[0], Does.StartWith("Error: FastPoints: no picture of " + first
+                + ": InvalidOperationException: planted\n").And.Contains(nameof(ThumbnailTests)));
+            AssertShowsSomething(Png.Read(CloudThumbnails.PathOf(second)));
+        }
+
+        [Test]
         public void Thumbnail_OfAFileThatCannotBeRead_IsNotThereAndNobodyIsTold()
         {
             var asset = m_project.Imports.Take(m_project.Copc("scan.copc.laz"), "Assets");

@@ -251,7 +251,7 @@ namespace FastPoints.Editor
             }
             m_reported = null;
             if (session.Failure is PointCloudException known)
-                Debug.LogError("FastPoints: " + known.Message);
+                Debug.LogError("FastPoints: " + known.Story);
             else if (session.Failure != null)
                 Debug.LogException(session.Failure);
             if (session.State != BuildState.Done)

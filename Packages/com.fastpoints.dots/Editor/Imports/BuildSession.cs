@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Pipeline;
@@ -20,7 +19,7 @@ namespace FastPoints.Editor
         readonly string m_target;
         readonly ConvertSettings m_settings;
         readonly Stopwatch m_watch = new Stopwatch();
-        Task<PointReader> m_opening;
+        PoolWork<PointReader> m_opening;
         PointReader m_reader;
         WorkPump m_pump;
 
@@ -32,7 +31,7 @@ namespace FastPoints.Editor
             m_target = target;
             m_settings = settings;
             m_settings.KeepUnfinished = true;
-            m_opening = Task.Run(() => Open(sources));
+            m_opening = PoolWork.Begin(target, () => Open(sources));
         }
 
         public BuildState State { get; private set; } = BuildState.Opening;
@@ -69,7 +68,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                if (State == BuildState.Opening && m_opening.IsCompleted)
+                if (State == BuildState.Opening && m_opening.IsDone)
                     Begin();
                 if (State == BuildState.Building && m_pump.Tick(budgetMs))
                     End(BuildState.Done);
@@ -79,7 +78,7 @@ namespace FastPoints.Editor
                 Failure = e;
                 End(BuildState.Failed);
                 // What is on disk helps where the system was at fault, with a full disk for example, and not where the source is.
-                if (!(e is PointCloudException known) || known.IsBadInput)
+                if (!(e is PointCloudException known) || known.IsBadInput || known.Code == FailureCode.Unexpected)
                     CloudFolderWriter.DeleteUnfinished(m_target);
             }
             return IsEnded;
@@ -125,7 +124,9 @@ namespace FastPoints.Editor
 
         void Begin()
         {
-            m_reader = Opened();
+            var opened = m_opening;
+            m_opening = null;
+            m_reader = opened.Take();
             Source = m_reader.Info;
             m_pump = new WorkPump(ConvertCloud.Run(new[] { m_reader }, m_target, m_settings, r => Result = r, Progress));
             State = BuildState.Building;
@@ -140,41 +141,15 @@ namespace FastPoints.Editor
             return reader;
         }
 
-        PointReader Opened()
-        {
-            try
-            {
-                return m_opening.GetAwaiter().GetResult();
-            }
-            finally
-            {
-                m_opening = null;
-            }
-        }
-
         void End(BuildState state)
         {
             State = state;
             m_watch.Stop();
             m_pump?.Cancel();
-            if (m_opening != null)
-                m_reader = ReaderThatCameTooLate();
+            m_reader ??= m_opening?.TakeIfSound();
+            m_opening = null;
             m_reader?.Dispose();
             m_reader = null;
-        }
-
-        /// <summary>Readers are disposed on the main thread.</summary>
-        PointReader ReaderThatCameTooLate()
-        {
-            try
-            {
-                return Opened();
-            }
-            catch (PointCloudException)
-            {
-                // Nobody asks for it any more.
-                return null;
-            }
         }
     }
 }

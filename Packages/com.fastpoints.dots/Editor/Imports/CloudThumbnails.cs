@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Picture;
+using UnityEngine;
 
 namespace FastPoints.Editor
 {
@@ -21,9 +21,9 @@ namespace FastPoints.Editor
         const string Extension = ".preview.png";
 
         readonly List<(string Cloud, string[] Sources)> m_waiting = new List<(string Cloud, string[] Sources)>();
-        Task<ThumbnailDrawing> m_opening;
+        PoolWork<ThumbnailDrawing> m_opening;
         ThumbnailDrawing m_drawing;
-        Task m_writing;
+        PoolWork<string> m_writing;
         string m_current;
 
         /// <summary>Gets a cloud's folder when its picture was written.</summary>
@@ -50,6 +50,7 @@ namespace FastPoints.Editor
                 Begin();
             if (m_current == null)
                 return;
+            string cloud = m_current;
             try
             {
                 if (m_writing != null)
@@ -59,16 +60,13 @@ namespace FastPoints.Editor
                 else if (m_drawing.Pump.Tick(budgetMs))
                     BeginWriting();
             }
-            catch (PointCloudException)
+            catch (Exception e)
             {
                 // What ails the cloud is told by what opens it; one that is only not to be written beside has no picture.
+                var failure = PointCloudException.Of(cloud, e);
                 End();
-            }
-            catch
-            {
-                // Told once, not at every update.
-                End();
-                throw;
+                if (failure.Code == FailureCode.Unexpected)
+                    Debug.LogError("FastPoints: no picture of " + failure.Story);
             }
         }
 
@@ -76,15 +74,8 @@ namespace FastPoints.Editor
         public void Dispose()
         {
             m_waiting.Clear();
-            try
-            {
-                m_drawing ??= m_opening?.GetAwaiter().GetResult();
-                m_writing?.GetAwaiter().GetResult();
-            }
-            catch (PointCloudException)
-            {
-                // A cloud without a picture.
-            }
+            m_drawing ??= m_opening?.TakeIfSound();
+            m_writing?.TakeIfSound();
             End();
         }
 
@@ -100,34 +91,35 @@ namespace FastPoints.Editor
             var (cloud, sources) = m_waiting[0];
             m_waiting.RemoveAt(0);
             m_current = cloud;
-            m_opening = Task.Run(() => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
+            m_opening = PoolWork.Begin(cloud,
+                () => sources == null ? ThumbnailDrawing.OfCloud(cloud) : ThumbnailDrawing.OfFiles(sources));
         }
 
         void EndOpening()
         {
-            if (!m_opening.IsCompleted)
+            if (!m_opening.IsDone)
                 return;
             var opening = m_opening;
             m_opening = null;
-            m_drawing = opening.GetAwaiter().GetResult();
+            m_drawing = opening.Take();
         }
 
         void BeginWriting()
         {
             var image = m_drawing.Image;
             string path = PathOf(m_current);
-            m_writing = Task.Run(() => Write(path, image));
+            m_writing = PoolWork.Begin(path, () => Write(path, image));
         }
 
         void EndWriting()
         {
-            if (!m_writing.IsCompleted)
+            if (!m_writing.IsDone)
                 return;
             var writing = m_writing;
             string cloud = m_current;
             m_writing = null;
             End();
-            writing.GetAwaiter().GetResult();
+            writing.Take();
             Drawn?.Invoke(cloud);
         }
 
@@ -137,7 +129,7 @@ namespace FastPoints.Editor
             (m_opening, m_drawing, m_current, m_writing) = (null, null, null, null);
         }
 
-        static void Write(string path, RgbaImage image)
+        static string Write(string path, RgbaImage image)
         {
             string temporary = path + ".tmp";
             try
@@ -148,6 +140,7 @@ namespace FastPoints.Editor
                     File.Replace(temporary, path, null);
                 else
                     File.Move(temporary, path);
+                return path;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Files;
@@ -57,7 +56,7 @@ namespace FastPoints.Samples.RunTimeLoading
             {
                 // The file is at fault: its name, the byte, what was wanted and what was got.
                 Status = e.Message;
-                Debug.LogError(e.Message);
+                Debug.LogError(e.Story);
                 return;
             }
             var cloud = GetComponent<PointCloud>();
@@ -88,22 +87,17 @@ namespace FastPoints.Samples.RunTimeLoading
             if (Directory.Exists(m_target))
                 yield break;
             // A slow disk stops no frame.
-            var opening = Task.Run(() => PointReaders.Open(source));
-            try
+            using (var opening = PoolWork.Begin(source, () => PointReaders.Open(source)))
             {
-                while (!opening.IsCompleted)
+                while (!opening.IsDone)
                     yield return default;
-                var readers = new[] { opening.GetAwaiter().GetResult() };
-                var settings = new ConvertSettings { KeepUnfinished = true };
-                using (var convert = ConvertCloud.Run(readers, m_target, settings, _ => { }, m_progress))
-                    while (convert.MoveNext())
-                        yield return convert.Current;
-            }
-            finally
-            {
-                // Also where it was called off before the file was open.
-                opening.ContinueWith(t => t.Result.Dispose(),
-                    TaskContinuationOptions.OnlyOnRanToCompletion | TaskContinuationOptions.ExecuteSynchronously);
+                using (var reader = opening.Take())
+                {
+                    var settings = new ConvertSettings { KeepUnfinished = true };
+                    using (var convert = ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress))
+                        while (convert.MoveNext())
+                            yield return convert.Current;
+                }
             }
         }
     }

@@ -109,10 +109,12 @@ namespace FastPoints.Entities
                 IsBusy |= !cloud.IsEnded;
                 return true;
             }
-            catch (PointCloudException failure)
+            catch (Exception e)
             {
+                // Whatever it is, it ends this cloud and not the update of all others.
+                var failure = PointCloudException.Of(file.FullPath, e);
                 file.Error = failure.Message;
-                Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Message));
+                Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Story));
                 return false;
             }
         }

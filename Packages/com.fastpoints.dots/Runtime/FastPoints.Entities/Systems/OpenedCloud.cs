@@ -1,5 +1,4 @@
 using System;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Feeds;
 using FastPoints.Picture;
@@ -12,17 +11,17 @@ namespace FastPoints.Entities
     /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {
-        Task<CloudFeed> m_opening;
+        PoolWork<CloudFeed> m_opening;
         CloudFeed m_feed;
         DisplayRanges m_rangesWithoutStrays;
 
         public OpenedCloud(string path, string[] sources)
         {
-            m_opening = Task.Run(() => CloudFeeds.Open(path, sources));
+            m_opening = PoolWork.Begin(path, () => CloudFeeds.Open(path, sources));
         }
 
         /// <summary>Whether it can be disposed without waiting for a disk.</summary>
-        public bool IsOpen => m_opening == null || m_opening.IsCompleted;
+        public bool IsOpen => m_opening == null || m_opening.IsDone;
 
         /// <summary>Whether nothing newer is expected.</summary>
         public bool IsEnded => m_opening == null && (m_feed == null || m_feed.Newest == null && m_feed.IsEnded);
@@ -35,11 +34,11 @@ namespace FastPoints.Entities
         /// <exception cref="PointCloudException">The cloud cannot be opened, or not be read.</exception>
         public void Update(double budgetMs)
         {
-            if (m_opening != null && m_opening.IsCompleted)
+            if (m_opening != null && m_opening.IsDone)
             {
                 var opened = m_opening;
                 m_opening = null;
-                m_feed = opened.GetAwaiter().GetResult();
+                m_feed = opened.Take();
             }
             m_feed?.Update(budgetMs);
         }
@@ -66,18 +65,8 @@ namespace FastPoints.Entities
         /// <summary>Waits for headers that are being read, and for slices that are running.</summary>
         public void Dispose()
         {
-            if (m_opening != null)
-            {
-                try
-                {
-                    m_feed = m_opening.GetAwaiter().GetResult();
-                }
-                catch (PointCloudException)
-                {
-                    // Nobody asks for it any more.
-                }
-                m_opening = null;
-            }
+            m_feed ??= m_opening?.TakeIfSound();
+            m_opening = null;
             m_feed?.Dispose();
             m_feed = null;
         }

@@ -141,9 +141,10 @@ namespace FastPoints.Store
                     if (Failure == null)
                         Carry(order);
                 }
-                catch (Exception e) when (FileFailures.IsFileFailure(e))
+                catch (Exception e)
                 {
-                    Failure = FileFailures.Writing(order.Path, e);
+                    // Whatever it is: who waits for the ticket would wait for ever if it ended the thread.
+                    Failure = FileFailures.IsFileFailure(e) ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
                 }
                 order.Ticket.Finish(Failure);
             }

@@ -154,7 +154,7 @@ namespace FastPoints.Streaming
             {
                 string path = Path;
                 if (reader == null)
-                    using (var opening = OpenElsewhere(() => PointReaders.Open(path), other => reader = other))
+                    using (var opening = PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other))
                         while (opening.MoveNext())
                             yield return opening.Current;
                 using (var finding = FindTop(reader))

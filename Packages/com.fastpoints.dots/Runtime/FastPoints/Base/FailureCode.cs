@@ -16,5 +16,7 @@ namespace FastPoints.Base
         ReadFailed,
         WriteFailed,
         DiskFull,
+        /// <summary>Nobody foresaw it: a fault of this package, or of what it runs on.</summary>
+        Unexpected,
     }
 }

@@ -37,6 +37,19 @@ namespace FastPoints.Base
                 string.Format(CultureInfo.InvariantCulture, "{0}: wanted {1}, got {2}", field, wanted, got));
         }
 
+        /// <summary>A failure as it is; any other exception as one that nobody foresaw.</summary>
+        /// <param name="path">The file or folder that was being worked on.</param>
+        public static PointCloudException Of(string path, Exception failure)
+        {
+            if (failure is AggregateException several)
+                failure = several.GetBaseException();
+            return failure as PointCloudException ??
+                new PointCloudException(FailureCode.Unexpected, path, -1, failure.GetType().Name + ": " + failure.Message, failure);
+        }
+
+        /// <summary>The message; of what nobody foresaw, with the places in the code that tell where to look.</summary>
+        public string Story => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
+
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
         public bool IsBadInput => Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Streaming;
 
@@ -15,7 +14,7 @@ namespace FastPoints.Feeds
         readonly string m_folder;
         readonly IReadOnlyList<string> m_files;
         CloudFeed m_source;
-        Task<CloudFeed> m_opening;
+        PoolWork<CloudFeed> m_opening;
         FolderFeed m_converted;
         bool m_isSourceWhole;
         bool m_isBuildGone;
@@ -60,7 +59,7 @@ namespace FastPoints.Feeds
                 m_converted.Skip();
             if (m_converted.IsBuildGone && m_converted.IsThere)
                 BeginAgain();
-            if (m_opening != null && m_opening.IsCompleted)
+            if (m_opening != null && m_opening.IsDone)
                 EndOpening();
             if (m_source != null)
                 UpdateSource(budgetMs);
@@ -96,35 +95,21 @@ namespace FastPoints.Feeds
             m_converted.Dispose();
             m_converted = new FolderFeed(new FolderGenerations(m_folder));
             if (m_source == null && m_opening == null && m_files.Count > 0)
-                m_opening = Task.Run(() => CloudFeeds.OpenSource(m_files));
+                m_opening = PoolWork.Begin(m_files[0], () => CloudFeeds.OpenSource(m_files));
         }
 
         void EndOpening()
         {
-            try
-            {
-                m_source = m_opening.GetAwaiter().GetResult();
-            }
-            finally
-            {
-                m_opening = null;
-            }
+            var opened = m_opening;
+            m_opening = null;
+            m_source = opened.Take();
         }
 
         void EndSource()
         {
             m_source?.Dispose();
             m_source = null;
-            if (m_opening == null)
-                return;
-            try
-            {
-                m_opening.GetAwaiter().GetResult().Dispose();
-            }
-            catch (PointCloudException)
-            {
-                // Nobody asks for it any more.
-            }
+            m_opening?.TakeIfSound()?.Dispose();
             m_opening = null;
         }
     }

@@ -1,5 +1,4 @@
 using System;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Store;
 
@@ -18,7 +17,7 @@ namespace FastPoints.Streaming
         const int LooksUntilGone = 2;
 
         readonly string m_path;
-        Task<Look> m_looking;
+        PoolWork<Look> m_looking;
         CloudFolder m_newest;
         ulong m_cloudId;
         int m_framesToLook = FramesPerLook;
@@ -79,12 +78,14 @@ namespace FastPoints.Streaming
         public void LookAgain() => m_isAsked = true;
 
         /// <summary>Once a frame. Looks for nothing while there is one to take. Never waits.</summary>
+        /// <exception cref="PointCloudException">A look came to what nobody foresaw.</exception>
         public void Update()
         {
-            if (m_looking != null && m_looking.IsCompleted)
+            if (m_looking != null && m_looking.IsDone)
             {
-                var seen = m_looking.Result;
+                var looked = m_looking;
                 m_looking = null;
+                var seen = looked.Take();
                 m_looksInVain = seen.IsThere ? 0 : IsBuilding ? m_looksInVain + 1 : LooksUntilGone;
                 if (seen.Newer != null)
                     Keep(seen.Newer);
@@ -103,13 +104,13 @@ namespace FastPoints.Streaming
             ulong cloudId = m_cloudId;
             long generation = Generation;
             bool wasBuilding = IsBuilding;
-            m_looking = Task.Run(() => LookAt(path, cloudId, generation, wasBuilding));
+            m_looking = PoolWork.Begin(path, () => LookAt(path, cloudId, generation, wasBuilding));
         }
 
         /// <summary>Waits for a folder that is being opened.</summary>
         public void Dispose()
         {
-            m_looking?.Result.Newer?.Dispose();
+            m_looking?.TakeIfSound().Newer?.Dispose();
             m_looking = null;
             m_newest?.Dispose();
             m_newest = null;

@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
         public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
         {
             string path = Path;
-            return OpenElsewhere(() => OpenWhole(path), opened);
+            return PoolWork.Run<NodeSource>(path, () => OpenWhole(path), opened);
         }
 
         public override void Dispose()

@@ -51,6 +51,7 @@ namespace FastPoints.Streaming
         public bool IsCurrent => m_succession.IsCurrent && m_generations.IsIdle && m_generations.Newest == null;
 
         /// <summary>Once a frame, after it. Never waits.</summary>
+        /// <exception cref="PointCloudException">As of <see cref="FolderGenerations.Update"/>.</exception>
         public void Update()
         {
             m_succession.Update();

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading.Tasks;
 using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -98,25 +97,5 @@ namespace FastPoints.Streaming
         public abstract IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();
-
-        /// <summary>Opens something on another thread. When it is not awaited to its end, what was opened is
-        /// disposed.</summary>
-        protected static IEnumerator<JobHandle> OpenElsewhere<T>(Func<T> open, Action<T> opened) where T : IDisposable
-        {
-            var opening = Task.Run(open);
-            bool isAwaited = false;
-            try
-            {
-                while (!opening.IsCompleted)
-                    yield return default;
-                isAwaited = true;
-                opened(opening.GetAwaiter().GetResult());
-            }
-            finally
-            {
-                if (!isAwaited)
-                    opening.ContinueWith(t => t.Result.Dispose(), TaskContinuationOptions.OnlyOnRanToCompletion);
-            }
-        }
     }
 }

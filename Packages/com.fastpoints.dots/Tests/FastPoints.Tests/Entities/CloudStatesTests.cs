@@ -121,6 +121,30 @@ namespace FastPoints.Tests.Entities
         }
 
         [Test]
+        public void File_WhoseOpeningThrowsWhatNobodyForesaw_EndsInItsErrorAndIsToldOnce()
+        {
+            string path = Path.GetTempFileName();
+            try
+            {
+                CloudFeeds.Register(_ => throw new InvalidOperationException("planted"));
+                var file = new PointCloudFile { Path = path };
+                Add(file);
+                Frames(() => file.Error != null);
+                Assert.That(file.Error, Is.EqualTo(path + ": InvalidOperationException: planted"));
+                Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.True);
+                Assert.That(failure.What, Does.Contain(file.Error).And.Contains(nameof(CloudStatesTests)), "and where it was thrown");
+                for (int frame = 0; frame < 5; frame++)
+                    Frame();
+                Assert.That(m_group.Stream.TryTakeFailure(out _), Is.False);
+                Assert.That(m_world.GetExistingSystemManaged<OpenCloudsSystem>().IsBusy, Is.False);
+            }
+            finally
+            {
+                File.Delete(path);
+            }
+        }
+
+        [Test]
         public void File_BuildBrokenOff_GoesOnShowingThePreview()
         {
             using (var cloud = new GrowingCloud())

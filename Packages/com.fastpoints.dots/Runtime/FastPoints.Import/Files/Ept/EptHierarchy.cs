@@ -87,7 +87,7 @@ namespace FastPoints.Files
         IEnumerator<JobHandle> Parse(string path, string name, NativeList<EptEntry> entries)
         {
             long length = FileSource.NoSuchFile;
-            using (var asking = PoolWork.Run(() => FileSource.LengthOf(path), found => length = found))
+            using (var asking = PoolWork.Run(path, () => FileSource.LengthOf(path), found => length = found))
                 while (asking.MoveNext())
                     yield return asking.Current;
             string problem = null;
@@ -173,7 +173,7 @@ namespace FastPoints.Files
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
                 files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
-            return PoolWork.Run(() => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
+            return PoolWork.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
             {
                 for (int i = 0; i < lengths.Length; i++)
                     Add(step[i], lengths[i], path);

@@ -174,11 +174,11 @@ namespace FastPoints.Files
             {
                 IEnumerator<JobHandle> looking;
                 if (m_found.Count > 0)
-                    looking = PoolWork.Run(LookerFor(m_found.ToArray()), AddFound);
+                    looking = PoolWork.Run(Info.Path, LookerFor(m_found.ToArray()), AddFound);
                 else if (FindNext())
                     continue;
                 else if (TryPeek(node, levels, out var page))
-                    looking = PoolWork.Run(ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
+                    looking = PoolWork.Run(Info.Path, ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
                 else
                     break;
                 using (looking)

@@ -173,7 +173,7 @@ namespace FastPoints.Files
             while (m_nodesOfPage.Count > 0 || BeginPage(node, levels))
             {
                 if (HasRecord && !IsRecordRead)
-                    using (var reading = PoolWork.Run(ReaderOf(m_recordOffset), TakeRecords))
+                    using (var reading = PoolWork.Run(m_hierarchyPath, ReaderOf(m_recordOffset), TakeRecords))
                         while (reading.MoveNext())
                             yield return reading.Current;
                 for (; m_nodesOfPage.Count > 0 && HasRecord && IsRecordRead && done < StepRecords; done++)
