@@ -9,7 +9,8 @@ namespace FastPoints.HostTests.Repository
     /// <summary>A package that is in order, and each rule against one that is not.</summary>
     public sealed class PackageRulesTests
     {
-        const string Asmdef = "{ \"name\": \"NAME\", \"includePlatforms\": [PLATFORMS], \"precompiledReferences\": [REFERENCES], "
+        const string Asmdef = "{ \"name\": \"NAME\", \"references\": [\"Unity.Burst\"], \"includePlatforms\": [PLATFORMS], "
+            + "\"precompiledReferences\": [REFERENCES], "
             + "\"defineConstraints\": [DEFINES] }";
         const string Described = "Something that is described in more than fifty characters, as it should be.";
 
@@ -107,6 +108,8 @@ namespace FastPoints.HostTests.Repository
         [TestCase("Documentation~/index.md", "Cloud", "Clouds", "Cloud (Runtime/A/Cloud.cs) is on no page")]
         [TestCase("Runtime/A/Cloud.cs", "#if UNITY_EDITOR", "#if UNITY_6000_0_OR_NEWER", "Runtime/A/Cloud.cs: names UnityEditor")]
         [TestCase("Runtime/A/A.asmdef", "\"A\"", "\"B\"", "Runtime/A/A.asmdef: the assembly is called B")]
+        [TestCase("Runtime/A/A.asmdef", "Unity.Burst", "Unity.Entities", "A.asmdef: references Unity.Entities and not Unity.Collections")]
+        [TestCase("Samples~/First/Samples.First.asmdef", "Unity.Burst", "Unity.Entities", "First.asmdef: references Unity.Entities and not")]
         [TestCase("Runtime/A/A.asmdef", "[]", "[\"Editor\"]", "only an editor or a test would have it")]
         [TestCase("Editor/A.Editor.asmdef", "[\"Editor\"]", "[\"Editor\", \"iOS\"]", "wanted Editor and nothing else")]
         [TestCase("Tests/T/T.asmdef", "nunit.framework.dll", "other.dll", "no test assembly")]

@@ -39,8 +39,8 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Samples.Editor"] = new[]
             {
-                "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Samples", "Unity.Entities",
-                "Unity.Mathematics",
+                "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Samples", "Unity.Collections",
+                "Unity.Entities", "Unity.Mathematics",
             },
             ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
                 .Concat(new[] { "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "Unity.Entities", "Unity.Scenes" })

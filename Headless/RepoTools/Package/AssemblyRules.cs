@@ -34,6 +34,9 @@ namespace FastPoints.RepoTools.Package
                     yield return $"{file}: no test assembly, as it has no nunit.framework.dll";
                 if (isTest && !Strings(json.RootElement, "defineConstraints").Contains("UNITY_INCLUDE_TESTS"))
                     yield return $"{file}: a test assembly without UNITY_INCLUDE_TESTS would be in players";
+                string[] references = Strings(json.RootElement, "references");
+                if (references.Contains("Unity.Entities") && !references.Contains("Unity.Collections"))
+                    yield return $"{file}: references Unity.Entities and not Unity.Collections: its source generator ends with DC0061";
                 if (file.StartsWith("Runtime/", StringComparison.Ordinal) && (isEditor || isTest))
                     yield return $"{file}: only an editor or a test would have it";
             }
