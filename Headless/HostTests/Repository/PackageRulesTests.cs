@@ -42,6 +42,7 @@ namespace FastPoints.HostTests.Repository
             Put("Editor/E.cs", "using UnityEditor;");
             PutAsmdef("Editor/A.Editor.asmdef", "\"Editor\"");
             PutAsmdef("Tests/T/T.asmdef", "", "\"nunit.framework.dll\"", "\"UNITY_INCLUDE_TESTS\"");
+            PutAsmdef("Benchmarks/B/B.asmdef", "", "", "\"UNITY_INCLUDE_TESTS\"");
         }
 
         [TearDown]
@@ -114,6 +115,7 @@ namespace FastPoints.HostTests.Repository
         [TestCase("Editor/A.Editor.asmdef", "[\"Editor\"]", "[\"Editor\", \"iOS\"]", "wanted Editor and nothing else")]
         [TestCase("Tests/T/T.asmdef", "nunit.framework.dll", "other.dll", "no test assembly")]
         [TestCase("Tests/T/T.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "a test assembly without UNITY_INCLUDE_TESTS")]
+        [TestCase("Benchmarks/B/B.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "B.asmdef: every player would have it")]
         public void Check_SomethingOutOfOrder_IsReported(string file, string from, string to, string reported)
         {
             Change(file, from, to);

@@ -11,6 +11,9 @@ namespace FastPoints.RepoTools.Package
     /// editor.</summary>
     public static class AssemblyRules
     {
+        /// <summary>Where assemblies lie that are meant for players.</summary>
+        private static readonly string[] s_forPlayers = { "Runtime/", "Samples~/" };
+
         /// <summary>Parts of a file that only an editor compiles; they hold no directive of their own in this package.</summary>
         private static readonly Regex s_editorPart = new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
         private static readonly Regex s_comment = new Regex(@"//[^\n]*");
@@ -32,8 +35,11 @@ namespace FastPoints.RepoTools.Package
                     yield return $"{file}: wanted Editor and nothing else in includePlatforms";
                 if (file.StartsWith("Tests/", StringComparison.Ordinal) && !isTest)
                     yield return $"{file}: no test assembly, as it has no nunit.framework.dll";
-                if (isTest && !Strings(json.RootElement, "defineConstraints").Contains("UNITY_INCLUDE_TESTS"))
+                bool isForTests = Strings(json.RootElement, "defineConstraints").Contains("UNITY_INCLUDE_TESTS");
+                if (isTest && !isForTests)
                     yield return $"{file}: a test assembly without UNITY_INCLUDE_TESTS would be in players";
+                else if (!isEditor && !isForTests && !s_forPlayers.Any(f => file.StartsWith(f, StringComparison.Ordinal)))
+                    yield return $"{file}: every player would have it, used or not: wanted UNITY_INCLUDE_TESTS in defineConstraints";
                 string[] references = Strings(json.RootElement, "references");
                 if (references.Contains("Unity.Entities") && !references.Contains("Unity.Collections"))
                     yield return $"{file}: references Unity.Entities and not Unity.Collections: its source generator ends with DC0061";
