@@ -59,6 +59,20 @@ namespace FastPoints.HostTests.Conformance
             Reports("Unity.Things.Box`1.Grow is not in the list (named in FastPoints.Planted.User.Use)");
         }
 
+        [TestCase("NUnit.Framework", "Assert", "Multiple", "NUnit.Framework.Assert.Multiple is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework", "Warn", "Unless", "NUnit.Framework.Warn is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework.Constraints", "EqualConstraint", "ApplyTo", "EqualConstraint.ApplyTo is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework.Internal", "TestResult", "get_Output", "Internal.TestResult is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework", "Assert", "That", null)]
+        public void Check_WhatUnitysNUnitLacks_IsReported(string space, string type, string method, string reported)
+        {
+            var nunit = new AssemblyNameReference("nunit.framework", new System.Version(3, 6));
+            m_package.Module.AssemblyReferences.Add(nunit);
+            m_package.Emit(OpCodes.Call, m_package.Method(new TypeReference(space, type, m_package.Module, nunit), method, m_void, true));
+
+            Assert.That(m_package.Check(), reported == null ? Is.Empty : Has.Some.Contains(reported));
+        }
+
         [Test]
         public void Check_OtherParameter_IsReported()
         {

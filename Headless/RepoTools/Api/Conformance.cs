@@ -59,6 +59,8 @@ namespace FastPoints.RepoTools.Api
 
         private void Check(IlUse use)
         {
+            if (UnityNUnit.FindAbsent(use.Member) is { } absent)
+                Add($"{absent} is not in Unity's NUnit");
             switch (use.Member)
             {
                 case TypeReference type:

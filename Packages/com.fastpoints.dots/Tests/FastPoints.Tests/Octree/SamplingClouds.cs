@@ -36,21 +36,21 @@ namespace FastPoints.Tests.Octree
 
         public static IEnumerable<TestCaseData> All()
         {
-            yield return new TestCaseData((object)Volume(3000, 1 << 20)).SetArgDisplayNames("volume");
-            yield return new TestCaseData((object)Surface(3000, 1 << 16)).SetArgDisplayNames("surface");
-            yield return new TestCaseData((object)Make(2000, (r, i) => (new Grid3(i * 37, i * 37, i * 37), r))).SetArgDisplayNames("line");
-            yield return new TestCaseData((object)Lattice(14, 1)).SetArgDisplayNames("lattice of one step");
-            yield return new TestCaseData((object)Lattice(14, 64)).SetArgDisplayNames("lattice of the spacing");
-            yield return new TestCaseData((object)Make(1000, (r, i) => (new Grid3(7, 8, 9), r))).SetArgDisplayNames("all equal");
-            yield return new TestCaseData((object)Make(3000, (r, i) => (i % 1000 == 0
+            yield return Case("volume", Volume(3000, 1 << 20));
+            yield return Case("surface", Surface(3000, 1 << 16));
+            yield return Case("line", Make(2000, (r, i) => (new Grid3(i * 37, i * 37, i * 37), r)));
+            yield return Case("lattice of one step", Lattice(14, 1));
+            yield return Case("lattice of the spacing", Lattice(14, 64));
+            yield return Case("all equal", Make(1000, (r, i) => (new Grid3(7, 8, 9), r)));
+            yield return Case("density of a million to one", Make(3000, (r, i) => (i % 1000 == 0
                 ? new Grid3(r.NextInt(1 << 30), r.NextInt(1 << 30), r.NextInt(1 << 30))
-                : new Grid3((1 << 29) + r.NextInt(1000), 77 + r.NextInt(1000), 5 + r.NextInt(1000)), r)))
-                .SetArgDisplayNames("density of a million to one");
-            yield return new TestCaseData((object)Make(2000, (r, i) => (new Grid3(r.NextInt(4), r.NextInt(4), r.NextInt(4)), r)))
-                .SetArgDisplayNames("four steps wide");
-            yield return new TestCaseData((object)Make(2000, (r, i) =>
-                (new Grid3(r.NextInt(int.MaxValue), r.NextInt(int.MaxValue), i % 2 * (long)int.MaxValue), r)))
-                .SetArgDisplayNames("as wide as integers");
+                : new Grid3((1 << 29) + r.NextInt(1000), 77 + r.NextInt(1000), 5 + r.NextInt(1000)), r)));
+            yield return Case("four steps wide", Make(2000, (r, i) => (new Grid3(r.NextInt(4), r.NextInt(4), r.NextInt(4)), r)));
+            yield return Case("as wide as integers", Make(2000, (r, i) =>
+                (new Grid3(r.NextInt(int.MaxValue), r.NextInt(int.MaxValue), i % 2 * (long)int.MaxValue), r)));
         }
+
+        /// <summary>{m} stands for the method's name.</summary>
+        static TestCaseData Case(string name, Grid3[] places) => new TestCaseData((object)places).SetName("{m}(" + name + ")");
     }
 }
