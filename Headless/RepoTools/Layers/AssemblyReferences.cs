@@ -46,7 +46,7 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "Unity.Entities", "Unity.Scenes" })
                 .ToArray(),
             ["FastPoints.UnityTests.Performance"] = s_testRunner
-                .Concat(new[] { "FastPoints.Editor", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
+                .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
             ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities).Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
                 .Concat(s_testRunner).ToArray(),
