@@ -7,6 +7,7 @@ using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.Meta;
 using FastPoints.RepoTools.Package;
+using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools
 {
@@ -15,6 +16,7 @@ namespace FastPoints.RepoTools
     {
         private const string Usage = """
             usage: RepoTools VERB [--check] [--root DIR] [--tag TAG]
+                   RepoTools guard STAND-IN REFERENCE... (the build calls it)
 
               meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
               api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
@@ -23,6 +25,7 @@ namespace FastPoints.RepoTools
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
               behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list of what
                         is unverified from it
+              guard     makes members of a stand-in refuse other threads than the main one, as Headless/Api/threads.tsv says
               package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
               --check   writes nothing; says what is not as it should be
@@ -35,6 +38,8 @@ namespace FastPoints.RepoTools
         /// <summary>Runs one verb; 0, 1 or 2 as the usage says.</summary>
         public static int Main(string[] args)
         {
+            if (args.Length > 1 && args[0] == "guard")
+                return Guard(args[1], args[2..]);
             string? verb = null;
             string? root = null;
             string? tag = null;
@@ -104,6 +109,20 @@ namespace FastPoints.RepoTools
                     return PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot));
                 default:
                     throw new ArgumentException("no such verb", nameof(verb));
+            }
+        }
+
+        private static int Guard(string standIn, string[] references)
+        {
+            try
+            {
+                new MainThreadGuards(ThreadTable.Load(Repository.Find().UsedThreads)).Guard(standIn, references);
+                return 0;
+            }
+            catch (IOException failure)
+            {
+                Console.Error.WriteLine(failure.Message);
+                return 1;
             }
         }
 

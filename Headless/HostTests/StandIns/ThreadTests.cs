@@ -86,8 +86,8 @@ namespace FastPoints.HostTests.StandIns
                 var command = new ReadCommand { Buffer = buffer, Size = 16 };
                 commands.ReadCommands = &command;
                 Refused("Close", () => file.Close());
-                Refused("Status", () => _ = file.Status);
-                Refused("JobHandle", () => _ = file.JobHandle);
+                Refused("get_Status", () => _ = file.Status);
+                Refused("get_JobHandle", () => _ = file.JobHandle);
                 Refused("IsValid", () => file.IsValid());
                 Refused("Read", () => AsyncReadManager.Read(file, commands));
                 var read = AsyncReadManager.Read(file, commands);

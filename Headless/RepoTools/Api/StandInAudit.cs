@@ -180,7 +180,7 @@ namespace FastPoints.RepoTools.Api
             return type.BaseType?.FullName == "System.MulticastDelegate" ? "delegate" : "class";
         }
 
-        private static bool IsVisible(TypeDefinition type) => type.IsNested
+        internal static bool IsVisible(TypeDefinition type) => type.IsNested
             ? (type.IsNestedPublic || type.IsNestedFamily || type.IsNestedFamilyOrAssembly) && IsVisible(type.DeclaringType)
             : type.IsPublic;
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools.Api
 {
@@ -30,11 +31,12 @@ namespace FastPoints.RepoTools.Api
         /// <summary>The lines that were asked for since this list was loaded, in order of their ids.</summary>
         public IEnumerable<ApiRow> Touched => m_touched.Values;
 
-        /// <summary>Every *.tsv.gz of a folder.</summary>
+        /// <summary>Every *.tsv.gz of a folder, but for the table of threads, which has columns of its own.</summary>
         public static UnityApi LoadFull(string folder)
         {
             var api = new UnityApi("Unity's published signatures");
-            foreach (string file in Directory.GetFiles(folder, "*.tsv.gz").OrderBy(f => f, StringComparer.Ordinal))
+            foreach (string file in Directory.GetFiles(folder, "*.tsv.gz").OrderBy(f => f, StringComparer.Ordinal)
+                .Where(f => Path.GetFileName(f) != ThreadTable.FullName))
             {
                 using var lines = new StreamReader(new GZipStream(File.OpenRead(file), CompressionMode.Decompress));
                 api.Add(lines);

@@ -1,5 +1,4 @@
 using System;
-using StandIns;
 using StandIns.Io;
 using StandIns.Scheduling;
 using Unity.Jobs;
@@ -23,11 +22,7 @@ namespace Unity.IO.LowLevel.Unsafe
 
         public FileStatus Status => Find("Status").Status;
 
-        public bool IsValid()
-        {
-            MainThread.Require();
-            return All.Find(m_Index, m_Version) != null;
-        }
+        public bool IsValid() => All.Find(m_Index, m_Version) != null;
 
         /// <summary>Closes the file after the dependency and the reads begun; the handle is stale from now on.</summary>
         public JobHandle Close(JobHandle dependency = default)
@@ -40,12 +35,7 @@ namespace Unity.IO.LowLevel.Unsafe
             return JobScheduler.CallAfter(opened, "FileHandle.Close", file.Close);
         }
 
-        /// <summary>What the handle stands for: on the main thread, as all of its members.</summary>
-        internal OpenFile Find(string what)
-        {
-            MainThread.Require(what);
-            return All.Find(m_Index, m_Version)
-                ?? throw new InvalidOperationException($"FileHandle.{what}: the FileHandle is not valid, or the file was closed.");
-        }
+        internal OpenFile Find(string what) => All.Find(m_Index, m_Version)
+            ?? throw new InvalidOperationException($"FileHandle.{what}: the FileHandle is not valid, or the file was closed.");
     }
 }

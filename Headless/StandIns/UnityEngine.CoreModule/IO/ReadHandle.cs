@@ -1,5 +1,4 @@
 using System;
-using StandIns;
 using StandIns.Io;
 using Unity.Jobs;
 
@@ -23,11 +22,7 @@ namespace Unity.IO.LowLevel.Unsafe
 
         public bool IsValid() => ReadRequest.All.Find(m_Index, m_Version) != null;
 
-        public void Cancel()
-        {
-            MainThread.Require();
-            Find("Cancel").Cancel();
-        }
+        public void Cancel() => Find("Cancel").Cancel();
 
         /// <summary>Bytes of all commands.</summary>
         public long GetBytesRead()

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-using System.Runtime.CompilerServices;
 using System.Threading;
 using StandIns.Scheduling;
 using UnityEngine;
@@ -29,10 +27,9 @@ namespace StandIns
             }
         }
 
-        /// <summary>Begins each member that Unity's native code keeps to the main thread. Jobs have none, wherever they run: which
-        /// thread takes a job is luck.</summary>
-        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-        internal static void Require([CallerMemberName] string member = null)
+        /// <summary>Begins each member that Unity's native code keeps to the main thread: with collections checks the build puts it
+        /// there, by the table of threads. Jobs have none, wherever they run: which thread takes a job is luck.</summary>
+        internal static void Require(string member)
         {
             if (JobThread.IsExecuting || !IsCurrent)
                 throw new UnityException(member + " can only be called from the main thread.\n"

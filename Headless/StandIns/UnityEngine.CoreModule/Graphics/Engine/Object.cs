@@ -1,4 +1,7 @@
+using System;
+using System.Diagnostics;
 using System.Threading;
+using StandIns;
 
 namespace UnityEngine
 {
@@ -32,8 +35,9 @@ namespace UnityEngine
 
         public static bool operator ==(Object x, Object y)
         {
-            bool noX = x is null || x.m_isDestroyed, noY = y is null || y.m_isDestroyed;
-            return noX || noY ? noX && noY : ReferenceEquals(x, y);
+            if (x is null || y is null)
+                return IsGone(x) && IsGone(y);
+            return ReferenceEquals(x, y);
         }
 
         public static bool operator !=(Object x, Object y) => !(x == y);
@@ -45,6 +49,26 @@ namespace UnityEngine
         public override int GetHashCode() => m_id;
 
         public override string ToString() => $"{name} ({GetType().FullName})";
+
+        /// <summary>Whether it is null or destroyed. An asset that is destroyed may have come back, which only the main thread can
+        /// tell; where the object is all there is of it, it cannot.</summary>
+        static bool IsGone(Object obj)
+        {
+            if (obj is null)
+                return true;
+            if (!obj.m_isDestroyed)
+                return false;
+            if (!(obj is MonoBehaviour || obj is ScriptableObject))
+                CheckThread();
+            return true;
+        }
+
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        static void CheckThread()
+        {
+            if (!MainThread.IsCurrent)
+                throw new InvalidOperationException("EnsureRunningOnMainThread can only be called from the main thread");
+        }
 
         internal virtual void OnDestroyed()
         {
