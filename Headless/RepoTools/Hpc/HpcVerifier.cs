@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using FastPoints.RepoTools.Api;
 using Mono.Cecil;
-using Mono.Cecil.Cil;
 
 namespace FastPoints.RepoTools.Hpc
 {
@@ -14,12 +13,10 @@ namespace FastPoints.RepoTools.Hpc
     /// </summary>
     public sealed class HpcVerifier
     {
-        private sealed record Visit(MethodDefinition Method, GenericScope Scope, string Path, bool IsStaticConstructor);
-
         private readonly HashSet<ModuleDefinition> m_modules;
         private readonly SortedSet<string> m_problems = new SortedSet<string>(StringComparer.Ordinal);
         private readonly HashSet<string> m_seen = new HashSet<string>();
-        private readonly Queue<Visit> m_visits = new Queue<Visit>();
+        private readonly Queue<HpcVisit> m_visits = new Queue<HpcVisit>();
         private string m_entry = "";
 
         /// <param name="modules">What is walked; whatever else is called is a boundary.</param>
@@ -87,319 +84,24 @@ namespace FastPoints.RepoTools.Hpc
         {
             m_seen.Clear();
             Enqueue(entry, GenericScope.None, "", false);
-            while (m_visits.TryDequeue(out Visit? visit))
+            while (m_visits.TryDequeue(out HpcVisit? visit))
             {
                 WalkedCount++;
-                new Walker(this, visit).Run();
+                new HpcWalk(this, visit).Run();
             }
         }
 
-        private void Enqueue(MethodDefinition method, GenericScope scope, string path, bool isStaticConstructor)
+        /// <summary>Whether what that module declares is walked, rather than a boundary.</summary>
+        internal bool IsWalked(ModuleDefinition module) => m_modules.Contains(module);
+
+        internal void Report(string problem) => m_problems.Add($"{m_entry}: {problem}");
+
+        internal void Enqueue(MethodDefinition method, GenericScope scope, string path, bool isStaticConstructor)
         {
             if (!m_seen.Add(method.FullName + "|" + scope.Key))
                 return;
             string step = DocId.DefinitionName(method.DeclaringType).Split('.')[^1] + "." + method.Name;
-            m_visits.Enqueue(new Visit(method, scope, path.Length == 0 ? step : path + " > " + step, isStaticConstructor));
-        }
-
-        /// <summary>One method of a walk.</summary>
-        private sealed class Walker
-        {
-            private readonly HpcVerifier m_verifier;
-            private readonly Visit m_visit;
-            private readonly MethodDefinition m_method;
-            private readonly GenericScope m_scope;
-            private readonly HashSet<Instruction> m_throwing;
-
-            internal Walker(HpcVerifier verifier, Visit visit)
-            {
-                m_verifier = verifier;
-                m_visit = visit;
-                m_method = visit.Method;
-                m_scope = visit.Scope;
-                m_throwing = visit.Method.HasBody ? ThrowingCode.Of(visit.Method.Body) : new HashSet<Instruction>();
-            }
-
-            internal void Run()
-            {
-                if (!m_method.HasBody)
-                {
-                    Add(null, "has no IL to compile");
-                    return;
-                }
-                if (m_method.HasThis && !m_method.DeclaringType.IsValueType)
-                    Add(null, $"is a method of the class {m_method.DeclaringType.Name}");
-                foreach (ParameterDefinition parameter in m_method.Parameters)
-                {
-                    if (HpcTypes.Objection(m_scope.Concrete(parameter.ParameterType)) is { } objection)
-                        Add(null, $"parameter {parameter.Name} is {objection}");
-                }
-                if (HpcTypes.Objection(m_scope.Concrete(m_method.ReturnType)) is { } inReturn)
-                    Add(null, $"returns {inReturn}");
-                foreach (ExceptionHandler handler in m_method.Body.ExceptionHandlers)
-                {
-                    if (handler.HandlerType != ExceptionHandlerType.Finally)
-                        Add(handler.HandlerStart, "catches an exception");
-                }
-                foreach (Instruction instruction in m_method.Body.Instructions)
-                {
-                    if (m_throwing.Contains(instruction))
-                        CheckThrowing(instruction);
-                    else
-                        Check(instruction);
-                }
-            }
-
-            /// <summary>On the way to a throw a message is made, of literals and boxed numbers; nothing else is
-            /// special.</summary>
-            private void CheckThrowing(Instruction instruction)
-            {
-                switch (instruction.OpCode.Code)
-                {
-                    case Code.Newobj when HpcTypes.IsException(((MethodReference)instruction.Operand).DeclaringType):
-                    case Code.Call or Code.Callvirt when ((MethodReference)instruction.Operand).DeclaringType.FullName == "System.String":
-                    case Code.Ldstr or Code.Box or Code.Newarr or Code.Stelem_Ref or Code.Ldnull or Code.Throw:
-                    case Code.Ldloc or Code.Ldloc_S or Code.Ldloc_0 or Code.Ldloc_1 or Code.Ldloc_2 or Code.Ldloc_3:
-                    case Code.Stloc or Code.Stloc_S or Code.Stloc_0 or Code.Stloc_1 or Code.Stloc_2 or Code.Stloc_3:
-                        return;
-                    default:
-                        Check(instruction);
-                        return;
-                }
-            }
-
-            private void Check(Instruction instruction)
-            {
-                switch (instruction.OpCode.Code)
-                {
-                    case Code.Ldstr:
-                        if (NextCall(instruction) is not { } taker || !HpcBoundary.TakesLiterals(taker))
-                            Add(instruction, "uses a string");
-                        break;
-                    case Code.Newarr:
-                        if (!m_visit.IsStaticConstructor)
-                            Add(instruction, "makes a managed array");
-                        break;
-                    case Code.Box:
-                        Add(instruction, $"boxes {m_scope.Concrete((TypeReference)instruction.Operand).FullName}");
-                        break;
-                    case Code.Unbox or Code.Unbox_Any or Code.Isinst or Code.Castclass:
-                        Add(instruction, $"casts ({instruction.OpCode.Name})");
-                        break;
-                    case Code.Ldnull:
-                        Add(instruction, "uses null");
-                        break;
-                    case Code.Ldftn or Code.Ldvirtftn:
-                        Add(instruction, "makes a delegate or takes a method's address");
-                        break;
-                    case Code.Mkrefany or Code.Refanyval or Code.Refanytype or Code.Arglist:
-                        Add(instruction, $"uses {instruction.OpCode.Name}");
-                        break;
-                    case Code.Ldtoken:
-                        CheckToken(instruction);
-                        break;
-                    case Code.Stelem_Any or Code.Stelem_I or Code.Stelem_I1 or Code.Stelem_I2 or Code.Stelem_I4 or Code.Stelem_I8
-                        or Code.Stelem_R4 or Code.Stelem_R8 or Code.Stelem_Ref:
-                        if (!m_visit.IsStaticConstructor)
-                            Add(instruction, "writes to a managed array");
-                        break;
-                    case Code.Ldsfld or Code.Ldsflda or Code.Stsfld:
-                        CheckStatic(instruction, (FieldReference)instruction.Operand);
-                        break;
-                    case Code.Ldfld or Code.Ldflda or Code.Stfld:
-                        CheckField(instruction, (FieldReference)instruction.Operand);
-                        break;
-                    case Code.Ldloc or Code.Ldloc_S or Code.Ldloca or Code.Ldloca_S or Code.Stloc or Code.Stloc_S
-                        or Code.Ldloc_0 or Code.Ldloc_1 or Code.Ldloc_2 or Code.Ldloc_3
-                        or Code.Stloc_0 or Code.Stloc_1 or Code.Stloc_2 or Code.Stloc_3:
-                        CheckLocal(instruction);
-                        break;
-                    case Code.Newobj:
-                        CheckNew(instruction, (MethodReference)instruction.Operand);
-                        break;
-                    case Code.Call or Code.Callvirt:
-                        CheckCall(instruction, (MethodReference)instruction.Operand);
-                        break;
-                }
-            }
-
-            /// <summary>typeof only to name a SharedStatic or to compare with another, both of which Burst settles
-            /// itself.</summary>
-            private void CheckToken(Instruction instruction)
-            {
-                if (m_visit.IsStaticConstructor)
-                    return;
-                MethodReference? user = null;
-                for (Instruction? at = instruction.Next; at != null && user == null; at = at.Next)
-                {
-                    if (at.OpCode.Code == Code.Ldtoken)
-                        continue;
-                    if (at.Operand is not MethodReference method)
-                        break;
-                    if (method.Name != "GetTypeFromHandle")
-                        user = method;
-                }
-                bool isFine = user != null && (user.DeclaringType.FullName.StartsWith("Unity.Burst.", StringComparison.Ordinal)
-                    || (user.DeclaringType.FullName == "System.Type" && user.Name is "op_Equality" or "op_Inequality"));
-                if (!isFine)
-                    Add(instruction, "uses typeof");
-            }
-
-            private void CheckStatic(Instruction instruction, FieldReference field)
-            {
-                string name = $"{field.DeclaringType.Name}.{field.Name}";
-                FieldDefinition? definition = field.Resolve();
-                bool isOurs = definition != null && m_verifier.m_modules.Contains(definition.Module);
-                if (instruction.OpCode.Code == Code.Stsfld)
-                {
-                    if (!m_visit.IsStaticConstructor)
-                        Add(instruction, $"writes the static {name}");
-                    return;
-                }
-                if (definition != null && !definition.IsInitOnly)
-                {
-                    Add(instruction, $"reads the static {name}, which is not readonly");
-                    return;
-                }
-                TypeReference type = m_scope.Concrete(field.FieldType);
-                if (!HpcTypes.IsTable(type) && HpcTypes.Objection(type) is { } objection)
-                    Add(instruction, $"reads the static {name}, {objection}");
-                MethodDefinition? constructor = definition?.DeclaringType.Methods.FirstOrDefault(m => m.Name == ".cctor");
-                if (isOurs && constructor != null && !m_visit.IsStaticConstructor)
-                    m_verifier.Enqueue(constructor, m_scope, m_visit.Path, true);
-            }
-
-            private void CheckField(Instruction instruction, FieldReference field)
-            {
-                if (!field.DeclaringType.IsValueType)
-                    Add(instruction, $"uses {field.Name} of the class {field.DeclaringType.FullName}");
-                else if (HpcTypes.Objection(m_scope.Concrete(field.FieldType)) is { } objection)
-                    Add(instruction, $"uses the field {field.Name}, {objection}");
-            }
-
-            private void CheckLocal(Instruction instruction)
-            {
-                VariableDefinition? variable = instruction.Operand as VariableDefinition ?? Short(instruction.OpCode.Code);
-                if (variable == null)
-                    return;
-                TypeReference type = m_scope.Concrete(variable.VariableType);
-                if (!HpcTypes.IsTable(type) && HpcTypes.Objection(type) is { } objection)
-                    Add(instruction, $"has a variable that is {objection}");
-            }
-
-            private VariableDefinition? Short(Code code)
-            {
-                int index = code is >= Code.Ldloc_0 and <= Code.Ldloc_3 ? code - Code.Ldloc_0
-                    : code is >= Code.Stloc_0 and <= Code.Stloc_3 ? code - Code.Stloc_0 : -1;
-                return index < 0 ? null : m_method.Body.Variables[index];
-            }
-
-            private void CheckNew(Instruction instruction, MethodReference constructor)
-            {
-                TypeReference type = m_scope.Concrete(constructor.DeclaringType);
-                if (!type.IsValueType)
-                    Add(instruction, $"makes a {type.FullName}");
-                else
-                    Follow(instruction, constructor);
-            }
-
-            private void CheckCall(Instruction instruction, MethodReference called)
-            {
-                if (called.Name == "InitializeArray" && m_visit.IsStaticConstructor)
-                    return;
-                if (called.Name == "GetTypeFromHandle" || (called.DeclaringType.FullName == "System.Type" && called.Name.StartsWith("op_", StringComparison.Ordinal)))
-                    return;
-                if (instruction.Previous?.OpCode.Code == Code.Constrained)
-                {
-                    CheckConstrained(instruction, called, m_scope.Concrete((TypeReference)instruction.Previous.Operand));
-                    return;
-                }
-                if (instruction.OpCode.Code == Code.Callvirt && !called.DeclaringType.IsValueType)
-                {
-                    Add(instruction, $"calls {called.DeclaringType.Name}.{called.Name} through an object");
-                    return;
-                }
-                Follow(instruction, called);
-            }
-
-            /// <summary>A call on a generic parameter or a struct: what it comes to is known when the type is.</summary>
-            private void CheckConstrained(Instruction instruction, MethodReference called, TypeReference type)
-            {
-                if (type is GenericParameter)
-                    return;
-                if (!type.IsValueType)
-                {
-                    Add(instruction, $"calls {called.Name} of the class {type.FullName}");
-                    return;
-                }
-                TypeDefinition? definition = Resolution.Of(type);
-                if (definition == null || type.IsPrimitive)
-                    return;
-                MethodDefinition? target = definition.Methods.FirstOrDefault(m => m.Overrides.Any(o => o.Name == called.Name
-                        && o.DeclaringType.GetElementType().FullName == called.DeclaringType.GetElementType().FullName))
-                    ?? definition.Methods.FirstOrDefault(m => m.Name == called.Name && m.Parameters.Count == called.Parameters.Count
-                        && m.GenericParameters.Count == called.GenericParameters.Count && SameParameters(m, called, type));
-                if (target == null)
-                {
-                    Add(instruction, $"boxes {type.FullName} to call {called.Name}");
-                    return;
-                }
-                if (!m_verifier.m_modules.Contains(definition.Module))
-                    return;
-                TypeReference[] ofMethod = called is GenericInstanceMethod generic
-                    ? generic.GenericArguments.Select(m_scope.Concrete).ToArray()
-                    : Array.Empty<TypeReference>();
-                m_verifier.Enqueue(target, GenericScope.OfMember(type, ofMethod), m_visit.Path, false);
-            }
-
-            private bool SameParameters(MethodDefinition target, MethodReference called, TypeReference type)
-            {
-                GenericScope ofInterface = m_scope.Of(called);
-                GenericScope ofTarget = GenericScope.OfMember(type, Array.Empty<TypeReference>());
-                for (int i = 0; i < target.Parameters.Count; i++)
-                {
-                    TypeReference wanted = ofInterface.Concrete(called.Parameters[i].ParameterType);
-                    TypeReference have = ofTarget.Concrete(target.Parameters[i].ParameterType);
-                    bool isOpen = have.ContainsGenericParameter || wanted.ContainsGenericParameter;
-                    if (!isOpen && wanted.FullName != have.FullName)
-                        return false;
-                }
-                return true;
-            }
-
-            private void Follow(Instruction instruction, MethodReference called)
-            {
-                MethodDefinition? definition = Resolution.Of(called);
-                if (definition != null && HpcEntries.IsDiscarded(definition))
-                    return;
-                if (definition != null && m_verifier.m_modules.Contains(definition.Module))
-                    m_verifier.Enqueue(definition, m_scope.Of(called), m_visit.Path, false);
-                else if (HpcBoundary.Objection(called, m_scope.Of(called)) is { } objection)
-                    Add(instruction, objection);
-            }
-
-            private static MethodReference? NextCall(Instruction instruction)
-            {
-                for (Instruction? at = instruction.Next; at != null; at = at.Next)
-                {
-                    if (at.OpCode.Code is Code.Call or Code.Callvirt or Code.Newobj)
-                        return (MethodReference)at.Operand;
-                    if (at.OpCode.FlowControl is not FlowControl.Next)
-                        return null;
-                }
-                return null;
-            }
-
-            private void Add(Instruction? at, string why)
-            {
-                SequencePoint? point = null;
-                for (Instruction? back = at; back != null && point == null; back = back.Previous)
-                    point = m_method.DebugInformation.GetSequencePoint(back) is { IsHidden: false } here ? here : null;
-                string place = point != null
-                    ? $"{System.IO.Path.GetFileName(point.Document.Url)}:{point.StartLine}"
-                    : at != null ? $"IL_{at.Offset:x4}" : "";
-                m_verifier.m_problems.Add($"{m_verifier.m_entry}: {m_visit.Path}" + (place.Length == 0 ? "" : $" ({place})") + $": {why}");
-            }
+            m_visits.Enqueue(new HpcVisit(method, scope, path.Length == 0 ? step : path + " > " + step, isStaticConstructor));
         }
     }
 }
