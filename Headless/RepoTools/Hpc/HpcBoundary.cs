@@ -21,6 +21,9 @@ namespace FastPoints.RepoTools.Hpc
         {
             "System.BitConverter.DoubleToInt64Bits", "System.BitConverter.Int64BitsToDouble",
             "System.BitConverter.SingleToInt32Bits", "System.BitConverter.Int32BitsToSingle",
+            "System.ValueTuple.Create",
+            "System.Guid..ctor", "System.Guid.Equals", "System.Guid.CompareTo", "System.Guid.GetHashCode",
+            "System.Guid.op_Equality", "System.Guid.op_Inequality",
             "System.Threading.Thread.MemoryBarrier", "System.Threading.Volatile.Read", "System.Threading.Volatile.Write",
             "System.Single.IsNaN", "System.Single.IsInfinity", "System.Single.IsFinite", "System.Single.IsNegative",
             "System.Single.IsNegativeInfinity", "System.Single.IsPositiveInfinity",
@@ -52,7 +55,7 @@ namespace FastPoints.RepoTools.Hpc
             TypeReference type = method.DeclaringType.GetElementType();
             string name = $"{type.FullName}.{method.Name}";
             if (!Origins.IsUnity(Origins.AssemblyOf(type)))
-                return IsSystem(method, type, name) ? null : $"calls {name}, which Burst does not know";
+                return IsSystem(method, type, name) ? Parts(method, scope, name) : $"calls {name}, which Burst does not know";
             if (IsLog(method))
                 return null;
             TypeReference outer = type;
@@ -63,8 +66,11 @@ namespace FastPoints.RepoTools.Hpc
             bool isValue = type.IsValueType && (outer.Namespace == "UnityEngine" || s_entityTypes.Contains(outer.FullName));
             if (!isOpen && !isValue)
                 return $"calls {name}, which is not for jobs";
-            if (TakesLiterals(method))
-                return null;
+            return TakesLiterals(method) ? null : Parts(method, scope, name);
+        }
+
+        private static string? Parts(MethodReference method, GenericScope scope, string name)
+        {
             foreach (TypeReference part in method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType))
             {
                 if (HpcTypes.Objection(scope.Concrete(part)) is { } objection)
@@ -77,11 +83,18 @@ namespace FastPoints.RepoTools.Hpc
         {
             if (type.FullName == "System.Threading.Volatile" && method is GenericInstanceMethod)
                 return false;
+            // The manual of early versions of 1.8 excepts both.
+            if (name == "System.Math.IEEERemainder" || (name == "System.Math.Round" && TakesDigits(method)))
+                return false;
             return s_systemTypes.Contains(type.FullName) || s_systemMethods.Contains(name)
                 || type.FullName.StartsWith("System.ValueTuple`", StringComparison.Ordinal)
-                || (type.IsPrimitive && s_ofNumbers.Contains(method.Name) && method.Parameters.All(p => p.ParameterType.IsValueType))
+                || (type.IsPrimitive && s_ofNumbers.Contains(method.Name)
+                    && method.Parameters.All(p => p.ParameterType.IsValueType))
                 || (type.FullName == "System.IDisposable" && method.Name == "Dispose");
         }
+
+        private static bool TakesDigits(MethodReference round) =>
+            round.Parameters.Count > 1 && round.Parameters[1].ParameterType.MetadataType == MetadataType.Int32;
 
         private static bool IsLog(MethodReference method) =>
             method.DeclaringType.FullName == "UnityEngine.Debug" && method.Name.StartsWith("Log", StringComparison.Ordinal);

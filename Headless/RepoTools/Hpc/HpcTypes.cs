@@ -11,9 +11,10 @@ namespace FastPoints.RepoTools.Hpc
         /// <summary>Why a value of that type cannot be; null where it can.</summary>
         internal static string? Objection(TypeReference type) => Objection(type, new HashSet<string>());
 
-        /// <summary>An array of numbers, which Burst reads (and only reads) from a static readonly field.</summary>
-        internal static bool IsTable(TypeReference type) =>
-            type is ArrayType { IsVector: true } array && array.ElementType.IsValueType && Objection(array.ElementType) == null;
+        /// <summary>An array of numbers or of such arrays, which Burst reads (and only reads) from a static readonly
+        /// field.</summary>
+        internal static bool IsTable(TypeReference type) => type is ArrayType { IsVector: true } array
+            && (array.ElementType.IsValueType ? Objection(array.ElementType) == null : IsTable(array.ElementType));
 
         internal static bool IsException(TypeReference type)
         {
@@ -52,15 +53,20 @@ namespace FastPoints.RepoTools.Hpc
             }
             if (type.FullName == "System.Decimal")
                 return "a decimal";
+            // Containers hold one for managed code; to compiled code it is never there.
+            if (type.MetadataType == MetadataType.Void || type.FullName == "Unity.Collections.LowLevel.Unsafe.DisposeSentinel")
+                return null;
             if (!type.IsValueType)
-                return type.MetadataType == MetadataType.Void ? null : $"of the class {type.FullName}";
+                return $"of the class {type.FullName}";
             if (type is GenericInstanceType instance
                 && instance.GenericArguments.Select(a => Objection(a, seen)).FirstOrDefault(o => o != null) is { } inArgument)
                 return inArgument;
             // Unity's and .NET's structs are what their own rules say; a stand-in's fields are not theirs.
-            if (!IsPackage(type) || type.IsPrimitive || !seen.Add(type.FullName))
+            if (!IsPackage(type) || type.IsPrimitive || !seen.Add(type.FullName) || Resolution.Of(type) is not { } definition)
                 return null;
-            foreach (FieldDefinition field in Resolution.Of(type)?.Fields.Where(f => !f.IsStatic) ?? Enumerable.Empty<FieldDefinition>())
+            if (HpcLayout.Objection(definition) is { } inLayout)
+                return inLayout;
+            foreach (FieldDefinition field in definition.Fields.Where(f => !f.IsStatic))
             {
                 if (Objection(field.FieldType, seen) is { } objection)
                     return $"{type.Name} with {field.Name}, {objection}";
@@ -68,7 +74,8 @@ namespace FastPoints.RepoTools.Hpc
             return null;
         }
 
-        private static bool IsPackage(TypeReference type)
+        /// <summary>Whether a type is neither Unity's nor .NET's.</summary>
+        internal static bool IsPackage(TypeReference type)
         {
             string assembly = Origins.AssemblyOf(type);
             return !Origins.IsUnity(assembly) && !Origins.IsSystem(assembly);

@@ -49,13 +49,15 @@ namespace FastPoints.RepoTools.Hpc
             m_entry = DocId.DefinitionName(job);
             if (job.HasGenericParameters)
             {
-                m_problems.Add($"{m_entry}: a generic job needs registering for each type that it runs with");
+                Report("a generic job needs registering for each type that it runs with");
                 return;
             }
+            if (HpcLayout.Objection(job) is { } inLayout)
+                Report(inLayout);
             foreach (FieldDefinition field in job.Fields.Where(f => !f.IsStatic))
             {
-                if (HpcTypes.Objection(field.FieldType) is { } objection)
-                    m_problems.Add($"{m_entry}: field {field.Name} is {objection}");
+                if ((HpcTypes.Objection(field.FieldType) ?? HpcSignature.OfField(field.FieldType)) is { } objection)
+                    Report($"field {field.Name} is {objection}");
             }
             foreach (MethodDefinition method in HpcEntries.OfJob(job))
                 Walk(method);
@@ -65,18 +67,15 @@ namespace FastPoints.RepoTools.Hpc
         {
             m_entry = DocId.DefinitionName(method.DeclaringType) + "." + method.Name;
             if (!HpcEntries.IsCompiled(method.DeclaringType))
-                m_problems.Add($"{m_entry}: its type has no [BurstCompile], so Burst does not look for it");
+                Report("its type has no [BurstCompile], so Burst does not look for it");
             if (method.HasGenericParameters || method.DeclaringType.HasGenericParameters)
             {
-                m_problems.Add($"{m_entry}: a generic method cannot be called from managed code through Burst");
+                Report("a generic method cannot be called from managed code through Burst");
                 return;
             }
-            foreach (TypeReference type in method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType))
-            {
-                bool isStruct = type.IsValueType && !type.IsPrimitive && Resolution.Of(type)?.IsEnum == false;
-                if (isStruct && method.IsStatic)
-                    m_problems.Add($"{m_entry}: {type.Name} by value; managed code gives Burst structs by reference only");
-            }
+            // Systems and jobs are called by generated code, which knows how.
+            foreach (string objection in method.IsStatic ? HpcSignature.OfEntry(method) : Enumerable.Empty<string>())
+                Report(objection);
             Walk(method);
         }
 

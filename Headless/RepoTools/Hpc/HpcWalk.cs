@@ -39,11 +39,13 @@ namespace FastPoints.RepoTools.Hpc
                 Add(null, $"is a method of the class {m_method.DeclaringType.Name}");
             foreach (ParameterDefinition parameter in m_method.Parameters)
             {
-                if (HpcTypes.Objection(m_scope.Concrete(parameter.ParameterType)) is { } objection)
+                TypeReference type = m_scope.Concrete(parameter.ParameterType);
+                if ((HpcTypes.Objection(type) ?? HpcSignature.Marshalling(parameter, type)) is { } objection)
                     Add(null, $"parameter {parameter.Name} is {objection}");
             }
-            if (HpcTypes.Objection(m_scope.Concrete(m_method.ReturnType)) is { } inReturn)
-                Add(null, $"returns {inReturn}");
+            TypeReference returned = m_scope.Concrete(m_method.ReturnType);
+            if ((HpcTypes.Objection(returned) ?? HpcSignature.Marshalling(m_method.MethodReturnType, returned)) is { } inReturn)
+                Add(null, $"its return value is {inReturn}");
             foreach (ExceptionHandler handler in m_method.Body.ExceptionHandlers)
             {
                 if (handler.HandlerType != ExceptionHandlerType.Finally)
@@ -65,8 +67,9 @@ namespace FastPoints.RepoTools.Hpc
             switch (instruction.OpCode.Code)
             {
                 case Code.Newobj when HpcTypes.IsException(((MethodReference)instruction.Operand).DeclaringType):
-                case Code.Call or Code.Callvirt when ((MethodReference)instruction.Operand).DeclaringType.FullName == "System.String":
-                case Code.Ldstr or Code.Box or Code.Newarr or Code.Stelem_Ref or Code.Ldnull or Code.Throw:
+                case Code.Call or Code.Callvirt
+                    when ((MethodReference)instruction.Operand).DeclaringType.FullName == "System.String":
+                case Code.Ldstr or Code.Box or Code.Newarr or Code.Stelem_Ref or Code.Throw:
                 case Code.Ldloc or Code.Ldloc_S or Code.Ldloc_0 or Code.Ldloc_1 or Code.Ldloc_2 or Code.Ldloc_3:
                 case Code.Stloc or Code.Stloc_S or Code.Stloc_0 or Code.Stloc_1 or Code.Stloc_2 or Code.Stloc_3:
                     return;
@@ -89,13 +92,12 @@ namespace FastPoints.RepoTools.Hpc
                         Add(instruction, "makes a managed array");
                     break;
                 case Code.Box:
-                    Add(instruction, $"boxes {m_scope.Concrete((TypeReference)instruction.Operand).FullName}");
+                    TypeReference boxed = m_scope.Concrete((TypeReference)instruction.Operand);
+                    if (!boxed.IsValueType || !IsComparedWithNull(instruction))
+                        Add(instruction, $"boxes {boxed.FullName}");
                     break;
                 case Code.Unbox or Code.Unbox_Any or Code.Isinst or Code.Castclass:
                     Add(instruction, $"casts ({instruction.OpCode.Name})");
-                    break;
-                case Code.Ldnull:
-                    Add(instruction, "uses null");
                     break;
                 case Code.Ldftn or Code.Ldvirtftn:
                     Add(instruction, "makes a delegate or takes a method's address");
@@ -105,6 +107,18 @@ namespace FastPoints.RepoTools.Hpc
                     break;
                 case Code.Ldtoken:
                     CheckToken(instruction);
+                    break;
+                case Code.Sizeof:
+                    if (HpcLayout.OfAll(m_scope.Concrete((TypeReference)instruction.Operand)) is { } inLayout)
+                        Add(instruction, $"takes the size of {inLayout}");
+                    break;
+                case Code.Calli:
+                    if (((CallSite)instruction.Operand).CallingConvention != MethodCallingConvention.C)
+                        Add(instruction, "calls a function pointer that is not unmanaged, Cdecl");
+                    break;
+                case Code.Ldelem_Ref:
+                    if (!m_visit.IsStaticConstructor && !IsConstant(instruction.Previous))
+                        Add(instruction, "reads a table of a table by an index that is not constant");
                     break;
                 case Code.Stelem_Any or Code.Stelem_I or Code.Stelem_I1 or Code.Stelem_I2 or Code.Stelem_I4 or Code.Stelem_I8
                     or Code.Stelem_R4 or Code.Stelem_R8 or Code.Stelem_Ref:
@@ -131,8 +145,7 @@ namespace FastPoints.RepoTools.Hpc
             }
         }
 
-        /// <summary>typeof only to name a SharedStatic or to compare with another, both of which Burst settles
-        /// itself.</summary>
+        /// <summary>typeof only to name a SharedStatic; to compare with another only since 1.8.26.</summary>
         private void CheckToken(Instruction instruction)
         {
             if (m_visit.IsStaticConstructor)
@@ -147,9 +160,7 @@ namespace FastPoints.RepoTools.Hpc
                 if (method.Name != "GetTypeFromHandle")
                     user = method;
             }
-            bool isFine = user != null && (user.DeclaringType.FullName.StartsWith("Unity.Burst.", StringComparison.Ordinal)
-                || (user.DeclaringType.FullName == "System.Type" && user.Name is "op_Equality" or "op_Inequality"));
-            if (!isFine)
+            if (user == null || !user.DeclaringType.FullName.StartsWith("Unity.Burst.", StringComparison.Ordinal))
                 Add(instruction, "uses typeof");
         }
 
@@ -190,8 +201,10 @@ namespace FastPoints.RepoTools.Hpc
             VariableDefinition? variable = instruction.Operand as VariableDefinition ?? Short(instruction.OpCode.Code);
             if (variable == null)
                 return;
+            // One of a class can only be null: whatever would make, load or return another is reported where it does.
             TypeReference type = m_scope.Concrete(variable.VariableType);
-            if (!HpcTypes.IsTable(type) && HpcTypes.Objection(type) is { } objection)
+            bool isObject = !type.IsValueType && type is not (ByReferenceType or PointerType);
+            if (!isObject && HpcTypes.Objection(type) is { } objection)
                 Add(instruction, $"has a variable that is {objection}");
         }
 
@@ -215,8 +228,23 @@ namespace FastPoints.RepoTools.Hpc
         {
             if (called.Name == "InitializeArray" && m_visit.IsStaticConstructor)
                 return;
-            if (called.Name == "GetTypeFromHandle" || (called.DeclaringType.FullName == "System.Type" && called.Name.StartsWith("op_", StringComparison.Ordinal)))
+            // What typeof comes to is said where its token is.
+            if (called.DeclaringType.FullName == "System.Type"
+                && (called.Name == "GetTypeFromHandle" || called.Name.StartsWith("op_", StringComparison.Ordinal)))
                 return;
+            if (called.DeclaringType.FullName == "Unity.Burst.CompilerServices.Loop")
+            {
+                CheckLoop(instruction, called);
+                return;
+            }
+            if (called is GenericInstanceMethod { DeclaringType.FullName: "System.Activator", Name: "CreateInstance" } ofGeneric)
+            {
+                // What the compiler makes of new T().
+                TypeReference made = m_scope.Concrete(ofGeneric.GenericArguments[0]);
+                if (!made.IsValueType)
+                    Add(instruction, $"makes a {made.FullName}");
+                return;
+            }
             if (instruction.Previous?.OpCode.Code == Code.Constrained)
             {
                 CheckConstrained(instruction, called, m_scope.Concrete((TypeReference)instruction.Previous.Operand));
@@ -228,6 +256,15 @@ namespace FastPoints.RepoTools.Hpc
                 return;
             }
             Follow(instruction, called);
+        }
+
+        /// <summary>Burst holds loops to what these calls say of them; they are nothing by themselves.</summary>
+        private void CheckLoop(Instruction instruction, MethodReference called)
+        {
+            if (!LoopCode.Has(instruction))
+                Add(instruction, $"calls Loop.{called.Name} outside of a loop");
+            else if (called.Name == "ExpectVectorized" && m_method.NoOptimization)
+                Add(instruction, $"expects vectors of {m_method.Name}, which is not optimised");
         }
 
         /// <summary>A call on a generic parameter or a struct: what it comes to is known when the type is.</summary>
@@ -246,7 +283,8 @@ namespace FastPoints.RepoTools.Hpc
             MethodDefinition? target = definition.Methods.FirstOrDefault(m => m.Overrides.Any(o => o.Name == called.Name
                     && o.DeclaringType.GetElementType().FullName == called.DeclaringType.GetElementType().FullName))
                 ?? definition.Methods.FirstOrDefault(m => m.Name == called.Name && m.Parameters.Count == called.Parameters.Count
-                    && m.GenericParameters.Count == called.GenericParameters.Count && SameParameters(m, called, type));
+                    && m.GenericParameters.Count == called.GetElementMethod().GenericParameters.Count
+                    && SameParameters(m, called, type));
             if (target == null)
             {
                 Add(instruction, $"boxes {type.FullName} to call {called.Name}");
@@ -279,12 +317,49 @@ namespace FastPoints.RepoTools.Hpc
         {
             MethodDefinition? definition = Resolution.Of(called);
             if (definition != null && HpcEntries.IsDiscarded(definition))
+            {
+                if (definition.ReturnType.MetadataType != MetadataType.Void)
+                    Add(instruction, $"uses the value of {called.DeclaringType.Name}.{called.Name}, which is [BurstDiscard]");
                 return;
+            }
+            CheckArguments(instruction, called);
+            if (definition is { IsPInvokeImpl: true } && m_verifier.IsWalked(definition.Module))
+            {
+                string name = $"{called.DeclaringType.Name}.{called.Name}";
+                if (m_visit.IsStaticConstructor)
+                    Add(instruction, $"calls the extern {name} in a static constructor");
+                if (HpcSignature.OfExtern(definition) is { } inExtern)
+                    Add(instruction, $"calls {name} with {inExtern}");
+                return;
+            }
             if (definition != null && m_verifier.IsWalked(definition.Module))
                 m_verifier.Enqueue(definition, m_scope.Of(called), m_visit.Path, false);
             else if (HpcBoundary.Objection(called, m_scope.Of(called)) is { } objection)
                 Add(instruction, objection);
         }
+
+        /// <summary>Types may only name something there (a size, a key), so no more is asked of them than a layout.</summary>
+        private void CheckArguments(Instruction instruction, MethodReference called)
+        {
+            if (called is not GenericInstanceMethod generic)
+                return;
+            foreach (TypeReference argument in generic.GenericArguments)
+            {
+                if (HpcLayout.OfAll(m_scope.Concrete(argument)) is { } objection)
+                    Add(instruction, $"calls {called.Name} for {objection}");
+            }
+        }
+
+        /// <summary>"default(T) is null", which Burst settles itself.</summary>
+        private static bool IsComparedWithNull(Instruction box) => box.Next?.OpCode.Code switch
+        {
+            Code.Brtrue or Code.Brtrue_S or Code.Brfalse or Code.Brfalse_S => true,
+            Code.Ldnull => box.Next.Next?.OpCode.Code is Code.Ceq or Code.Cgt_Un,
+            _ => false,
+        };
+
+        private static bool IsConstant(Instruction? instruction) =>
+            instruction?.OpCode.Code is >= Code.Ldc_I4_M1 and <= Code.Ldc_I4;
 
         private static MethodReference? NextCall(Instruction instruction)
         {
