@@ -21,6 +21,8 @@ namespace FastPoints.RepoTools
               meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
               api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
                         (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
+              threads   Headless/Api/threads.tsv: on which threads the members of Unity that the package uses may be called, from
+                        these builds and the full table beside that list
               hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
               behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list of what
@@ -99,6 +101,8 @@ namespace FastPoints.RepoTools
                     return new MetaFiles(repository.PackageRoot).Run(check);
                 case "api":
                     return ApiCommand.Run(repository, check);
+                case "threads":
+                    return ThreadCommand.Run(repository, check);
                 case "hlsl":
                     return HlslCommand.Run(repository, check);
                 case "formats":

@@ -22,6 +22,8 @@ namespace FastPoints.RepoTools
 
         public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
 
+        public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
+
         /// <summary>What Unity does that the package relies on.</summary>
         public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
         public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");

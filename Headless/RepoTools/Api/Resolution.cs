@@ -17,6 +17,18 @@ namespace FastPoints.RepoTools.Api
             }
         }
 
+        internal static FieldDefinition? Of(FieldReference field)
+        {
+            try
+            {
+                return field.Resolve();
+            }
+            catch (AssemblyResolutionException)
+            {
+                return null;
+            }
+        }
+
         internal static MethodDefinition? Of(MethodReference method)
         {
             try

@@ -184,7 +184,7 @@ namespace FastPoints.RepoTools.Api
             ? (type.IsNestedPublic || type.IsNestedFamily || type.IsNestedFamilyOrAssembly) && IsVisible(type.DeclaringType)
             : type.IsPublic;
 
-        private static bool IsVisible(FieldAttributes attributes) =>
+        internal static bool IsVisible(FieldAttributes attributes) =>
             (attributes & FieldAttributes.FieldAccessMask) is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem;
     }
 }
