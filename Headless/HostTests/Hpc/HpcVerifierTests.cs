@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -26,10 +25,8 @@ namespace FastPoints.HostTests.Hpc
         [OneTimeTearDown]
         public void Close() => m_module.Dispose();
 
-        private static IEnumerable<TestCaseData> Planted() => typeof(HpcVerifierTests).Assembly.GetTypes()
-            .Select(t => (Type: t, Planted: (PlantedAttribute)Attribute.GetCustomAttribute(t, typeof(PlantedAttribute))))
-            .Where(p => p.Planted != null)
-            .Select(p => new TestCaseData(p.Type.FullName.Replace('+', '/'), p.Planted.Reported).SetName($"Verify_{p.Type.Name}"));
+        private static IEnumerable<TestCaseData> Planted() => PlantedAttribute.In(typeof(PlantedJobs)).Select(p =>
+            new TestCaseData(p.Type.FullName.Replace('+', '/'), p.Reported).SetName($"Verify_{p.Type.Name}"));
 
         [TestCaseSource(nameof(Planted))]
         public void Verify_PlantedJob_IsReportedOrNot(string type, string reported)

@@ -1,9 +1,11 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
 
 namespace FastPoints.HostTests.Hpc
 {
-    /// <summary>A job or class of entry methods that the verifier must report with that text, or, without one, let
-    /// pass.</summary>
+    /// <summary>A job or a class that a verifier must report with that text, or, without one, let pass.</summary>
     [AttributeUsage(AttributeTargets.Struct | AttributeTargets.Class)]
     internal sealed class PlantedAttribute : Attribute
     {
@@ -13,5 +15,10 @@ namespace FastPoints.HostTests.Hpc
         }
 
         public string Reported { get; }
+
+        /// <summary>All that is planted in a class.</summary>
+        internal static IEnumerable<(Type Type, string Reported)> In(Type type) => type.GetNestedTypes(BindingFlags.NonPublic)
+            .Select(t => (Type: t, Planted: t.GetCustomAttribute<PlantedAttribute>())).Where(p => p.Planted != null)
+            .Select(p => (p.Type, p.Planted.Reported));
     }
 }

@@ -13,7 +13,9 @@ namespace FastPoints.RepoTools.Hpc
 
         /// <summary>Structs that implement one of Unity's job interfaces, with or without [BurstCompile].</summary>
         public static IEnumerable<TypeDefinition> Jobs(ModuleDefinition module) =>
-            module.GetTypes().Where(t => t.IsValueType && JobInterfaces(t).Any());
+            module.GetTypes().Where(IsJob);
+
+        internal static bool IsJob(TypeDefinition type) => type.IsValueType && JobInterfaces(type).Any();
 
         public static bool IsCompiled(ICustomAttributeProvider member) =>
             member.CustomAttributes.Any(a => a.AttributeType.FullName == BurstCompile);

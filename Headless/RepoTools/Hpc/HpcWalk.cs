@@ -280,11 +280,7 @@ namespace FastPoints.RepoTools.Hpc
             TypeDefinition? definition = Resolution.Of(type);
             if (definition == null || type.IsPrimitive)
                 return;
-            MethodDefinition? target = definition.Methods.FirstOrDefault(m => m.Overrides.Any(o => o.Name == called.Name
-                    && o.DeclaringType.GetElementType().FullName == called.DeclaringType.GetElementType().FullName))
-                ?? definition.Methods.FirstOrDefault(m => m.Name == called.Name && m.Parameters.Count == called.Parameters.Count
-                    && m.GenericParameters.Count == called.GetElementMethod().GenericParameters.Count
-                    && SameParameters(m, called, type));
+            MethodDefinition? target = Implementations.Find(type, called, m_scope);
             if (target == null)
             {
                 Add(instruction, $"boxes {type.FullName} to call {called.Name}");
@@ -296,21 +292,6 @@ namespace FastPoints.RepoTools.Hpc
                 ? generic.GenericArguments.Select(m_scope.Concrete).ToArray()
                 : Array.Empty<TypeReference>();
             m_verifier.Enqueue(target, GenericScope.OfMember(type, ofMethod), m_visit.Path, false);
-        }
-
-        private bool SameParameters(MethodDefinition target, MethodReference called, TypeReference type)
-        {
-            GenericScope ofInterface = m_scope.Of(called);
-            GenericScope ofTarget = GenericScope.OfMember(type, Array.Empty<TypeReference>());
-            for (int i = 0; i < target.Parameters.Count; i++)
-            {
-                TypeReference wanted = ofInterface.Concrete(called.Parameters[i].ParameterType);
-                TypeReference have = ofTarget.Concrete(target.Parameters[i].ParameterType);
-                bool isOpen = have.ContainsGenericParameter || wanted.ContainsGenericParameter;
-                if (!isOpen && wanted.FullName != have.FullName)
-                    return false;
-            }
-            return true;
         }
 
         private void Follow(Instruction instruction, MethodReference called)
@@ -375,12 +356,7 @@ namespace FastPoints.RepoTools.Hpc
 
         private void Add(Instruction? at, string why)
         {
-            SequencePoint? point = null;
-            for (Instruction? back = at; back != null && point == null; back = back.Previous)
-                point = m_method.DebugInformation.GetSequencePoint(back) is { IsHidden: false } here ? here : null;
-            string place = point != null
-                ? $"{System.IO.Path.GetFileName(point.Document.Url)}:{point.StartLine}"
-                : at != null ? $"IL_{at.Offset:x4}" : "";
+            string place = at == null ? "" : CodePlace.Of(m_method, at);
             m_verifier.Report(m_visit.Path + (place.Length == 0 ? "" : $" ({place})") + $": {why}");
         }
     }
