@@ -133,6 +133,16 @@ namespace FastPoints.Files
         public virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             throw new NotSupportedException();
 
-        public abstract void Dispose();
+        public void Dispose()
+        {
+            CloseFile();
+            DisposeUnread();
+        }
+
+        /// <summary>Disposes a reader of which no slot was made and no work was begun, on any thread, as it may be opened on any:
+        /// it has no handle of the file yet, and these belong to the main thread.</summary>
+        public virtual void DisposeUnread()
+        {
+        }
     }
 }

@@ -99,7 +99,7 @@ namespace FastPoints.Streaming
         /// <summary>Another reader of the same points; null where they are gone.</summary>
         internal SampleReader Share() => Points.IsCreated ? new SampleReader(this) : null;
 
-        public override void Dispose()
+        public override void DisposeUnread()
         {
             if (m_isDisposed)
                 return;

@@ -75,10 +75,6 @@ namespace FastPoints.Tests.Octree
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new Slot(this, wanted, capacity, allocator);
 
-        public override void Dispose()
-        {
-        }
-
         sealed class Slot : BlockRead
         {
             readonly MemoryReader m_reader;

@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Support
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new MemoryBlockRead(this, wanted, capacity, allocator);
 
-        public override void Dispose() => m_points.Dispose();
+        public override void DisposeUnread() => m_points.Dispose();
     }
 
     sealed class MemoryBlockRead : BlockRead

@@ -43,10 +43,6 @@ namespace FastPoints.Tests.Support
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new VirtualRead(this, wanted, capacity, allocator);
-
-        public override void Dispose()
-        {
-        }
     }
 
     sealed class VirtualRead : BlockRead

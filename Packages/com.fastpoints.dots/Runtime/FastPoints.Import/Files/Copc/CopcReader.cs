@@ -140,11 +140,10 @@ namespace FastPoints.Files
                     + Info.PointsClaimed + " points, the file holds none");
         }
 
-        public override void Dispose()
+        public override void DisposeUnread()
         {
             m_hierarchy.Dispose();
             m_tree.Dispose();
-            base.Dispose();
         }
     }
 }

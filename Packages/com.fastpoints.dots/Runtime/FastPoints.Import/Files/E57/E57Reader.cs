@@ -223,11 +223,7 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
-        public override void Dispose()
-        {
-            CloseFile();
-            m_crc.Dispose();
-        }
+        public override void DisposeUnread() => m_crc.Dispose();
 
         void OpenFile()
         {

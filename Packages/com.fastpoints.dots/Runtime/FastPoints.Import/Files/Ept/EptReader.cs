@@ -225,7 +225,7 @@ namespace FastPoints.Files
                 Findings.Tell(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of.Level, of.Cell));
         }
 
-        public override void Dispose()
+        public override void DisposeUnread()
         {
             m_tree.Dispose();
         }

@@ -103,7 +103,7 @@ namespace FastPoints.Files
         /// <param name="point">Over the whole source.</param>
         public long OffsetOfPoint(long point) => m_las.Header.PointsOffset + point * Info.RecordBytes;
 
-        public override void Dispose()
+        public override void CloseFile()
         {
             if (!m_isOpen)
                 return;

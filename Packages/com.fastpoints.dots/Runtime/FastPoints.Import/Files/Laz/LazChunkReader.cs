@@ -175,8 +175,6 @@ namespace FastPoints.Files
                     + ": the others are not in the file");
         }
 
-        public override void Dispose() => CloseFile();
-
         void OpenFile()
         {
             if (m_isOpen)

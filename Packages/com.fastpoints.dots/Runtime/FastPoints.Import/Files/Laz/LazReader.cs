@@ -26,18 +26,10 @@ namespace FastPoints.Files
         LazReader(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
             : base(las, format, source, longChunkPoints)
         {
-            try
-            {
-                m_isTableLost = FindChunks();
-                m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();
-                if (m_areBlocksKnown)
-                    MakeBlocks(null);
-            }
-            catch (PointCloudException)
-            {
-                Dispose();
-                throw;
-            }
+            m_isTableLost = FindChunks();
+            m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();
+            if (m_areBlocksKnown)
+                MakeBlocks(null);
         }
 
         /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in <see
@@ -116,11 +108,7 @@ namespace FastPoints.Files
                 Chunks.Clear();
         }
 
-        public override void Dispose()
-        {
-            DropCheckpoints();
-            base.Dispose();
-        }
+        public override void DisposeUnread() => DropCheckpoints();
 
         void DropCheckpoints()
         {

@@ -34,15 +34,7 @@ namespace FastPoints.Files
                     return;
                 offset = header.Elements[i].EndOfFixed(offset, info.FileBytes);
             }
-            try
-            {
-                StartAt(offset, null);
-            }
-            catch
-            {
-                Dispose();
-                throw;
-            }
+            StartAt(offset, null);
         }
 
         public override bool BlocksAreKnown => m_points >= 0;

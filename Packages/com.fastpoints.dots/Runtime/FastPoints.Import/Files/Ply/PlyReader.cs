@@ -131,8 +131,6 @@ namespace FastPoints.Files
             return info;
         }
 
-        public override void Dispose() => CloseFile();
-
         public override void CloseFile()
         {
             if (!m_isOpen)

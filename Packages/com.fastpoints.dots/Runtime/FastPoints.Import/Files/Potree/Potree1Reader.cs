@@ -125,7 +125,7 @@ namespace FastPoints.Files
             }
             catch
             {
-                reader.Dispose();
+                reader.DisposeUnread();
                 throw;
             }
         }

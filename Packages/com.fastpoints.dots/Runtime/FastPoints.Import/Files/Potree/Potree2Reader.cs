@@ -98,7 +98,7 @@ namespace FastPoints.Files
             }
             catch
             {
-                reader.Dispose();
+                reader.DisposeUnread();
                 throw;
             }
         }

@@ -177,6 +177,6 @@ namespace FastPoints.Files
                 Findings.Tell(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
         }
 
-        public override void Dispose() => m_tree.Dispose();
+        public override void DisposeUnread() => m_tree.Dispose();
     }
 }

@@ -216,8 +216,6 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
-        public override void Dispose() => CloseFile();
-
         internal PlyBlock Block(int block) => m_blocks[block];
 
         internal XyzStep[] StepsFor(PointBatch batch)

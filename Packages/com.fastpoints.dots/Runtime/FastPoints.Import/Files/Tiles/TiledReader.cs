@@ -53,7 +53,7 @@ namespace FastPoints.Files
             if (paths.Count == 0)
                 throw new PointCloudException(FailureCode.NotFound, "(no path)", -1, "no file was named");
             string name = paths.Count == 1 ? paths[0] : paths[0] + " and " + (paths.Count - 1) + " more";
-            return Open(new TiledReader(name, false, options), paths);
+            return new TiledReader(name, false, options).OpenAll(paths);
         }
 
         /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
@@ -75,21 +75,7 @@ namespace FastPoints.Files
             var reader = new TiledReader(folder, true, options);
             if (folders.Length > 0)
                 reader.Info.Warn(-1, folders.Length + " folders in it are not looked into");
-            return Open(reader, paths);
-        }
-
-        static TiledReader Open(TiledReader reader, IReadOnlyList<string> paths)
-        {
-            try
-            {
-                reader.OpenAll(paths);
-                return reader;
-            }
-            catch
-            {
-                reader.Dispose();
-                throw;
-            }
+            return reader.OpenAll(paths);
         }
 
         /// <summary>Files of the cloud.</summary>
@@ -280,15 +266,20 @@ namespace FastPoints.Files
             return told == MaxEqualWarnings ? -1 : Info.Warnings.Count - 1;
         }
 
-        public override void Dispose()
+        public override void CloseFile()
+        {
+            foreach (var tile in m_open)
+                Close(tile);
+            m_open.Clear();
+        }
+
+        public override void DisposeUnread()
         {
             foreach (var tile in m_tiles)
             {
-                tile.Reader?.Dispose();
+                tile.Reader?.DisposeUnread();
                 tile.Reader = null;
-                tile.IsOpen = false;
             }
-            m_open.Clear();
         }
 
         void CloseOldest()
@@ -302,23 +293,26 @@ namespace FastPoints.Files
                 if (oldest == null)
                     return;
                 m_open.Remove(oldest);
-                oldest.IsOpen = false;
-                if (oldest.IsKnown)
-                {
-                    oldest.Reader.Dispose();
-                    oldest.Reader = null;
-                }
-                else
-                {
-                    // What it found would take a pass over the file to find again.
-                    oldest.Reader.CloseFile();
-                }
+                Close(oldest);
             }
+        }
+
+        static void Close(Tile tile)
+        {
+            tile.IsOpen = false;
+            // What it found would take a pass over the file to find again.
+            if (!tile.IsKnown)
+            {
+                tile.Reader.CloseFile();
+                return;
+            }
+            tile.Reader.Dispose();
+            tile.Reader = null;
         }
 
         long[] Found() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
 
-        void OpenAll(IReadOnlyList<string> paths)
+        TiledReader OpenAll(IReadOnlyList<string> paths)
         {
             var summary = new TileSummary(Info);
             var strangers = new List<string>();
@@ -339,7 +333,7 @@ namespace FastPoints.Files
                         TellLeftOut(path, e);
                     continue;
                 }
-                using (reader)
+                try
                 {
                     var tile = new Tile
                     {
@@ -363,6 +357,10 @@ namespace FastPoints.Files
                     TellWarnings(tile);
                     tile.Reader = null;
                 }
+                finally
+                {
+                    reader.DisposeUnread();
+                }
             }
             if (strangers.Count > 0)
                 Info.Warn(-1, strangers.Count + " files in it are no point clouds: " + strangers[0] +
@@ -376,6 +374,7 @@ namespace FastPoints.Files
             new TileSchema(m_tiles, Info).Unite();
             if (isKnown)
                 Settle();
+            return this;
         }
 
         void TellLeftOut(string path, PointCloudException failure)
