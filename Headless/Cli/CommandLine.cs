@@ -8,6 +8,7 @@ using System.Linq;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Cli.Verbs;
+using StandIns.Engine;
 
 namespace FastPoints.Cli
 {
@@ -83,6 +84,8 @@ namespace FastPoints.Cli
             {
                 Threads.Use(parsed.GetValue(verb.ThreadsOption));
                 verb.Run(parsed, run);
+                // What a job throws is logged, and the work goes on: what comes of it is not to be trusted.
+                LoggedExceptions.ThrowFirst();
                 status = ExitStatus.Done;
             }
             catch (Exception e)

@@ -1,6 +1,7 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
 using System;
 using NUnit.Framework;
+using StandIns.Engine;
 using StandIns.Memory;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -186,17 +187,18 @@ namespace FastPoints.HostTests.StandIns
         [Test]
         public void ReadOnlyField_WrittenInTheJob_Throws()
         {
-            Assert.That(() => new WriteToReadOnlyJob { Values = m_values }.Schedule().Complete(),
+            Assert.That(() => new WriteToReadOnlyJob { Values = m_values }.Schedule().CompleteAndThrow(),
                 Refused("WriteToReadOnlyJob.Values has been declared as [ReadOnly] in the job, but you are writing to it"));
-            Assert.That(() => new PointerToReadOnlyJob { Values = m_values }.Run(), Refused("declared as [ReadOnly]"));
-            Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().Complete(), Refused("declared as [ReadOnly]"));
+            new PointerToReadOnlyJob { Values = m_values }.Run();
+            Assert.That(() => LoggedExceptions.ThrowFirst(), Refused("declared as [ReadOnly]"));
+            Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().CompleteAndThrow(), Refused("declared as [ReadOnly]"));
             Assert.That(m_values[0], Is.Zero);
         }
 
         [Test]
         public void WriteOnlyField_ReadInTheJob_Throws()
         {
-            Assert.That(() => new ReadFromWriteOnlyJob { Values = m_values }.Schedule().Complete(),
+            Assert.That(() => new ReadFromWriteOnlyJob { Values = m_values }.Schedule().CompleteAndThrow(),
                 Refused("declared as [WriteOnly] in the job, but you are reading from it"));
             new WriteOnlyJob { Values = m_values }.Schedule().Complete();
             Assert.That(m_values[0], Is.EqualTo(5));
@@ -205,9 +207,9 @@ namespace FastPoints.HostTests.StandIns
         [Test]
         public void ParallelJob_OffItsIndex_Throws()
         {
-            Assert.That(() => new NeighbourForJob { Values = m_values }.ScheduleParallel(16, 4, default).Complete(),
+            Assert.That(() => new NeighbourForJob { Values = m_values }.ScheduleParallel(16, 4, default).CompleteAndThrow(),
                 Throws.TypeOf<IndexOutOfRangeException>().With.Message.Contains("is out of restricted IJobParallelFor range"));
-            Assert.That(() => new NeighbourParallelForJob { Values = m_values }.Schedule(16, 4).Complete(),
+            Assert.That(() => new NeighbourParallelForJob { Values = m_values }.Schedule(16, 4).CompleteAndThrow(),
                 Throws.TypeOf<IndexOutOfRangeException>().With.Message.Contains("ReadWriteBuffer"));
             new NeighbourForJob { Values = m_values }.Schedule(16, default).Complete();
             new UnrestrictedNeighbourJob { Values = m_values }.ScheduleParallel(16, 4, default).Complete();
@@ -219,7 +221,7 @@ namespace FastPoints.HostTests.StandIns
         [TestCase(1)]
         public void ParallelJob_OneBeforeOrBehindItsBatch_Throws(int by)
         {
-            Assert.That(() => new ShiftJob { Values = m_values, By = by }.ScheduleParallel(16, 4, default).Complete(),
+            Assert.That(() => new ShiftJob { Values = m_values, By = by }.ScheduleParallel(16, 4, default).CompleteAndThrow(),
                 Throws.TypeOf<IndexOutOfRangeException>());
             new ShiftJob { Values = m_values, By = 0 }.ScheduleParallel(16, 4, default).Complete();
         }
@@ -237,7 +239,7 @@ namespace FastPoints.HostTests.StandIns
 
         [Test]
         public void Index_OutsideTheArrayInAJob_ReachesComplete() =>
-            Assert.That(() => new OutOfRangeJob { Values = m_values }.Schedule().Complete(),
+            Assert.That(() => new OutOfRangeJob { Values = m_values }.Schedule().CompleteAndThrow(),
                 Throws.TypeOf<IndexOutOfRangeException>());
 
         [Test]
@@ -257,7 +259,7 @@ namespace FastPoints.HostTests.StandIns
 
         [Test]
         public void Dispose_FromWithinAJob_Throws() =>
-            Assert.That(() => new DisposingJob { Values = m_values }.Schedule().Complete(), Refused("can not be deallocated"));
+            Assert.That(() => new DisposingJob { Values = m_values }.Schedule().CompleteAndThrow(), Refused("can not be deallocated"));
 
         [Test]
         public void Dispose_Twice_Throws()

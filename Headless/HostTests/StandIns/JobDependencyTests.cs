@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using NUnit.Framework;
+using StandIns.Engine;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -202,15 +203,37 @@ namespace FastPoints.HostTests.StandIns
 #endif
 
         [Test]
-        public void Exception_InAJob_IsThrownByCompleteOnce()
+        public void Exception_InAJob_IsLoggedAndNotThrownByComplete()
         {
-            JobHandle handle = new ThrowingJob().Schedule();
-            Assert.That(() => handle.Complete(), Throws.TypeOf<ArithmeticException>().With.Message.EqualTo("thrown in a job"));
-            Assert.That(() => handle.Complete(), Throws.Nothing);
+            string logged = null;
+            UnityEngine.Debug.s_sink = (type, text) => logged = type + ": " + text;
+            try
+            {
+                JobHandle handle = new ThrowingJob().Schedule();
+                Assert.That(() => handle.Complete(), Throws.Nothing);
+                Assert.That(logged, Does.StartWith("Exception: System.ArithmeticException: thrown in a job"));
+                logged = null;
+                Assert.That(() => new ThrowingJob().Run(), Throws.Nothing);
+                Assert.That(logged, Does.StartWith("Exception: System.ArithmeticException: thrown in a job"));
+            }
+            finally
+            {
+                UnityEngine.Debug.s_sink = null;
+            }
+            Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
+        }
+
+        /// <summary>What else would tell: the rest of a test that nobody looks at.</summary>
+        [Test]
+        public void Exception_ThatNoTestTook_FailsTheTest()
+        {
+            new ThrowingJob().Schedule().Complete();
+            Assert.That(() => new FailsOnLoggedExceptionsAttribute().AfterTest(null), Throws.TypeOf<ArithmeticException>());
+            Assert.That(() => new FailsOnLoggedExceptionsAttribute().AfterTest(null), Throws.Nothing);
         }
 
         [Test]
-        public void Exception_BeforeADependentJob_ReachesItsCompleteAndTheDependentRuns()
+        public void Exception_BeforeADependentJob_DependentRuns()
         {
             using var counter = new NativeArray<int>(1, Allocator.Persistent);
             using var misses = new NativeArray<int>(1, Allocator.Persistent);
@@ -218,30 +241,43 @@ namespace FastPoints.HostTests.StandIns
             for (int i = 0; i < 10; i++)
                 last = new IncrementJob { Counter = counter, Expected = i, Misses = misses }.Schedule(last);
             last = JobHandle.CombineDependencies(last, new NothingJob().Schedule());
-            Assert.That(() => last.Complete(), Throws.TypeOf<ArithmeticException>());
+            Assert.That(() => last.CompleteAndThrow(), Throws.TypeOf<ArithmeticException>());
             Assert.That(counter[0], Is.EqualTo(10));
-        }
-
-        [Test]
-        public void Exception_SeenOnlyAfterTheJobIsDone_StillReachesADependentJob()
-        {
-            JobHandle handle = new ThrowingJob().Schedule();
-            System.Threading.SpinWait.SpinUntil(() => handle.IsCompleted);
-            JobHandle after = new NothingJob().Schedule(handle);
-            Assert.That(() => after.Complete(), Throws.TypeOf<ArithmeticException>());
         }
 
         [TestCase(0)]
         [TestCase(77)]
-        public void Exception_AtOneIndexOfAParallelJob_IsThrownByComplete(int at)
+        public void Exception_AtOneIndexOfAParallelJob_IsLogged(int at)
         {
             JobHandle handle = new ThrowingForJob { At = at }.ScheduleParallel(100, 5, default);
-            Assert.That(() => handle.Complete(), Throws.TypeOf<ArithmeticException>());
+            Assert.That(() => handle.CompleteAndThrow(), Throws.TypeOf<ArithmeticException>());
+        }
+
+        static volatile bool s_ran;
+
+        struct TellingJob : IJob
+        {
+            public void Execute() => s_ran = true;
         }
 
         [Test]
-        public void Exception_InRun_IsThrownAtOnce() =>
-            Assert.That(() => new ThrowingJob().Run(), Throws.TypeOf<ArithmeticException>());
+        public void Job_ThatWasScheduled_WaitsUntilSomebodyFlushes()
+        {
+            static void Waits(Action flush)
+            {
+                s_ran = false;
+                JobHandle handle = new TellingJob().Schedule();
+                System.Threading.Thread.Sleep(30);
+                Assert.That(s_ran, Is.False, "nobody flushed");
+                flush();
+                Assert.That(() => s_ran, Is.True.After(5000, 1));
+                handle.Complete();
+            }
+            Waits(() => JobHandle.ScheduleBatchedJobs());
+            Waits(() => _ = default(JobHandle).IsCompleted);
+            JobHandle other = new NothingJob().Schedule();
+            Waits(() => other.Complete());
+        }
 
         [Test]
         public void Handles_OfManyShortJobs_NeverNameAnother()

@@ -364,10 +364,10 @@ namespace FastPoints.HostTests.StandIns
         public void ScheduleAndComplete_FromWithinAJob_AreRefused()
         {
             JobHandle scheduling = new SchedulingJob().Schedule();
-            Assert.That(() => scheduling.Complete(), Refused("Schedule can not be called from within a job"));
+            Assert.That(() => scheduling.CompleteAndThrow(), Refused("Schedule can not be called from within a job"));
             JobHandle other = new WriteJob { Values = m_values }.Schedule();
             JobHandle completing = new CompletingJob { Other = other }.Schedule();
-            Assert.That(() => completing.Complete(), Refused("JobHandle.Complete can not be called from within a job"));
+            Assert.That(() => completing.CompleteAndThrow(), Refused("JobHandle.Complete can not be called from within a job"));
             other.Complete();
         }
 

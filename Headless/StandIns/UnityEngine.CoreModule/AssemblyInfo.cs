@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("UnityEditor.CoreModule")]
 [assembly: InternalsVisibleTo("Unity.Collections")]
 [assembly: InternalsVisibleTo("HostTests")]
+[assembly: InternalsVisibleTo("FastPoints.Tests")]
 [assembly: InternalsVisibleTo("FastPoints.Cli")]
 
 // Their members are guarded: MainThread.

@@ -1,4 +1,5 @@
 using System;
+using StandIns.Engine;
 
 namespace UnityEngine
 {
@@ -14,7 +15,11 @@ namespace UnityEngine
 
         public static void LogError(object message) => Write(LogType.Error, message);
 
-        public static void LogException(Exception exception) => Write(LogType.Exception, exception);
+        public static void LogException(Exception exception)
+        {
+            LoggedExceptions.Add(exception);
+            Write(LogType.Exception, exception);
+        }
 
         static void Write(LogType type, object message)
         {

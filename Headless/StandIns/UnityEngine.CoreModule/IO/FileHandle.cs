@@ -30,7 +30,7 @@ namespace Unity.IO.LowLevel.Unsafe
             OpenFile file = Find("Close");
             All.Remove(m_Index, m_Version);
             // Opening is waited for too: a file cannot be closed before it is open.
-            JobHandle opened = file.Opened.IsCompleted ? dependency
+            JobHandle opened = JobScheduler.IsCompleted(file.Opened) ? dependency
                 : JobHandle.CombineDependencies(dependency, file.Opened);
             return JobScheduler.CallAfter(opened, "FileHandle.Close", file.Close);
         }

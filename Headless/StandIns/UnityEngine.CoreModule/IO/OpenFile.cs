@@ -88,7 +88,7 @@ namespace StandIns.Io
             if (Status == FileStatus.Pending)
             {
                 // Two threads serve the queue, so that a read may overtake the opening of its file.
-                while (!Opened.IsCompleted)
+                while (!JobScheduler.IsCompleted(Opened))
                     System.Threading.Thread.Yield();
             }
             if (Status != FileStatus.Open || offset < 0)

@@ -17,11 +17,18 @@ namespace Unity.Jobs
             m_Version = node.Version;
         }
 
-        public bool IsCompleted => JobScheduler.IsCompleted(this);
+        /// <summary>Starts what was scheduled, too.</summary>
+        public bool IsCompleted
+        {
+            get
+            {
+                JobScheduler.Flush();
+                return JobScheduler.IsCompleted(this);
+            }
+        }
 
-        /// <summary>
-        /// Waits for the job. An exception that it or a job before it threw is thrown here, once (Unity logs it instead).
-        /// </summary>
+        /// <summary>Starts what was scheduled, and waits for the job. What a job threw was logged, and is not thrown
+        /// here.</summary>
         public void Complete()
         {
             if (m_Index == 0)
@@ -66,10 +73,8 @@ namespace Unity.Jobs
         public static JobHandle CombineDependencies(NativeArray<JobHandle> jobs) =>
             LowLevel.Unsafe.JobHandleUnsafeUtility.CombineDependencies((JobHandle*)jobs.GetUnsafeReadOnlyPtr(), jobs.Length);
 
-        /// <summary>Jobs start as soon as they can anyway.</summary>
-        public static void ScheduleBatchedJobs()
-        {
-        }
+        /// <summary>Jobs that were scheduled wait for this, or until somebody completes a job or asks whether one is.</summary>
+        public static void ScheduleBatchedJobs() => JobScheduler.Flush();
 
         /// <summary>Whether what depends on <paramref name="dependsOn"/> comes after <paramref name="jobHandle"/>.</summary>
         public static bool CheckFenceIsDependencyOrDidSyncFence(JobHandle jobHandle, JobHandle dependsOn)

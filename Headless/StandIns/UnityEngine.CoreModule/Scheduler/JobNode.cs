@@ -25,7 +25,6 @@ namespace StandIns.Scheduling
 
         internal volatile bool Done;
         internal volatile bool Waited;
-        internal JobFault Fault;
         /// <summary>In the test build: the job for Unity's rules.</summary>
         internal JobRecord Record;
 
@@ -36,7 +35,7 @@ namespace StandIns.Scheduling
         // The version and the first batch that nobody took. Not this version: not ready yet, or another job by now.
         long m_cursor;
         int m_unfinishedBatches;
-        // Who still looks at the node: the thread that finishes it, and who is to see its fault or to complete it.
+        // Who still looks at the node: the thread that finishes it, and who is to complete it.
         int m_holders;
         bool m_observed;
         JobNode[] m_dependents = new JobNode[4];
@@ -58,7 +57,6 @@ namespace StandIns.Scheduling
             Callback = null;
             Done = false;
             Waited = false;
-            Fault = null;
             Record = null;
             Pending = 1;
             m_holders = 2;
@@ -74,10 +72,7 @@ namespace StandIns.Scheduling
                 if (Version != version)
                     return;
                 if (Done)
-                {
-                    dependent.Fault ??= Fault;
                     return;
-                }
                 Interlocked.Increment(ref dependent.Pending);
                 if (m_dependentCount == m_dependents.Length)
                     Array.Resize(ref m_dependents, 2 * m_dependentCount);
@@ -126,8 +121,6 @@ namespace StandIns.Scheduling
         /// <returns>Whether these were the last batches.</returns>
         internal bool BatchesDone(int count) => Interlocked.Add(ref m_unfinishedBatches, -count) == 0;
 
-        internal void SetFault(JobFault fault) => Interlocked.CompareExchange(ref Fault, fault, null);
-
         /// <summary>From now on nobody can depend on the node: those who do are listed.</summary>
         internal int Close(out JobNode[] dependents)
         {
@@ -139,7 +132,7 @@ namespace StandIns.Scheduling
             }
         }
 
-        /// <summary>The main thread has completed the node, or its fault was seen: it need not be kept for that.</summary>
+        /// <summary>The main thread has completed the node: it need not be kept for that.</summary>
         /// <returns>Whether the node can be reused.</returns>
         internal bool Observe(int version)
         {
@@ -158,7 +151,7 @@ namespace StandIns.Scheduling
         {
             lock (this)
             {
-                if (Record == null && Fault == null)
+                if (Record == null)
                 {
                     m_observed = true;
                     m_holders--;
@@ -179,7 +172,6 @@ namespace StandIns.Scheduling
                 Work = null;
                 Callback = null;
                 Record = null;
-                Fault = null;
             }
         }
     }

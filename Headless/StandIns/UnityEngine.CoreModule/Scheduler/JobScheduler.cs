@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 using StandIns.Io;
 using StandIns.Memory;
@@ -7,7 +8,8 @@ using Unity.Jobs;
 
 namespace StandIns.Scheduling
 {
-    /// <summary>Schedules, runs and completes jobs. A job starts as soon as its dependencies are done.</summary>
+    /// <summary>Schedules, runs and completes jobs. A job waits until what is scheduled is flushed, and starts as soon as its
+    /// dependencies are done.</summary>
     static unsafe class JobScheduler
     {
         // A job that became ready when this worker finished another, and that nobody else has to be woken for.
@@ -20,6 +22,10 @@ namespace StandIns.Scheduling
         static int t_finishCount;
         [ThreadStatic]
         static bool t_finishing;
+
+        // Scheduled, and not yet flushed: no worker sees them.
+        static readonly List<JobNode> s_held = new List<JobNode>();
+        static int s_heldCount;
 
         internal static JobHandle Schedule<T, TKind>(ref T data, int length, int batchSize, bool parallel, JobHandle dependency,
             int* deferredLength = null)
@@ -46,10 +52,27 @@ namespace StandIns.Scheduling
             node.BatchSize = Math.Max(1, batchSize);
             node.Length = length;
             node.DeferredLength = deferredLength;
-            return Commit(node, dependency);
+            JobHandle handle = Commit(node, dependency);
+            JobWorkers.Start();
+            Hold(node);
+            return handle;
         }
 
-        /// <summary>Executes at once, on the calling thread.</summary>
+        /// <summary>Lets the workers have all that was scheduled.</summary>
+        internal static void Flush()
+        {
+            if (Volatile.Read(ref s_heldCount) == 0)
+                return;
+            lock (s_held)
+            {
+                for (int i = 0; i < s_held.Count; i++)
+                    Release(s_held[i]);
+                s_held.Clear();
+                Volatile.Write(ref s_heldCount, 0);
+            }
+        }
+
+        /// <summary>Executes at once, on the calling thread. What the job throws is logged, as with any other.</summary>
         internal static void Run<T, TKind>(ref T data, int length, bool parallel, int batchSize = int.MaxValue)
             where T : struct where TKind : struct, IJobKind<T>
         {
@@ -67,6 +90,10 @@ namespace StandIns.Scheduling
                 JobPatch<T>.SetThreadIndex(ref copy, JobThread.Index);
                 if (length > 0)
                     default(TKind).Execute(ref copy, 0, length, Math.Min(Math.Max(1, batchSize), length));
+            }
+            catch (Exception exception)
+            {
+                UnityEngine.Debug.LogException(exception);
             }
             finally
             {
@@ -107,7 +134,9 @@ namespace StandIns.Scheduling
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
             node.Record = JobRecord.After(dependency, name);
 #endif
-            return Commit(node, dependency);
+            JobHandle handle = Commit(node, dependency);
+            Release(node);
+            return handle;
         }
 
         internal static bool IsCompleted(JobHandle handle)
@@ -118,12 +147,12 @@ namespace StandIns.Scheduling
             return Volatile.Read(ref node.Version) != handle.m_Version || node.Done;
         }
 
-        /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile, and throws what it or a job
-        /// before it threw.</summary>
+        /// <summary>Waits for the job, running others and reads that nobody has begun meanwhile.</summary>
         internal static void Complete(JobHandle handle)
         {
             if (handle.m_Index == 0)
                 return;
+            Flush();
             JobNode node = JobNodes.At(handle.m_Index);
             int version = handle.m_Version;
             int spins = 0;
@@ -144,22 +173,11 @@ namespace StandIns.Scheduling
                 }
                 PutBackNext();
             }
-            JobFault fault = null;
             JobRecord record = null;
             lock (node)
-            {
                 if (node.Version == version)
-                {
-                    fault = node.Fault;
                     record = node.Record;
-                }
-            }
             record?.Sync();
-            if (fault == null)
-                return;
-            if (record == null && node.Observe(version))
-                JobNodes.Recycle(node);
-            fault.ThrowOnce();
         }
 
         /// <summary>Runs one job that is ready, if there is one.</summary>
@@ -185,9 +203,16 @@ namespace StandIns.Scheduling
             var handle = new JobHandle(node);
             DependOn(node, dependency);
             node.Record?.Attach(handle);
-            JobWorkers.Start();
-            Release(node);
             return handle;
+        }
+
+        static void Hold(JobNode node)
+        {
+            lock (s_held)
+            {
+                s_held.Add(node);
+                Volatile.Write(ref s_heldCount, s_held.Count);
+            }
         }
 
         static void CheckLength(int length)
@@ -275,7 +300,7 @@ namespace StandIns.Scheduling
             }
             catch (Exception exception)
             {
-                node.SetFault(new JobFault(exception, node.Work.JobType.Name));
+                UnityEngine.Debug.LogException(exception);
             }
             finally
             {
@@ -317,19 +342,14 @@ namespace StandIns.Scheduling
             }
             catch (Exception exception)
             {
-                node.SetFault(new JobFault(exception, "The end of a job"));
+                UnityEngine.Debug.LogException(exception);
             }
-            JobFault fault = node.Fault;
             int count = node.Close(out JobNode[] dependents);
             Thread.MemoryBarrier();
             if (node.Waited)
                 JobQueue.WakeAll();
             for (int i = 0; i < count; i++)
-            {
-                if (fault != null)
-                    dependents[i].SetFault(fault);
                 Release(dependents[i]);
-            }
             if (node.LetGo())
                 JobNodes.Recycle(node);
         }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
@@ -67,6 +68,8 @@ namespace FastPoints.Streaming
         {
             long start = Stopwatch.GetTimestamp();
             stream.Uploads.Begin(stream.Reads.Fetches);
+            // And to build what was received: otherwise both would begin with the next frame.
+            JobHandle.ScheduleBatchedJobs();
             stats.UploadMs = MsSince(start);
         }
 
