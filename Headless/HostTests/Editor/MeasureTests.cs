@@ -74,7 +74,8 @@ namespace FastPoints.HostTests.Editor
         public void EndScene()
         {
             UnityEngine.Object.DestroyImmediate(m_scene);
-            m_world.Dispose();
+            if (m_world.IsCreated)
+                m_world.Dispose();
             Event.current = null;
         }
 

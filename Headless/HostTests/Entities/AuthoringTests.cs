@@ -54,7 +54,11 @@ namespace FastPoints.HostTests.Entities
         }
 
         [TearDown]
-        public void EndWorld() => m_world.Dispose();
+        public void EndWorld()
+        {
+            if (m_world.IsCreated)
+                m_world.Dispose();
+        }
 
         void Frames(Func<bool> isDone)
         {

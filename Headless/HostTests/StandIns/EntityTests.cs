@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using StandIns.Engine;
 using Unity.Collections;
 using Unity.Entities;
 
@@ -39,7 +40,11 @@ namespace FastPoints.HostTests.StandIns
         public void MakeWorld() => m_world = new World("test");
 
         [TearDown]
-        public void EndWorld() => m_world.Dispose();
+        public void EndWorld()
+        {
+            if (m_world.IsCreated)
+                m_world.Dispose();
+        }
 
         int Count(EntityQuery query) => query.CalculateEntityCount();
 
@@ -189,8 +194,8 @@ namespace FastPoints.HostTests.StandIns
         public void Systems_OfAGroup_RunInTheOrderThatTheyAskFor()
         {
             s_calls.Clear();
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A), typeof(B), typeof(C), typeof(D));
-            Assert.That(m_world.GetExistingSystemManaged<Group>(), Is.Not.Null, "a group comes with its systems");
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(B), typeof(C),
+                typeof(D));
             s_calls.Clear();
             m_world.Update();
             Assert.That(s_calls, Is.EqualTo(new[] { ">D", "D", ">C", "C", ">B", "B", ">A", "A" }));
@@ -201,7 +206,65 @@ namespace FastPoints.HostTests.StandIns
             Assert.That(s_calls, Is.EqualTo(new[] { "D", "<C", "B", "A", "D", "B", "A" }));
             s_calls.Clear();
             m_world.Dispose();
-            Assert.That(s_calls, Is.EqualTo(new[] { "<D", "-D", "-C", "<B", "-B", "<A", "-A" }));
+            Assert.That(s_calls, Is.EqualTo(new[] { "<D", "<B", "<A", "-D", "-C", "-B", "-A" }));
+        }
+
+        [Test]
+        public void World_DisposedTwice_Throws()
+        {
+            m_world.Dispose();
+            Assert.That(() => m_world.Dispose(), Throws.ArgumentException);
+        }
+
+        [UpdateInGroup(typeof(Group))]
+        sealed class E : Noting
+        {
+            protected override void OnUpdate() => throw new ArithmeticException("thrown in a system");
+
+            protected override void OnDestroy() => throw new ArithmeticException("thrown at the end");
+        }
+
+        [Test]
+        public void System_ThatThrows_IsLoggedAndKeepsNoOtherFromRunning()
+        {
+            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(A), typeof(E));
+            s_calls.Clear();
+            Assert.That(() => m_world.Update(), Throws.Nothing);
+            Assert.That(s_calls, Is.EqualTo(new[] { ">E", ">A", "A" }));
+            Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
+            Assert.That(() => m_world.Dispose(), Throws.Nothing);
+            Assert.That(s_calls, Has.Member("-A"));
+            Assert.That(() => LoggedExceptions.ThrowFirst(), Throws.TypeOf<ArithmeticException>());
+        }
+
+        [UpdateInGroup(typeof(Group), OrderFirst = true)]
+        [UpdateAfter(typeof(C))]
+        sealed class F : Noting
+        {
+        }
+
+        [Test]
+        public void Systems_WhoseOrderUnityIgnores_AreWarnedOf()
+        {
+            var logged = new List<string>();
+            UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+            try
+            {
+                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A));
+                Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("Warning").And.Some.Contains("group was not created"));
+                logged.Clear();
+                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(B), typeof(F), typeof(C));
+                m_world.Update();
+                Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("precedence"));
+                logged.Clear();
+                m_world.GetExistingSystemManaged<Group>().RemoveSystemFromUpdateList(m_world.GetExistingSystemManaged<C>());
+                m_world.GetExistingSystemManaged<Group>().SortSystems();
+                Assert.That(logged, Has.Some.Contains("both have to be in"));
+            }
+            finally
+            {
+                UnityEngine.Debug.s_sink = null;
+            }
         }
     }
 }

@@ -67,6 +67,8 @@ namespace Unity.Entities
 
         public void AddComponentObject(Entity entity, object componentData)
         {
+            if (componentData == null)
+                throw new ArgumentNullException(nameof(componentData));
             int type = TypeRegistry.IndexOf(componentData.GetType()).Value;
             Store.Add(entity, type);
             Store.Column(entity, type, out int row).SetObject(row, componentData);

@@ -38,7 +38,6 @@ namespace Unity.Entities
 
         internal void Destroy()
         {
-            Stop();
             OnDestroy();
             World = null;
         }
@@ -57,7 +56,7 @@ namespace Unity.Entities
             return true;
         }
 
-        void Stop()
+        internal void Stop()
         {
             if (m_wasRunning)
                 OnStopRunning();

@@ -33,8 +33,16 @@ namespace Unity.Entities
         {
             if (!m_isSorted)
                 SortSystems();
+            // As in Unity: one that throws keeps none from running.
             for (int i = 0; i < m_systems.Count; i++)
-                m_systems[i].Update();
+                try
+                {
+                    m_systems[i].Update();
+                }
+                catch (Exception exception)
+                {
+                    UnityEngine.Debug.LogException(exception);
+                }
         }
     }
 }

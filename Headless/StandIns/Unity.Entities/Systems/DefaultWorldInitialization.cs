@@ -11,27 +11,33 @@ namespace Unity.Entities
         }
 
         /// <summary>Makes the systems, and puts each into the group that its attribute names: into Simulation where it names
-        /// none.</summary>
+        /// none. A group that nobody has made is not made: what should be in it never runs.</summary>
         public static void AddSystemsToRootLevelSystemGroups(World world, params Type[] systemTypes)
         {
-            Add(world, typeof(InitializationSystemGroup));
-            Add(world, typeof(SimulationSystemGroup));
-            Add(world, typeof(PresentationSystemGroup));
+            world.GetOrCreateSystemManaged<InitializationSystemGroup>();
+            world.GetOrCreateSystemManaged<SimulationSystemGroup>();
+            world.GetOrCreateSystemManaged<PresentationSystemGroup>();
+            foreach (var type in systemTypes)
+                world.GetOrCreateSystemManaged(type);
             foreach (var type in systemTypes)
                 Add(world, type);
+            world.GetExistingSystemManaged<InitializationSystemGroup>().SortSystems();
+            world.GetExistingSystemManaged<SimulationSystemGroup>().SortSystems();
+            world.GetExistingSystemManaged<PresentationSystemGroup>().SortSystems();
         }
 
         static void Add(World world, Type type)
         {
-            var system = world.GetOrCreateSystemManaged(type);
             bool isRoot = type == typeof(InitializationSystemGroup) || type == typeof(SimulationSystemGroup) ||
                 type == typeof(PresentationSystemGroup);
             if (isRoot)
                 return;
             var group = type.GetCustomAttribute<UpdateInGroupAttribute>()?.GroupType ?? typeof(SimulationSystemGroup);
-            // A group may have been made by a system that asked for it.
-            Add(world, group);
-            ((ComponentSystemGroup)world.GetExistingSystemManaged(group)).AddSystemToUpdateList(system);
+            if (world.GetExistingSystemManaged(group) is ComponentSystemGroup made)
+                made.AddSystemToUpdateList(world.GetExistingSystemManaged(type));
+            else
+                UnityEngine.Debug.LogWarning($"A system {type} could not be added to group {group.Name}, because the group was "
+                    + $"not created in the world {world.Name}.");
         }
     }
 }

@@ -12,8 +12,18 @@ namespace Unity.Entities
 
         public sealed override void Update()
         {
-            if (Begin())
+            if (!Begin())
+                return;
+            try
+            {
                 OnUpdate();
+            }
+            finally
+            {
+                // What a system has scheduled and says so, the engine starts; other jobs wait.
+                if (!Dependency.Equals(default))
+                    JobHandle.ScheduleBatchedJobs();
+            }
         }
     }
 }

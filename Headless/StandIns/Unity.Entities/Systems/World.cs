@@ -60,13 +60,28 @@ namespace Unity.Entities
         public void Dispose()
         {
             if (!IsCreated)
-                return;
+                throw new ArgumentException("The World has already been Disposed.");
             for (int i = m_systems.Count - 1; i >= 0; i--)
-                m_systems[i].Destroy();
+                Try(m_systems[i].Stop);
+            for (int i = m_systems.Count - 1; i >= 0; i--)
+                Try(m_systems[i].Destroy);
             m_systems.Clear();
             m_store.Dispose();
             if (DefaultGameObjectInjectionWorld == this)
                 DefaultGameObjectInjectionWorld = null;
+        }
+
+        /// <summary>A system that throws keeps no other from ending.</summary>
+        static void Try(Action step)
+        {
+            try
+            {
+                step();
+            }
+            catch (Exception exception)
+            {
+                UnityEngine.Debug.LogException(exception);
+            }
         }
     }
 }
