@@ -138,6 +138,38 @@ namespace FastPoints.HostTests.Gpu
             Assert.That(stream.Pool.FindProblem(), Is.Null);
         }
 
+        /// <summary>A card that is five frames behind, frames without updates, updates without frames: what a copy has yet to read
+        /// is not written to again. (Memory that is locked is filled with something else; locked too early, it throws.)</summary>
+        [Test]
+        public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
+        {
+            HeadlessGraphics.FramesBehind = 5;
+            try
+            {
+                using var stream = Stream(true, 3 << 19, 1 << 19, 1 << 16);
+                int uploaded = 0;
+                for (int step = 0; step < 400; step++)
+                {
+                    using var views = new NativeArray<StreamView>(1, Allocator.Temp)
+                    {
+                        [0] = Near(stream, step / 40 / 9.0, step / 40).ToStreamView(320, 180),
+                    };
+                    if (step % 7 != 3)
+                        uploaded += FrameStep.Run(stream, views).UploadedNodes;
+                    if (step % 100 < 60)
+                        HeadlessGraphics.EndFrame();
+                    Thread.Sleep(1);
+                }
+                Assert.That(uploaded, Is.GreaterThan(40));
+                Rest(stream, Near(stream, 0.5, 1));
+                CheckBytes(stream);
+            }
+            finally
+            {
+                HeadlessGraphics.FramesBehind = 0;
+            }
+        }
+
         [Test]
         public void LimitBytes_Lowered_GivesTheCardsMemoryBack()
         {

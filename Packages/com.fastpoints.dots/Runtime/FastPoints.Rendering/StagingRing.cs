@@ -1,6 +1,7 @@
 using FastPoints.Streaming;
 using Unity.Collections;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
@@ -8,13 +9,17 @@ namespace FastPoints.Rendering
     /// when the GPU is sure to have read it.</summary>
     public sealed unsafe class StagingRing : PoolUpload
     {
-        /// <summary>Frames that the GPU may be behind: an editor or player queues two, three where it is asked to.</summary>
+        /// <summary>Frames that the GPU is usually behind at most: an editor or player queues two, three where it is asked to.
+        /// Where it tells what it has done, it may be behind by more.</summary>
         public const int FramesInFlight = 3;
 
         readonly ComputeShader m_copyPages;
         readonly int m_kernel;
         readonly StagingBuffer[] m_buffers = new StagingBuffer[FramesInFlight + 1];
+        readonly GraphicsFence[] m_fences = new GraphicsFence[FramesInFlight + 1];
+        readonly bool[] m_isSent = new bool[FramesInFlight + 1];
         readonly long[] m_freeAtFrame = new long[FramesInFlight + 1];
+        readonly bool m_hasFences = SystemInfo.supportsGraphicsFence;
         NativeList<int> m_endOfBank;
         int m_next;
 
@@ -42,8 +47,9 @@ namespace FastPoints.Rendering
 
         public override bool TryBegin(long frame)
         {
-            if (m_freeAtFrame[m_next] > frame)
+            if (m_isSent[m_next] && !HasBeenRead(frame))
                 return false;
+            m_isSent[m_next] = false;
             m_buffers[m_next].Lock();
             return true;
         }
@@ -54,6 +60,10 @@ namespace FastPoints.Rendering
         {
             m_buffers[m_next].CopyTo(pool, m_copyPages, m_kernel, m_endOfBank);
             m_freeAtFrame[m_next] = frame + FramesInFlight;
+            if (m_hasFences)
+                m_fences[m_next] = Graphics.CreateGraphicsFence(GraphicsFenceType.CPUSynchronisation,
+                    SynchronisationStageFlags.ComputeProcessing);
+            m_isSent[m_next] = true;
             m_next = (m_next + 1) % m_buffers.Length;
         }
 
@@ -65,5 +75,9 @@ namespace FastPoints.Rendering
                 buffer.Dispose();
             m_endOfBank.Dispose();
         }
+
+        /// <summary>Frames are drawn without updates, and updates come without frames: counting them is for cards that do not
+        /// tell.</summary>
+        bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

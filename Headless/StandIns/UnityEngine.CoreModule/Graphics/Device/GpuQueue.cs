@@ -21,6 +21,7 @@ namespace StandIns.Graphics
         readonly Queue<(ulong Use, object Resource)> m_retired = new Queue<(ulong, object)>();
         GpuRecording m_open;
         ulong m_submitted;
+        ulong m_done;
 
         internal GpuQueue(GpuDevice device, IntPtr queue, uint family)
         {
@@ -41,6 +42,10 @@ namespace StandIns.Graphics
         /// <summary>What the host has learnt to be done: by waiting, or by asking a fence.</summary>
         internal ulong Known { get; private set; }
 
+        /// <summary>What was submitted after this one is not done, whatever the device says: for cards that are frames
+        /// behind.</summary>
+        internal ulong NotBeyond { get; set; } = ulong.MaxValue;
+
         /// <summary>The number that what is recorded now will have.</summary>
         internal ulong Next => m_submitted + 1;
 
@@ -50,7 +55,7 @@ namespace StandIns.Graphics
             if (m_open != null)
                 return m_open;
             if (m_inFlight.Count >= MaxInFlight)
-                Await(m_inFlight.Peek().Number);
+                WaitFor(m_inFlight.Peek().Number);
             m_open = m_idle.Count > 0 ? m_idle.Pop() : new GpuRecording(m_device, m_family);
             m_open.Begin(Next);
             return m_open;
@@ -93,11 +98,12 @@ namespace StandIns.Graphics
         /// <summary>Whether a submission is done; what is not yet submitted is not.</summary>
         internal bool HasPassed(ulong number)
         {
-            if (number > Known)
+            if (number > Known && number <= NotBeyond)
             {
                 ulong value;
                 Vk.Check(Vk.vkGetSemaphoreCounterValue(m_device.Handle, m_timeline, &value), "vkGetSemaphoreCounterValue");
-                Learn(Math.Min(value, Math.Max(number, Known)));
+                SetDone(value);
+                Known = Math.Max(Known, Math.Min(value, number));
             }
             return number <= Known;
         }
@@ -110,6 +116,13 @@ namespace StandIns.Graphics
             number = Math.Min(number, m_submitted);
             if (number <= Known)
                 return;
+            WaitFor(number);
+            Known = number;
+        }
+
+        /// <summary>So that a recording is free again: the host learns nothing.</summary>
+        void WaitFor(ulong number)
+        {
             ulong timeline = m_timeline;
             var wait = new VkSemaphoreWaitInfo
             {
@@ -119,7 +132,7 @@ namespace StandIns.Graphics
                 pValues = &number,
             };
             Vk.Check(Vk.vkWaitSemaphores(m_device.Handle, &wait, ulong.MaxValue), "vkWaitSemaphores");
-            Learn(number);
+            SetDone(number);
         }
 
         /// <summary>Lets a <see cref="GpuBuffer"/> or <see cref="GpuImage"/> go when nothing in flight may use it.</summary>
@@ -129,17 +142,17 @@ namespace StandIns.Graphics
             Collect();
         }
 
-        void Learn(ulong number)
+        void SetDone(ulong number)
         {
-            Known = Math.Max(Known, number);
-            while (m_inFlight.Count > 0 && m_inFlight.Peek().Number <= Known)
+            m_done = Math.Max(m_done, number);
+            while (m_inFlight.Count > 0 && m_inFlight.Peek().Number <= m_done)
                 m_idle.Push(m_inFlight.Dequeue());
             Collect();
         }
 
         void Collect()
         {
-            while (m_retired.Count > 0 && m_retired.Peek().Use <= Known)
+            while (m_retired.Count > 0 && m_retired.Peek().Use <= m_done)
                 Destroy(m_retired.Dequeue().Resource);
         }
 

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using StandIns.Graphics;
 
 namespace FastPoints.Headless.Graphics
@@ -8,8 +9,8 @@ namespace FastPoints.Headless.Graphics
         /// <summary>Frames that the device may be behind: Unity's QualitySettings.maxQueuedFrames.</summary>
         public const int FramesInFlight = 2;
 
-        static readonly ulong[] s_endOfFrame = new ulong[FramesInFlight];
-        static long s_frame;
+        static readonly Queue<ulong> s_endsOfFrames = new Queue<ulong>();
+        static int s_framesBehind;
 
         /// <summary>Whether there is a device and a shader compiler; makes the device when first asked.</summary>
         public static bool IsAvailable => WhyNot.Length == 0;
@@ -45,21 +46,41 @@ namespace FastPoints.Headless.Graphics
             set => GpuDevice.Current.Memory.LimitBytes = (ulong)value;
         }
 
+        /// <summary>0: the device is as quick as it is. Otherwise it tells so many frames later that it is done, as a card does
+        /// that has much to do, or whose frames nobody waits for.</summary>
+        public static int FramesBehind
+        {
+            get => s_framesBehind;
+            set
+            {
+                s_framesBehind = value;
+                s_endsOfFrames.Clear();
+                GpuQueue queue = GpuDevice.Current.Queue;
+                queue.Await(queue.Flush());
+                queue.NotBeyond = value == 0 ? ulong.MaxValue : queue.Known;
+            }
+        }
+
         /// <summary>What the validation layer has said since the last call: nothing, or there is a fault.</summary>
         public static string[] TakeValidationMessages() => ValidationLog.Take();
 
         /// <summary>
-        /// Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind, and lets readbacks
-        /// that are done call back.
+        /// Ends a frame: waits until the device is no more than <see cref="FramesInFlight"/> frames behind (or
+        /// <see cref="FramesBehind"/>), and lets readbacks that are done call back.
         /// </summary>
         public static void EndFrame()
         {
             if (!GpuDevice.Exists)
                 return;
             GpuQueue queue = GpuDevice.Current.Queue;
-            ref ulong oldest = ref s_endOfFrame[s_frame++ % FramesInFlight];
-            queue.Await(oldest);
-            oldest = queue.Flush();
+            s_endsOfFrames.Enqueue(queue.Flush());
+            if (s_endsOfFrames.Count > (s_framesBehind > 0 ? s_framesBehind : FramesInFlight))
+            {
+                ulong oldest = s_endsOfFrames.Dequeue();
+                queue.Await(oldest);
+                if (s_framesBehind > 0)
+                    queue.NotBeyond = oldest;
+            }
             ReadbackTable.EndFrame();
         }
 
