@@ -76,6 +76,38 @@ namespace FastPoints.HostTests.Gpu
             target.Release();
         }
 
+        Camera LookingCamera(out RenderTexture target)
+        {
+            target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            target.Create();
+            return CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
+                Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
+        }
+
+        /// <summary>Play mode that is paused draws and does not update.</summary>
+        [TestCase(nameof(BuiltInHost))]
+        [TestCase(nameof(UrpHost))]
+        [TestCase(nameof(HdrpHost))]
+        public void Render_AgainAndAgainWithoutAnUpdate_KeepsTheLastViewOfEachCamera(string pipeline)
+        {
+            Begin(pipeline);
+            var first = LookingCamera(out var target);
+            var second = LookingCamera(out var otherTarget);
+            for (int frame = 0; frame < 50; frame++)
+            {
+                second.projectionMatrix = Matrix4x4.Perspective(20 + frame, 16 / 9f, 0.1f, 10_000);
+                RenderOnce(first);
+                RenderOnce(second);
+            }
+            Assert.That(Scene.NextViews.Length, Is.EqualTo(2));
+            Assert.That(Scene.NextViews[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
+            Assert.That(Scene.NextViews[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
+            foreach (var camera in new[] { first, second })
+                UnityEngine.Object.DestroyImmediate(camera.gameObject);
+            target.Release();
+            otherTarget.Release();
+        }
+
         static long ReferencePoints(StreamContext stream)
         {
             long points = 0;

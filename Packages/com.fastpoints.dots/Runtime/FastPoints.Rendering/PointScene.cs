@@ -32,8 +32,12 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
 
-            /// <summary>Of a headset's; -1 before the first.</summary>
+            /// <summary>-1 before the first.</summary>
             public int AnnouncedFrame;
+
+            /// <summary>Of the views that the next frame selects for.</summary>
+            public int FirstView;
+            public int ViewCount;
         }
 
         /// <param name="points">The package's Points.shader.</param>
@@ -83,21 +87,28 @@ namespace FastPoints.Rendering
         public static bool IsDrawn(Camera camera) =>
             camera.cameraType != CameraType.Preview && camera.cameraType != CameraType.Reflection;
 
-        /// <summary>The next frame selects for this camera, too: for both eyes of a headset, once, even if they are drawn one
-        /// after the other.</summary>
+        /// <summary>The next frame selects for this camera, too, as it was announced last: for both eyes of a headset, even if
+        /// they are drawn one after the other. Cameras are drawn any number of times before that frame comes, if it
+        /// comes.</summary>
         public void Announce(Camera camera)
         {
-            if (!camera.stereoEnabled)
+            var seen = Seen(camera);
+            int views = camera.stereoEnabled ? 2 : 1;
+            if (seen.AnnouncedFrame != m_frame || seen.ViewCount != views)
             {
-                m_nextViews.Add(CameraViews.StreamViewOf(camera));
+                seen.AnnouncedFrame = m_frame;
+                seen.FirstView = m_nextViews.Length;
+                seen.ViewCount = views;
+                m_nextViews.ResizeUninitialized(m_nextViews.Length + views);
+            }
+            if (views == 1)
+            {
+                m_nextViews[seen.FirstView] = CameraViews.StreamViewOf(camera);
                 return;
             }
-            var seen = Seen(camera);
-            if (seen.AnnouncedFrame == m_frame)
-                return;
-            seen.AnnouncedFrame = m_frame;
-            for (var eye = Camera.StereoscopicEye.Left; eye <= Camera.StereoscopicEye.Right; eye++)
-                m_nextViews.Add(CameraViews.StreamViewOf(EyeMatrices.Of(camera, eye), camera.pixelHeight));
+            for (int eye = 0; eye < views; eye++)
+                m_nextViews[seen.FirstView + eye] =
+                    CameraViews.StreamViewOf(EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
         }
 
         /// <summary>Records the clouds as a camera sees them, into the target that is set.</summary>
