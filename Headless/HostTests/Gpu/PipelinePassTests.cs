@@ -9,6 +9,8 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.HighDefinition;
 using Camera = UnityEngine.Camera;
 using PictureCamera = FastPoints.Picture.Camera;
 
@@ -106,6 +108,33 @@ namespace FastPoints.HostTests.Gpu
                 UnityEngine.Object.DestroyImmediate(camera.gameObject);
             target.Release();
             otherTarget.Release();
+        }
+
+        [Test]
+        public void Render_AfterAUrpCameraThatCouldNotBeCulled_RecordsOnePass()
+        {
+            using var host = new UrpHost();
+            var camera = LookingCamera(out var target);
+            var unculled = LookingCamera(out var otherTarget);
+            RenderPipelineManager.Begin(unculled);
+            RenderPipelineManager.Begin(unculled);
+            host.Render(camera);
+            Assert.That(host.PassCount, Is.EqualTo(1));
+            host.Render(unculled);
+            Assert.That(host.PassCount, Is.EqualTo(1));
+            UnityEngine.Object.DestroyImmediate(camera.gameObject);
+            UnityEngine.Object.DestroyImmediate(unculled.gameObject);
+            target.Release();
+            otherTarget.Release();
+        }
+
+        [Test]
+        public void Begin_HdrpBegunTwice_DrawsEachCameraOnce()
+        {
+            // A host begins twice.
+            using (new HdrpHost())
+                Assert.That(CustomPassVolume.Global, Has.Count.EqualTo(1));
+            Assert.That(CustomPassVolume.Global, Is.Empty);
         }
 
         static long ReferencePoints(StreamContext stream)

@@ -11,21 +11,21 @@ namespace FastPoints.HostTests.Gpu
     {
         readonly Renderer m_renderer = new Renderer();
 
+        /// <summary>What the camera that was drawn last had in its graph.</summary>
+        public int PassCount { get; private set; }
+
         sealed class Renderer : ScriptableRenderer
         {
         }
 
         public UrpHost()
         {
-            GraphicsSettings.currentRenderPipeline = new UniversalRenderPipelineAsset();
+            GraphicsSettings.currentRenderPipeline = new UniversalRenderPipelineAsset { scriptableRenderer = m_renderer };
             UrpPass.Begin();
         }
 
         public override void Render(Camera camera)
         {
-            if (camera.gameObject.GetComponent<UniversalAdditionalCameraData>() == null)
-                camera.gameObject.AddComponent<UniversalAdditionalCameraData>().scriptableRenderer = m_renderer;
-            m_renderer.Passes.Clear();
             RenderPipelineManager.Begin(camera);
             var graph = new RenderGraph();
             var target = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
@@ -38,6 +38,8 @@ namespace FastPoints.HostTests.Gpu
             cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;
             foreach (var pass in m_renderer.Passes)
                 pass.RecordRenderGraph(graph, frame);
+            m_renderer.Passes.Clear();
+            PassCount = graph.PassCount;
             using var commands = new CommandBuffer();
             Clear(camera, commands);
             graph.Execute(commands);

@@ -12,8 +12,10 @@ namespace UnityEngine.Rendering.RenderGraphModule
         ReadWrite = 3,
     }
 
+    /// <summary>Stands for a texture while the function of a pass that uses it runs, and at no other time.</summary>
     public struct TextureHandle
     {
+        /// <summary>From 1 on: a handle that nobody gave stands for nothing.</summary>
         internal int Index;
 
         public static implicit operator RenderTargetIdentifier(TextureHandle texture) => RenderGraph.TextureOf(texture);
@@ -49,17 +51,32 @@ namespace UnityEngine.Rendering.RenderGraphModule
     /// <summary>Runs its passes in the order in which they were added; a pass may touch only what it said that it uses.</summary>
     public class RenderGraph
     {
-        static readonly List<RTHandle> s_textures = new List<RTHandle>();
-        readonly List<Action<UnsafeGraphContext>> m_passes = new List<Action<UnsafeGraphContext>>();
+        static readonly List<RTHandle> s_textures = new List<RTHandle> { null };
+
+        /// <summary>Data of passes is used again, by type, as the last pass left it.</summary>
+        static readonly Dictionary<Type, object> s_data = new Dictionary<Type, object>();
+
+        /// <summary>What the pass that runs has said that it uses; null while none runs.</summary>
+        static List<int> s_used;
+        readonly List<(Action<UnsafeGraphContext> Run, List<int> Used)> m_passes = new List<(Action<UnsafeGraphContext>, List<int>)>();
 
         public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData, string file = "",
             int line = 0) where PassData : class, new()
         {
-            passData = new PassData();
-            return new Builder(this, passData);
+            if (!s_data.TryGetValue(typeof(PassData), out var data))
+                s_data.Add(typeof(PassData), data = new PassData());
+            passData = (PassData)data;
+            return new Builder(this, passName, passData);
         }
 
-        internal static RTHandle TextureOf(TextureHandle handle) => s_textures[handle.Index];
+        internal static RTHandle TextureOf(TextureHandle handle)
+        {
+            if (s_used == null)
+                throw new InvalidOperationException("A TextureHandle stands for a texture only while a pass is executed");
+            if (!s_used.Contains(handle.Index))
+                throw new InvalidOperationException("The pass did not say that it uses this texture");
+            return s_textures[handle.Index];
+        }
 
         internal static TextureHandle Import(RTHandle texture)
         {
@@ -67,29 +84,47 @@ namespace UnityEngine.Rendering.RenderGraphModule
             return new TextureHandle { Index = s_textures.Count - 1 };
         }
 
+        internal int PassCount => m_passes.Count;
+
         internal void Execute(CommandBuffer commands)
         {
             var context = new UnsafeGraphContext { cmd = new UnsafeCommandBuffer(commands) };
-            foreach (var pass in m_passes)
-                pass(context);
+            foreach (var (run, used) in m_passes)
+            {
+                s_used = used;
+                try
+                {
+                    run(context);
+                }
+                finally
+                {
+                    s_used = null;
+                }
+            }
             m_passes.Clear();
         }
 
         sealed class Builder : IUnsafeRenderGraphBuilder
         {
             readonly RenderGraph m_graph;
+            readonly string m_name;
             readonly object m_data;
+            readonly List<int> m_used = new List<int>();
             Action<UnsafeGraphContext> m_pass;
             bool m_isCulled = true;
 
-            public Builder(RenderGraph graph, object data)
+            public Builder(RenderGraph graph, string name, object data)
             {
                 m_graph = graph;
+                m_name = name;
                 m_data = data;
             }
 
             public void UseTexture(in TextureHandle input, AccessFlags flags = AccessFlags.Read)
             {
+                if (input.Index == 0)
+                    throw new ArgumentException($"Pass {m_name}: trying to use an invalid resource");
+                m_used.Add(input.Index);
             }
 
             public void AllowPassCulling(bool value) => m_isCulled = value;
@@ -99,9 +134,11 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
             public void Dispose()
             {
+                if (m_pass == null)
+                    throw new InvalidOperationException($"Pass {m_name} was not provided with a render function");
                 // Nothing reads what an unsafe pass writes, as far as the graph knows: it goes unless it is told to stay.
                 if (!m_isCulled)
-                    m_graph.m_passes.Add(m_pass);
+                    m_graph.m_passes.Add((m_pass, m_used));
             }
         }
     }

@@ -51,6 +51,6 @@ namespace UnityEngine.Rendering.HighDefinition
             float priority = 0) => Global.Add(customPassInstance);
 
         public static bool UnregisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance) =>
-            Global.Remove(customPassInstance);
+            Global.RemoveAll(p => p == customPassInstance) > 0;
     }
 }

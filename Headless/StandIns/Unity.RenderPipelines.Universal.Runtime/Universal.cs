@@ -17,6 +17,8 @@ namespace UnityEngine.Rendering.Universal
         }
     }
 
+    /// <summary>Keeps what was enqueued until a camera has been drawn with it: a camera that cannot be culled leaves its passes
+    /// to the next one.</summary>
     public abstract class ScriptableRenderer
     {
         internal readonly List<ScriptableRenderPass> Passes = new List<ScriptableRenderPass>();
@@ -26,13 +28,19 @@ namespace UnityEngine.Rendering.Universal
 
     public class UniversalAdditionalCameraData : MonoBehaviour
     {
-        public ScriptableRenderer scriptableRenderer { get; internal set; }
+        /// <summary>The pipeline's own, where the camera has none.</summary>
+        public ScriptableRenderer scriptableRenderer =>
+            (GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer;
     }
 
     public static class CameraExtensions
     {
-        public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera) =>
-            camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
+        /// <summary>Added where the camera has none.</summary>
+        public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera)
+        {
+            var data = camera.gameObject.GetComponent<UniversalAdditionalCameraData>();
+            return data != null ? data : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
+        }
     }
 
     public abstract class UniversalResourceDataBase : ContextItem
@@ -65,5 +73,6 @@ namespace UnityEngine.Rendering.Universal
 
     public class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
+        public ScriptableRenderer scriptableRenderer { get; internal set; }
     }
 }

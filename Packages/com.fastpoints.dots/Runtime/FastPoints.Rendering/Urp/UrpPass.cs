@@ -11,6 +11,9 @@ namespace FastPoints.Rendering.Urp
     {
         static UrpPass s_pass;
 
+        /// <summary>Whose pass is enqueued and not yet recorded.</summary>
+        Camera m_camera;
+
         /// <summary>Made once: a delegate a frame would be garbage.</summary>
         static readonly BaseRenderFunc<PassData, UnsafeGraphContext> s_draw = Draw;
 
@@ -38,11 +41,16 @@ namespace FastPoints.Rendering.Urp
 
         public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
         {
+            // A camera that cannot be culled leaves its pass to the renderer's next camera, which has one of its own.
+            var cameraData = frameData.Get<UniversalCameraData>();
+            if (PointScene.Current == null || !ReferenceEquals(cameraData.camera, m_camera))
+                return;
+            m_camera = null;
             var resources = frameData.Get<UniversalResourceData>();
             using (var builder = renderGraph.AddUnsafePass<PassData>("FastPoints", out var data))
             {
                 data.Scene = PointScene.Current;
-                data.CameraData = frameData.Get<UniversalCameraData>();
+                data.CameraData = cameraData;
                 data.Color = resources.activeColorTexture;
                 data.Depth = resources.activeDepthTexture;
                 builder.UseTexture(data.Color, AccessFlags.ReadWrite);
@@ -80,7 +88,8 @@ namespace FastPoints.Rendering.Urp
             scene.Announce(camera);
             if (s_pass == null)
                 s_pass = new UrpPass();
-            camera.GetUniversalAdditionalCameraData().scriptableRenderer.EnqueuePass(s_pass);
+            s_pass.m_camera = camera;
+            camera.GetUniversalAdditionalCameraData().scriptableRenderer?.EnqueuePass(s_pass);
         }
     }
 }
