@@ -114,6 +114,10 @@ namespace FastPoints.HostTests.StandIns
         }
 
         [Test]
+        public void OpenFile_WithoutAName_Throws() =>
+            Assert.That(() => AsyncReadManager.OpenFileAsync(""), Throws.InvalidOperationException);
+
+        [Test]
         public void Read_StillInProgress_CannotBeDisposedOrAsked()
         {
             IoThreads.Pause(true);

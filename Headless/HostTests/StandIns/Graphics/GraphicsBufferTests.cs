@@ -57,6 +57,8 @@ namespace FastPoints.HostTests.StandIns.Graphics
             Assert.That(() => new GraphicsBuffer(Plain, 1, 0), Throws.ArgumentException);
             Assert.That(() => new GraphicsBuffer(Plain, 1, 6), Throws.ArgumentException);
             Assert.That(() => new GraphicsBuffer(GraphicsBuffer.Target.Index, 1, 8), Throws.ArgumentException);
+            Assert.That(() => new GraphicsBuffer(Plain | GraphicsBuffer.Target.CopyDestination,
+                GraphicsBuffer.UsageFlags.LockBufferForWrite, 1, 4), Throws.ArgumentException.With.Message.Contains("locked"));
             int tooMany = (int)(SystemInfo.maxGraphicsBufferSize / 16) + 1;
             Assert.That(() =>
                 new GraphicsBuffer(Plain, tooMany, 16), Throws.ArgumentException.With.Message.Contains("maxGraphicsBufferSize"));
@@ -118,7 +120,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
         {
             using GraphicsBuffer buffer = Structured(4);
             Assert.That(() =>
-                buffer.LockBufferForWrite<uint>(0, 4), Throws.ArgumentException.With.Message.Contains("LockBufferForWrite"));
+                buffer.LockBufferForWrite<uint>(0, 4), Throws.InvalidOperationException.With.Message.Contains("LockBufferForWrite"));
         }
 
         [Test]

@@ -46,6 +46,8 @@ namespace Unity.IO.LowLevel.Unsafe
         {
             if (fileName == null)
                 throw new ArgumentNullException(nameof(fileName));
+            if (fileName.Length == 0)
+                throw new InvalidOperationException("FileName is empty");
             return new FileHandle(OpenFile.Begin(fileName));
         }
 

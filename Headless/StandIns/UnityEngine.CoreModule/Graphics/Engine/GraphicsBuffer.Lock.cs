@@ -22,15 +22,15 @@ namespace UnityEngine
         /// <summary>
         /// The memory of a range, to be written in order and not read. Indices and counts are of <typeparamref name="T"/>.
         /// </summary>
-        /// <exception cref="ArgumentException">Not made with LockBufferForWrite, or the range is not within the
-        /// buffer.</exception>
-        /// <exception cref="InvalidOperationException">Disposed, locked already, or the device may still read it: no fence and no
-        /// end of a frame has told that it is done.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The range is not within the buffer.</exception>
+        /// <exception cref="InvalidOperationException">Disposed, not made with LockBufferForWrite, locked already, or the device
+        /// may still read it: no fence and no end of a frame has told that it is done. (Unity gives the memory all the same, and
+        /// the device reads what is written too early.)</exception>
         public NativeArray<T> LockBufferForWrite<T>(int bufferStartIndex, int count) where T : struct
         {
             CheckValid();
             if ((usageFlags & UsageFlags.LockBufferForWrite) == 0)
-                throw new ArgumentException($"{Label} was not made with UsageFlags.LockBufferForWrite");
+                throw new InvalidOperationException($"{Label} was not made with UsageFlags.LockBufferForWrite");
             if (IsLocked)
                 throw new InvalidOperationException($"{Label} is locked already");
             int size = UnsafeUtility.SizeOf<T>();

@@ -18,11 +18,15 @@ namespace UnityEngine
         }
 
         /// <summary>Where there is no memory for it, an error is logged and <see cref="IsValid"/> is false.</summary>
-        /// <exception cref="ArgumentException">No elements, a stride that is not a multiple of 4, or more bytes than
-        /// SystemInfo.maxGraphicsBufferSize.</exception>
+        /// <exception cref="ArgumentException">No elements, a stride that is not a multiple of 4, more bytes than
+        /// SystemInfo.maxGraphicsBufferSize, no compute shaders for a target that takes them, or a buffer to lock that is copied
+        /// into.</exception>
         public GraphicsBuffer(Target target, UsageFlags usageFlags, int count, int stride)
         {
             const Target anyStride = Target.Vertex | Target.CopySource | Target.CopyDestination;
+            const Target computed = Target.Structured | Target.Raw | Target.Append | Target.Counter | Target.IndirectArguments;
+            if ((target & computed) != 0 && !SystemInfo.supportsComputeShaders)
+                throw new ArgumentException($"A graphics buffer of target {target} takes compute shaders, which are not there");
             if (count <= 0)
                 throw new ArgumentException("A graphics buffer needs at least one element", nameof(count));
             if (stride <= 0)
@@ -35,6 +39,9 @@ namespace UnityEngine
             if (bytes > SystemInfo.maxGraphicsBufferSize)
                 throw new ArgumentException($"{bytes} bytes are more than SystemInfo.maxGraphicsBufferSize, "
                     + SystemInfo.maxGraphicsBufferSize);
+            if ((usageFlags & UsageFlags.LockBufferForWrite) != 0 && (target & Target.CopyDestination) != 0)
+                throw new ArgumentException("A buffer that is locked for writing is only read by the GPU: nothing can be copied "
+                    + "into it");
             this.target = target;
             this.usageFlags = usageFlags;
             this.count = count;
