@@ -29,13 +29,11 @@ namespace FastPoints.Editor
         {
             m_session = new MeasureSession();
             EditorApplication.update += Update;
-            // Scripts are reloaded without a word to the tool.
-            AssemblyReloadEvents.beforeAssemblyReload += OnWillBeDeactivated;
         }
 
+        /// <summary>Unity says it before scripts are loaded anew, too.</summary>
         public override void OnWillBeDeactivated()
         {
-            AssemblyReloadEvents.beforeAssemblyReload -= OnWillBeDeactivated;
             EditorApplication.update -= Update;
             m_session?.Dispose();
             m_session = null;
