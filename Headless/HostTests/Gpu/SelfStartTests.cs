@@ -105,6 +105,35 @@ namespace FastPoints.HostTests.Gpu
             target.Release();
         }
 
+        /// <summary>In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.</summary>
+        [Test]
+        public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
+        {
+            var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+            var camera = new GameObject("camera").AddComponent<Camera>();
+            camera.targetTexture = target;
+            camera.projectionMatrix = Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 1000);
+            var cloud = new GameObject("scan").AddComponent<FastPoints.Entities.PointCloud>();
+            cloud.Path = m_scratch["none.fastpoints"];
+            m_world.Update();
+            var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+
+            for (int frame = 0; frame < 5; frame++)
+                camera.Render();
+            var before = group.Scene.NextViews[0];
+            camera.projectionMatrix = Matrix4x4.Perspective(30, 16 / 9f, 0.1f, 1000);
+            camera.Render();
+
+            Assert.That(group.Scene.NextViews.Length, Is.EqualTo(1));
+            Assert.That(group.Scene.NextViews[0].ScalePx, Is.GreaterThan(before.ScalePx));
+            m_world.Update();
+            m_world.Update();
+            Assert.That(group.Scene.NextViews.Length, Is.Zero);
+            Object.DestroyImmediate(cloud.gameObject);
+            Object.DestroyImmediate(camera.gameObject);
+            target.Release();
+        }
+
         [Test]
         public void GraphicsMemory_OfTheProject_HoldsWhereNoSettingsAreAndNewOnesBeginWithIt()
         {
