@@ -26,6 +26,8 @@ namespace FastPoints.HostTests.Samples
         [TearDown]
         public void CloseProject()
         {
+            EditorApplication.isPlaying = false;
+            Debug.s_sink = null;
             EditorSceneManager.s_goesOn = true;
             m_project.Dispose();
         }
@@ -98,6 +100,25 @@ namespace FastPoints.HostTests.Samples
             Updates(() => m_project.Asset(SampleScan.AssetPath) != null);
 
             Assert.That(Camera.main, Is.Null);
+            Assert.That(isFilled, Is.False);
+        }
+
+        /// <summary>In play mode Unity makes no scenes: it throws.</summary>
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Make_InPlayMode_SaysSoAndMakesNothing(bool fromTheStart)
+        {
+            PutSmallStreet();
+            var logged = new List<string>();
+            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+            bool isFilled = false;
+
+            EditorApplication.isPlaying = fromTheStart;
+            SampleScene.Make(_ => isFilled = true);
+            EditorApplication.isPlaying = true;
+            Updates(() => logged.Count > 0);
+
+            Assert.That(logged.Single(), Does.StartWith("Warning: FastPoints: ").And.Contains("play mode"));
             Assert.That(isFilled, Is.False);
         }
 

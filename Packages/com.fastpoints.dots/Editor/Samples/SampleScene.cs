@@ -18,10 +18,27 @@ namespace FastPoints.Editor
 
         /// <summary>Makes the scene in place of those that are open, which the user may save first.</summary>
         /// <param name="fill">Adds what the sample shows.</param>
-        public static void Make(Action<PointCloudAsset> fill) => SampleScan.Get(asset =>
+        public static void Make(Action<PointCloudAsset> fill)
         {
-            if (!EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
-                return;
+            // The scan takes a while: somebody may play by then.
+            if (IsEditing())
+                SampleScan.Get(asset =>
+                {
+                    if (IsEditing() && EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
+                        Make(asset, fill);
+                });
+        }
+
+        /// <summary>In play mode Unity makes no scenes.</summary>
+        static bool IsEditing()
+        {
+            if (EditorApplication.isPlaying)
+                Debug.LogWarning("FastPoints: no scene can be made in play mode: stop it, and choose the sample again");
+            return !EditorApplication.isPlaying;
+        }
+
+        static void Make(PointCloudAsset asset, Action<PointCloudAsset> fill)
+        {
             EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
             Camera.main.transform.SetPositionAndRotation(s_eye, Quaternion.LookRotation(s_forward));
             var settings = Add<PointCloudSettings>("Point cloud settings");
@@ -32,7 +49,7 @@ namespace FastPoints.Editor
             settings.MaxSizePx = 8;
             settings.EyeDomeLighting = 0.25f;
             fill(asset);
-        });
+        }
 
         /// <summary>A GameObject with one component, as the <em>GameObject</em> menu makes it: Undo takes it away.</summary>
         public static T Add<T>(string name)
