@@ -127,6 +127,35 @@ namespace FastPoints.HostTests.Editor
             Assert.That(m_logged, Is.Empty);
         }
 
+        /// <summary>Unity's window shows as paused what says that it is.</summary>
+        [Test]
+        public void ProgressPause_BeforeTheFileIsOpen_IsRefused()
+        {
+            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
+            m_project.Imports.Update(DateTime.UtcNow);
+            Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Opening));
+            Assert.That(Progress.Pause(0), Is.False);
+            Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Running));
+        }
+
+        /// <summary>Unity cancels what it manages when scripts are reloaded, with the callback of its window's button.</summary>
+        [Test]
+        public void Reload_WhileTheConversionIsShown_IsNoCancel()
+        {
+            m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
+
+            AssemblyReloadEvents.beforeAssemblyReload += m_project.Imports.Suspend;
+            AssemblyReloadEvents.Reload();
+            AssemblyReloadEvents.beforeAssemblyReload -= m_project.Imports.Suspend;
+
+            Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True, "nobody would end it");
+            using var reloaded = new EditorImports(m_project.Paths, FastPointsSettings.instance);
+            var asset = m_project.Asset("Assets/scan.pointcloud");
+            ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
+            Assert.That(asset.Points, Is.EqualTo(100_000));
+        }
+
         [Test]
         public void PointFile_InAssets_IsImportedByItsHeaderAndConverted()
         {

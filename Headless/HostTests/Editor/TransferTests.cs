@@ -86,6 +86,23 @@ namespace FastPoints.HostTests.Editor
             Assert.That(m_logged, Is.Empty);
         }
 
+        [Test]
+        public void Export_CancelledInTheProgressWindow_IsNotSpokenOfAgain()
+        {
+            var asset = Converted();
+            string to = m_project.Imports.Export(asset, Directory.CreateDirectory(m_project.Scratch["out"]).FullName);
+
+            Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
+            Updates(() => !m_project.Imports.Transfers.IsCopying);
+
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+            Assert.That(m_logged.Where(l => !l.Contains("copied to")), Is.Empty);
+            m_project.Imports.Export(asset, m_project.Scratch["out"]);
+            AssemblyReloadEvents.Reload();
+            m_project.Imports.Suspend();
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+        }
+
         [TestCase("PointClouds", null)]
         [TestCase("Data/Clouds", null)]
         [TestCase("../elsewhere", null)]

@@ -31,6 +31,12 @@ namespace UnityEditor
 
         public static event AssemblyReloadCallback beforeAssemblyReload;
 
-        internal static void Reload() => beforeAssemblyReload?.Invoke();
+        /// <summary>Scripts are loaded anew: what was to be told before is told.</summary>
+        internal static void Reload()
+        {
+            // Which of the two comes first is said nowhere: this order is the harder one.
+            Progress.CancelManaged();
+            beforeAssemblyReload?.Invoke();
+        }
     }
 }

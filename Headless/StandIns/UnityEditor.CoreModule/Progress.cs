@@ -3,7 +3,8 @@ using System.Collections.Generic;
 
 namespace UnityEditor
 {
-    /// <summary>Keeps what was said, and lets a test press the buttons.</summary>
+    /// <summary>Keeps what was said, and lets a test press the buttons. What has ended is not spoken of again: Unity may have
+    /// taken it out of its list.</summary>
     public static class Progress
     {
         [Flags]
@@ -39,37 +40,63 @@ namespace UnityEditor
             public string Description;
             public float Share;
             public Status Status;
+            public bool IsManaged;
             public Func<bool> Cancel;
             public Func<bool, bool> Pause;
+
+            public bool HasEnded => Status != Status.Running && Status != Status.Paused;
         }
 
         internal static readonly List<Entry> Entries = new List<Entry>();
 
+        /// <summary>Managed, unless it is said that it is not: Unity's default for scripts.</summary>
         public static int Start(string name, string description = null, Options options = Options.None, int parentId = -1)
         {
-            Entries.Add(new Entry { Name = name, Description = description });
+            Entries.Add(new Entry { Name = name, Description = description, IsManaged = (options & Options.Unmanaged) == 0 });
             return Entries.Count - 1;
         }
 
         public static void Report(int id, float progress, string description)
         {
-            Entries[id].Share = progress;
-            Entries[id].Description = description;
+            var entry = Going(id);
+            entry.Share = progress;
+            entry.Description = description;
         }
 
-        public static void Finish(int id, Status status = Status.Succeeded) => Entries[id].Status = status;
+        public static void Finish(int id, Status status = Status.Succeeded) => Going(id).Status = status;
 
         public static bool Cancel(int id)
         {
-            if (Entries[id].Cancel?.Invoke() != true)
+            var entry = Entries[id];
+            if (entry.HasEnded || entry.Cancel?.Invoke() != true)
                 return false;
-            Entries[id].Status = Status.Canceled;
+            entry.Status = Status.Canceled;
             return true;
         }
 
-        public static bool Pause(int id) => Entries[id].Pause?.Invoke(true) == true;
+        public static bool Pause(int id) => Pause(Entries[id], true);
 
-        public static bool Resume(int id) => Entries[id].Pause?.Invoke(false) == true;
+        public static bool Resume(int id) => Pause(Entries[id], false);
+
+        /// <summary>Before scripts are reloaded Unity cancels what it manages, as its window's button would.</summary>
+        internal static void CancelManaged()
+        {
+            for (int id = 0; id < Entries.Count; id++)
+                if (Entries[id].IsManaged)
+                    Cancel(id);
+        }
+
+        static Entry Going(int id) => Entries[id].HasEnded
+            ? throw new InvalidOperationException("the progress of " + Entries[id].Name + " has ended: " + Entries[id].Status)
+            : Entries[id];
+
+        static bool Pause(Entry entry, bool isPaused)
+        {
+            if (entry.HasEnded || entry.Pause?.Invoke(isPaused) != true)
+                return false;
+            entry.Status = isPaused ? Status.Paused : Status.Running;
+            return true;
+        }
 
         public static void SetTimeDisplayMode(int id, TimeDisplayMode displayMode)
         {

@@ -18,6 +18,9 @@ namespace FastPoints.Editor
             public CloudCopy Copy;
             public string To;
             public int Progress;
+
+            /// <summary>Unity itself ends what was cancelled in its window: nothing more is said of it.</summary>
+            public bool IsCancelled;
             public Action<string> Done;
         }
 
@@ -50,7 +53,8 @@ namespace FastPoints.Editor
                 var transfer = m_transfers[i];
                 if (!transfer.Copy.Work.IsCompleted)
                 {
-                    Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.To);
+                    if (!transfer.IsCancelled)
+                        Progress.Report(transfer.Progress, (float)transfer.Copy.Share, transfer.To);
                     continue;
                 }
                 m_transfers.RemoveAt(i);
@@ -64,7 +68,7 @@ namespace FastPoints.Editor
             foreach (var transfer in m_transfers)
             {
                 transfer.Copy.Dispose();
-                Progress.Finish(transfer.Progress, Progress.Status.Canceled);
+                Finish(transfer, Progress.Status.Canceled);
             }
             m_transfers.Clear();
         }
@@ -75,6 +79,7 @@ namespace FastPoints.Editor
             transfer.Progress = Progress.Start(what + Path.GetFileName(to), to, Progress.Options.Managed);
             Progress.RegisterCancelCallback(transfer.Progress, () =>
             {
+                transfer.IsCancelled = true;
                 transfer.Copy.Cancel();
                 return true;
             });
@@ -85,20 +90,25 @@ namespace FastPoints.Editor
         {
             if (transfer.Copy.Work.Status == TaskStatus.RanToCompletion)
             {
-                Progress.Finish(transfer.Progress, Progress.Status.Succeeded);
+                Finish(transfer, Progress.Status.Succeeded);
                 Debug.Log("FastPoints: copied to " + transfer.To);
                 transfer.Done?.Invoke(transfer.To);
                 return;
             }
             var failure = transfer.Copy.Work.Exception?.InnerException;
-            // Unity itself ends what was cancelled in its window.
             if (failure == null || failure is OperationCanceledException)
                 return;
-            Progress.Finish(transfer.Progress, Progress.Status.Failed);
+            Finish(transfer, Progress.Status.Failed);
             if (failure is PointCloudException)
                 Debug.LogError("FastPoints: " + failure.Message);
             else
                 Debug.LogException(failure);
+        }
+
+        static void Finish(Transfer transfer, Progress.Status status)
+        {
+            if (!transfer.IsCancelled)
+                Progress.Finish(transfer.Progress, status);
         }
 
         /// <summary>No copy takes a name that another one is under way to.</summary>

@@ -221,8 +221,9 @@ namespace FastPoints.Editor
         {
             var request = Queue.Running;
             m_reported = session;
+            // What Unity manages it cancels before scripts are reloaded, as if the user had: the conversion would be lost.
             m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
-                Progress.Options.Managed);
+                Progress.Options.Unmanaged);
             Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
             Progress.RegisterCancelCallback(m_progress, () =>
             {
@@ -237,7 +238,8 @@ namespace FastPoints.Editor
                     Queue.Pause(request);
                 else
                     Queue.Resume(request);
-                return true;
+                // A header that is being read cannot be paused, and the window must not show that it is.
+                return (session.State == BuildState.Paused) == isPaused;
             });
         }
 
