@@ -6,6 +6,13 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
+    [Flags]
+    public enum ImportAssetOptions
+    {
+        Default = 0,
+        ForceUpdate = 1,
+    }
+
     public class AssetImporter : Object
     {
         internal string Path;
@@ -46,7 +53,9 @@ namespace UnityEditor
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
             Assets.TryGetValue(assetPath, out var asset) ? asset as T : null;
 
-        public static void ImportAsset(string path) => Importing?.Invoke(path);
+        public static void ImportAsset(string path) => ImportAsset(path, ImportAssetOptions.Default);
+
+        public static void ImportAsset(string path, ImportAssetOptions options) => Importing?.Invoke(path);
 
         public static void RegisterCustomDependency(string dependency, Hash128 hashOfValue) =>
             CustomDependencies[dependency] = hashOfValue;

@@ -21,6 +21,7 @@ namespace FastPoints.Editor
         DateTime m_nextReport;
         BuildSession m_reported;
         int m_progress;
+        bool m_isShowing;
         string m_problem;
 
         public EditorImports(ProjectPaths paths, FastPointsSettings settings)
@@ -94,12 +95,14 @@ namespace FastPoints.Editor
         /// <summary>A point cloud file in <c>Assets</c> was imported.</summary>
         public void TakePointFile(string asset)
         {
+            // An asset is imported anew to show its picture, too: what was cancelled stays so.
+            if (m_isShowing)
+                return;
             var handle = OfPointFile(asset);
             if (!CloudFolder.IsCloud(Paths.Absolute(handle.CloudPath)))
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                // An asset is imported anew to show its picture, too.
                 if (IsConvertedAtOnce(handle) && (RequestOf(asset)?.State ?? ImportState.Failed) == ImportState.Failed)
                     Convert(asset, handle);
             }
@@ -285,12 +288,21 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Unity asks for an asset's picture when it is imported.</summary>
+        /// <summary>Unity asks for an asset's picture when it is imported, and imports what has not changed when it is
+        /// forced.</summary>
         void ShowThumbnail(string cloud)
         {
-            foreach (var (asset, itsCloud) in CloudsOfAssets())
-                if (itsCloud == cloud)
-                    AssetImporter.GetAtPath(asset)?.SaveAndReimport();
+            m_isShowing = true;
+            try
+            {
+                foreach (var (asset, itsCloud) in CloudsOfAssets())
+                    if (itsCloud == cloud)
+                        AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
+            }
+            finally
+            {
+                m_isShowing = false;
+            }
         }
 
         /// <summary>Folders of the project's clouds, though they may not be there.</summary>
