@@ -29,6 +29,7 @@ namespace FastPoints.HostTests.Editor
             (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
             settings.Place = ProjectPaths.DefaultClouds;
             settings.PlayerVariants = VariantChoice.Automatic;
+            settings.Apply();
             m_project.Dispose();
         }
     }

@@ -163,8 +163,8 @@ namespace FastPoints.HostTests.Editor
             m_project.Import("Assets/scan.las");
             var asset = m_project.Asset("Assets/scan.las");
             Assert.That(m_project.LastImport.Errors, Is.Empty);
-            Assert.That(asset.Points, Is.EqualTo(5000));
-            Assert.That(asset.ProjectPath, Does.Match("^PointClouds/[0-9a-f]{32}\\.fastpoints$"));
+            Assert.That((asset.name, asset.Points), Is.EqualTo(("scan", 5000L)));
+            Assert.That(asset.File().FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
 
             m_project.Imports.TakePointFile("Assets/scan.las");
             m_project.UpdateToTheEnd();

@@ -137,8 +137,24 @@ namespace FastPoints.HostTests.Editor
                     Is.EqualTo(CatalogMatch.InPlace));
             }
             Assert.That(before.ProjectPath, Is.EqualTo("PointClouds/before.fastpoints"));
-            Assert.That(AssetDatabase.CustomDependencies[PointCloudImports.PlaceDependency],
-                Is.EqualTo(Hash128.Compute("Data/Clouds")));
+        }
+
+        /// <summary>Importers know nothing of the place: their results may come from other machines.</summary>
+        [Test]
+        public void Move_ToAnotherPlace_FilesInAssetsAreFoundThereWithoutAnImport()
+        {
+            m_project.Scratch.Demo("project/Assets/tile.las", 3000);
+            m_project.Import("Assets/tile.las");
+            var asset = m_project.Asset("Assets/tile.las");
+            string folder = AssetDatabase.AssetPathToGUID("Assets/tile.las") + ".fastpoints";
+            Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
+            Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/" + folder));
+
+            PointCloudImports.Move("Data/Clouds");
+
+            Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
+            Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.File().FullPath));
+            Assert.That(PointCloudImports.Current.HandleOf("Assets/tile.las").CloudPath, Is.EqualTo("Data/Clouds/" + folder));
         }
 
         [Test]
@@ -147,7 +163,6 @@ namespace FastPoints.HostTests.Editor
             string path = m_project.Paths.Absolute("Assets/tile.las");
             File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
             m_project.Import("Assets/tile.las");
-            Assert.That(m_project.LastImport.Dependencies, Does.Contain(PointCloudImports.PlaceDependency));
             m_project.Imports.TakePointFile("Assets/tile.las");
             m_project.UpdateToTheEnd();
             Updates(() => !m_project.Imports.Thumbnails.IsDrawing);

@@ -1,3 +1,4 @@
+using System.IO;
 using FastPoints.Entities;
 using FastPoints.Points;
 using FastPoints.Streaming;
@@ -9,11 +10,11 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>What the importers of handles and of point cloud files have in common. They read headers and nothing else, and
-    /// nothing but the asset's own file, so that they run in import workers and their results may come from a cache.</summary>
+    /// nothing but the asset's own file, and know no settings, so that they run in import workers and their results may come from a cache.</summary>
     public abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised where the asset comes out otherwise.</summary>
-        protected const int Version = 3;
+        protected const int Version = 4;
 
         [Tooltip("The axis of the file that points up.")]
         public UpAxis UpAxis = UpAxis.Z;
@@ -30,6 +31,7 @@ namespace FastPoints.Editor
         public override void OnImportAsset(AssetImportContext ctx)
         {
             var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.name = Path.GetFileNameWithoutExtension(ctx.assetPath);
             try
             {
                 string guid = AssetDatabase.AssetPathToGUID(ctx.assetPath);

@@ -196,7 +196,7 @@ namespace FastPoints.Editor
 
         CloudHandle OfPointFile(string asset)
         {
-            var handle = new CloudHandle { CloudPath = Paths.OfAsset(AssetDatabase.AssetPathToGUID(asset)) };
+            var handle = new CloudHandle { CloudPath = Paths.Stored(ProjectPaths.OfAsset(AssetDatabase.AssetPathToGUID(asset))) };
             handle.Sources.Add(asset);
             handle.IsOctree = CloudSources.BringsOctree(asset);
             try

@@ -51,6 +51,7 @@ namespace FastPoints.Editor
         /// <summary>Has scenes take what they take from the project.</summary>
         public void Apply()
         {
+            PointCloudFile.Place = Place;
             PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
             EditorApplication.QueuePlayerLoopUpdate();
         }

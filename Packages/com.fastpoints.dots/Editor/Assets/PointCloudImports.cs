@@ -10,9 +10,6 @@ namespace FastPoints.Editor
     [InitializeOnLoad]
     public static class PointCloudImports
     {
-        /// <summary>What <see cref="FastPointsSettings.Place"/> is for importers.</summary>
-        public const string PlaceDependency = "FastPoints/Place";
-
         static EditorImports s_current;
 
         static PointCloudImports()
@@ -20,7 +17,6 @@ namespace FastPoints.Editor
             // Import workers load scripts as well; there is one queue, the editor's.
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
-            RegisterPlace();
             FastPointsSettings.instance.Apply();
             PointFileReaders.Register();
             EditorApplication.update += Update;
@@ -30,7 +26,7 @@ namespace FastPoints.Editor
 
         public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
 
-        /// <summary>As the settings say; import workers ask too.</summary>
+        /// <summary>As the settings say.</summary>
         public static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
@@ -47,7 +43,7 @@ namespace FastPoints.Editor
             s_current?.Suspend();
             s_current = null;
             FastPointsSettings.instance.Place = place;
-            RegisterPlace();
+            FastPointsSettings.instance.Apply();
             return null;
         }
 
@@ -56,10 +52,6 @@ namespace FastPoints.Editor
             if (!AssetDatabase.IsAssetImportWorkerProcess())
                 Current.TakePointFile(asset);
         }
-
-        /// <summary>Files in <c>Assets</c> are imported again where the place is another.</summary>
-        static void RegisterPlace() =>
-            AssetDatabase.RegisterCustomDependency(PlaceDependency, Hash128.Compute(FastPointsSettings.instance.Place));
 
         static void Update() => Current.Update(DateTime.UtcNow);
 

@@ -13,8 +13,7 @@ namespace FastPoints.Editor
         {
             using (var reader = PointReaders.Open(context.assetPath))
             {
-                context.DependsOnCustomDependency(PointCloudImports.PlaceDependency);
-                var handle = new CloudHandle { CloudPath = PointCloudImports.Paths.OfAsset(guid) };
+                var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
                 handle.Sources.Add(context.assetPath);
                 handle.IsOctree = reader.Tree != null;
                 handle.Describe(reader.Info);

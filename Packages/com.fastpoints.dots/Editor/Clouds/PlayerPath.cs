@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.Entities;
 using FastPoints.Store;
 
 namespace FastPoints.Editor
@@ -14,6 +15,8 @@ namespace FastPoints.Editor
         public static string Of(string cloudPath, string asset)
         {
             const string place = ProjectPaths.DefaultClouds + "/";
+            if (cloudPath.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal))
+                return place + cloudPath.Substring(PointCloudFile.InPlace.Length);
             if (cloudPath.StartsWith(place, StringComparison.Ordinal) && cloudPath.IndexOf('/', place.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using FastPoints.Entities;
 using FastPoints.Store;
 
 namespace FastPoints.Editor
@@ -61,15 +62,16 @@ namespace FastPoints.Editor
             return stored.Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <summary>The folder of a point cloud file in <c>Assets</c>, as it is written down: by the asset's number, which
-        /// stays when
-        /// the file is renamed.</summary>
-        public string OfAsset(string guid) => Stored(Path.Combine(Clouds, guid + StoreFormat.FolderExtension));
+        /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset says it: by the asset's number, which stays
+        /// when the file is renamed.</summary>
+        public static string OfAsset(string guid) => PointCloudFile.InPlace + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         /// <summary>The whole path of what was written down.</summary>
-        public string Absolute(string stored) => Path.GetFullPath(Path.Combine(Project, stored));
+        public string Absolute(string stored) => Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
+            ? Path.Combine(Clouds, stored.Substring(PointCloudFile.InPlace.Length))
+            : Path.Combine(Project, stored));
     }
 }

@@ -10,7 +10,8 @@ namespace FastPoints.Entities
     /// <c>Assets</c>.</summary>
     public sealed class PointCloudAsset : ScriptableObject
     {
-        /// <summary>The folder in an editor: in the project, with '/', or absolute.</summary>
+        /// <summary>The folder in an editor: in the project, with '/', absolute, or
+        /// <see cref="PointCloudFile.InPlace"/>.</summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>

@@ -13,12 +13,19 @@ namespace FastPoints.Entities
     /// (<see cref="Feeds.CloudFeeds"/>), any point cloud.</summary>
     public sealed class PointCloudFile : IComponentData
     {
+        /// <summary>What a path in an editor begins with where the folder is in the project's <see cref="Place"/>. What imports
+        /// an asset writes this: it runs in a process that knows no settings, and perhaps on another machine.</summary>
+        public const string InPlace = "<place>/";
+
+        /// <summary>Where an editor has converted clouds: absolute, or in the project.</summary>
+        public static string Place { get; set; } = "PointClouds";
+
         /// <summary>Of the <c>.fastpoints</c> folder, or of another point cloud: absolute, or below the application's streaming
         /// assets.</summary>
         public string Path;
 
-        /// <summary>Where the folder is in an editor, which has no player's data: absolute, or in the project. Null for
-        /// <see cref="Path"/>.</summary>
+        /// <summary>Where the folder is in an editor, which has no player's data: absolute, in the project, or
+        /// <see cref="InPlace"/>. Null for <see cref="Path"/>.</summary>
         public string ProjectPath;
 
         /// <summary>Files and folders that the cloud is made of, in an editor: absolute, or in the project. May be
@@ -71,7 +78,11 @@ namespace FastPoints.Entities
                 : new[] { System.IO.Path.Combine(Application.streamingAssetsPath, PlayerSource) };
         }
 
-        static string InProject(string path) =>
-            System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path);
+        static string InProject(string path)
+        {
+            if (path.StartsWith(InPlace, System.StringComparison.Ordinal))
+                path = System.IO.Path.Combine(Place, path.Substring(InPlace.Length));
+            return System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path);
+        }
     }
 }
