@@ -62,10 +62,49 @@ namespace FastPoints.HostTests.Editor
         public void Handlers_OfAllThreeWindows_AreThere()
         {
             System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
-            Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name).Distinct(), Is.EquivalentTo(new[]
+            Assert.That(DragAndDrop.Handlers.Select(h => h.GetType().Name), Is.EquivalentTo(new[]
             {
                 "ProjectBrowserDropHandler", "HierarchyDropHandler", "SceneDropHandler",
             }));
+            Assert.That(() => DragAndDrop.AddDropHandler((DragAndDrop.SceneDropHandler)DragAndDrop.Handlers
+                .Single(h => h is DragAndDrop.SceneDropHandler)), Throws.Exception, "a handler is there once");
+        }
+
+        /// <summary>The windows ask: the handler that was added last, and the one before where it does not want the drop.</summary>
+        [Test]
+        public void Drop_AnotherPackagesHandlerIsAskedFirst_OursWhereItWantsNothing()
+        {
+            System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(PointCloudDrops).TypeHandle);
+            DragAndDrop.paths = new[] { Made("scan.e57") };
+            var theirs = DragAndDropVisualMode.None;
+            DragAndDrop.ProjectBrowserDropHandler another = (_, _, _) => theirs;
+            DragAndDrop.AddDropHandler(another);
+            try
+            {
+                DragAndDropVisualMode Drop() => DragAndDrop.Drop<DragAndDrop.ProjectBrowserDropHandler>(0, "Assets", false);
+                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Link));
+                theirs = DragAndDropVisualMode.Move;
+                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.Move));
+                theirs = DragAndDropVisualMode.None;
+                DragAndDrop.paths = new[] { Made("picture.png") };
+                Assert.That(Drop(), Is.EqualTo(DragAndDropVisualMode.None), "Unity's own is asked");
+            }
+            finally
+            {
+                DragAndDrop.Handlers.Remove(another);
+            }
+        }
+
+        [Test]
+        public void OnScene_Drop_IsTakenBackByUndo()
+        {
+            var asset = ScriptableObject.CreateInstance<PointCloudAsset>();
+            asset.name = "scan";
+            DragAndDrop.objectReferences = new UnityEngine.Object[] { asset };
+            PointCloudDrops.OnScene(null, null, true);
+            var scene = (GameObject)Selection.activeObject;
+            Undo.PerformUndo();
+            Assert.That(scene == null, Is.True);
         }
 
         [Test]
@@ -96,10 +135,22 @@ namespace FastPoints.HostTests.Editor
         [Test]
         public void Postprocessor_FileThatNobodyClaims_GetsTheImporter()
         {
-            AssetDatabase.Importers["Assets/theirs.ply"] = typeof(ClaimingImporter);
-            Postprocess("Assets/a.las", "Assets/b.LAZ", "Assets/theirs.ply", "Assets/c.txt", "Packages/x/d.las");
+            ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply" }, null);
+            foreach (string name in new[] { "a.las", "b.LAZ", "theirs.ply", "c.txt" })
+                Made("project/Assets/" + name);
+            AssetDatabase.Refresh();
             Assert.That(AssetDatabase.Overrides.Keys, Is.EquivalentTo(new[] { "Assets/a.las", "Assets/b.LAZ" }));
             Assert.That(AssetDatabase.Overrides.Values, Is.All.EqualTo(typeof(PointFileImporter)));
+            Assert.That(m_project.Asset("Assets/a.las"), Is.Not.Null, "it is imported with it at once");
+        }
+
+        /// <summary>Other packages claim the same extensions; who claims one too loses it for both.</summary>
+        [Test]
+        public void PointFileImporter_ExtensionThatAnotherClaims_StaysTheOthers()
+        {
+            ImporterTable.Add(typeof(ClaimingImporter), new[] { "ply", "las", "laz" }, null);
+            foreach (string extension in CloudSources.ImportedExtensions)
+                Assert.That(AssetDatabase.GetDefaultImporter("Assets/a." + extension), Is.EqualTo(typeof(ClaimingImporter)));
         }
 
         /// <summary>Claimed for nobody, so that another package's importer for the same extension goes on working.</summary>
@@ -112,14 +163,13 @@ namespace FastPoints.HostTests.Editor
             Assert.That(attribute.AllowCaching, Is.True);
         }
 
-        static void Postprocess(params string[] imported) => typeof(PointFilePostprocessor)
-            .GetMethod("OnPostprocessAllAssets", BindingFlags.Static | BindingFlags.NonPublic)
-            .Invoke(null, new object[] { imported, Array.Empty<string>(), Array.Empty<string>(), Array.Empty<string>() });
-
         sealed class ClaimingImporter : ScriptedImporter
         {
             public override void OnImportAsset(AssetImportContext ctx)
             {
+                var made = ScriptableObject.CreateInstance<ScriptableObject>();
+                ctx.AddObjectToAsset("theirs", made);
+                ctx.SetMainObject(made);
             }
         }
     }

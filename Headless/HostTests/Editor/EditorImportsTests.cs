@@ -13,6 +13,7 @@ using NUnit.Framework;
 using StandIns.Scene;
 using Unity.Entities;
 using UnityEditor;
+using UnityEditor.AssetImporters;
 using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
@@ -145,14 +146,11 @@ namespace FastPoints.HostTests.Editor
             m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 100_000), "Assets");
             ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => Progress.Entries.Count == 1);
 
-            AssemblyReloadEvents.beforeAssemblyReload += m_project.Imports.Suspend;
             AssemblyReloadEvents.Reload();
-            AssemblyReloadEvents.beforeAssemblyReload -= m_project.Imports.Suspend;
 
             Assert.That(Progress.Entries.All(e => e.HasEnded), Is.True, "nobody would end it");
-            using var reloaded = new EditorImports(m_project.Paths, FastPointsSettings.instance);
             var asset = m_project.Asset("Assets/scan.pointcloud");
-            ImportProject.Updates(() => reloaded.Update(DateTime.UtcNow), () => asset.Points > 0);
+            ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points > 0);
             Assert.That(asset.Points, Is.EqualTo(100_000));
         }
 
@@ -160,13 +158,12 @@ namespace FastPoints.HostTests.Editor
         public void PointFile_InAssets_IsImportedByItsHeaderAndConverted()
         {
             m_project.Scratch.Demo("project/Assets/scan.las", 5000);
-            m_project.Import("Assets/scan.las");
+            AssetDatabase.Refresh();
             var asset = m_project.Asset("Assets/scan.las");
-            Assert.That(m_project.LastImport.Errors, Is.Empty);
+            Assert.That(ScriptedImports.Last.Errors, Is.Empty);
             Assert.That((asset.name, asset.Points), Is.EqualTo(("scan", 5000L)));
             Assert.That(asset.File().FullPath, Does.Match("/project/PointClouds/[0-9a-f]{32}\\.fastpoints$"));
 
-            m_project.Imports.TakePointFile("Assets/scan.las");
             m_project.UpdateToTheEnd();
             Assert.That(m_project.Imports.Catalog.Find(m_project.Imports.HandleOf("Assets/scan.las"), out var cloud),
                 Is.EqualTo(CatalogMatch.InPlace));
@@ -184,16 +181,14 @@ namespace FastPoints.HostTests.Editor
             Assert.That(asset.TryGetSpace(out var bounds, out var asIs), Is.True);
             Assert.That((asIs.Up, asIs.OriginGeo), Is.EqualTo((UpAxis.Z, asset.Origin)));
 
-            m_project.SetImporter = importer => (importer.UpAxis, importer.MetresPerUnit) = (UpAxis.Y, 0.001);
-            m_project.Import("Assets/scan.pointcloud");
+            m_project.Apply("Assets/scan.pointcloud", i => (i.UpAxis, i.MetresPerUnit) = (UpAxis.Y, 0.001));
 
             Assert.That(asset.TryGetSpace(out _, out var turned), Is.True);
             Assert.That((turned.Up, turned.Scale), Is.EqualTo((UpAxis.Y, 0.001)));
             Assert.That(turned.OriginGeo.y, Is.EqualTo(bounds.Min.y).Within(0.5), "another floor");
             Assert.That((asset.File().Up, asset.File().UnitMetres), Is.EqualTo((UpAxis.Y, 0.001)));
 
-            m_project.SetImporter = null;
-            m_project.Import("Assets/scan.pointcloud");
+            m_project.Apply("Assets/scan.pointcloud", null);
             Assert.That(asset.TryGetSpace(out _, out var back), Is.True);
             Assert.That(back, Is.EqualTo(asIs));
         }
@@ -201,7 +196,7 @@ namespace FastPoints.HostTests.Editor
         [Test]
         public void Import_ConvertedWithAnotherUpAxis_StaysWhereItIs()
         {
-            m_project.SetImporter = importer => importer.UpAxis = UpAxis.Y;
+            ScriptedImports.Configure = importer => ((CloudImporter)importer).UpAxis = UpAxis.Y;
             var asset = m_project.Imports.Take(m_project.Scratch.Demo("scan.las", 5000), "Assets");
             m_project.UpdateToTheEnd();
 
@@ -225,8 +220,7 @@ namespace FastPoints.HostTests.Editor
             }, () => cloud.TryGetSpace(out var space) && space.Up == up);
             ShownAs(UpAxis.Z);
 
-            m_project.SetImporter = importer => importer.UpAxis = UpAxis.X;
-            m_project.Import("Assets/scan.pointcloud");
+            m_project.Apply("Assets/scan.pointcloud", importer => importer.UpAxis = UpAxis.X);
 
             ShownAs(UpAxis.X);
             UnityEngine.Object.DestroyImmediate(cloud.gameObject);
@@ -237,8 +231,8 @@ namespace FastPoints.HostTests.Editor
         public void Import_DamagedFile_IsAnEmptyAssetAndAnError(string path, string content)
         {
             File.WriteAllText(Path.Combine(m_project.Paths.Project, path), content);
-            m_project.Import(path);
-            Assert.That(m_project.LastImport.Errors.Single(), Does.StartWith(path + ": "));
+            AssetDatabase.Refresh();
+            Assert.That(ScriptedImports.Last.Errors.Single(), Does.StartWith(path + ": "));
             Assert.That(m_project.Asset(path).Points, Is.EqualTo(-1));
         }
 

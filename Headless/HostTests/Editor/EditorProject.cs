@@ -22,21 +22,16 @@ namespace FastPoints.HostTests.Editor
             Directory.CreateDirectory(Scratch["project/Assets"]);
             Environment.CurrentDirectory = Scratch["project"];
             Application.AssetsPath = Scratch["project/Assets"];
-            AssetDatabase.Importing = Import;
+            ScriptedImports.Register(typeof(CloudImporter).Assembly);
             Paths = new ProjectPaths(Scratch["project"]);
             PointFileReaders.Register();
-            Imports = new EditorImports(Paths, FastPointsSettings.instance);
         }
 
         public ScratchFolder Scratch { get; } = new ScratchFolder();
         public ProjectPaths Paths { get; }
-        public EditorImports Imports { get; private set; }
 
-        /// <summary>What a user has set in an importer's inspector; null for nothing.</summary>
-        public Action<CloudImporter> SetImporter { get; set; }
-
-        /// <summary>What the last import said.</summary>
-        public AssetImportContext LastImport { get; private set; }
+        /// <summary>The editor's own, so that what happens to assets reaches them.</summary>
+        public EditorImports Imports => PointCloudImports.Current;
 
         /// <summary>A file that is COPC by its name: nobody opens it.</summary>
         public string Copc(string name)
@@ -58,37 +53,21 @@ namespace FastPoints.HostTests.Editor
             }, () => Imports.Queue.Requests.Count == 0);
         }
 
-        public void Import(string path)
+        /// <summary>As the inspector's Apply: null for what importers begin with.</summary>
+        public void Apply(string asset, Action<CloudImporter> settings)
         {
-            CloudImporter importer = path.EndsWith(CloudHandle.Extension) ? new HandleImporter() : new PointFileImporter();
-            SetImporter?.Invoke(importer);
-            LastImport = new AssetImportContext(path);
-            importer.OnImportAsset(LastImport);
-            var made = (PointCloudAsset)LastImport.mainObject;
-            // Who refers to it goes on doing so.
-            if (Asset(path) is { } before)
-            {
-                (before.ProjectPath, before.PlayerPath, before.Points, before.BoundsMin, before.BoundsMax, before.Crs) =
-                    (made.ProjectPath, made.PlayerPath, made.Points, made.BoundsMin, made.BoundsMax, made.Crs);
-                (before.ProjectSources, before.PlayerSource, before.HasOrigin, before.Origin) =
-                    (made.ProjectSources, made.PlayerSource, made.HasOrigin, made.Origin);
-                (before.Up, before.UnitMetres) = (made.Up, made.UnitMetres);
-            }
-            else
-                AssetDatabase.Assets[path] = made;
+            ScriptedImports.Configure = settings == null ? null : importer => settings((CloudImporter)importer);
+            AssetDatabase.ImportAsset(asset, ImportAssetOptions.ForceUpdate);
         }
 
         public void Dispose()
         {
-            Imports.Dispose();
             // What PointCloudImports holds is this project's.
             AssemblyReloadEvents.Reload();
-            AssetDatabase.Assets.Clear();
-            AssetDatabase.Overrides.Clear();
-            AssetDatabase.Importers.Clear();
-            AssetDatabase.Dependencies.Clear();
-            AssetDatabase.Importing = null;
+            AssetDatabase.Clear();
+            ScriptedImports.Clear();
             Progress.Entries.Clear();
+            Undo.Clear();
             DragAndDrop.paths = Array.Empty<string>();
             DragAndDrop.objectReferences = Array.Empty<UnityEngine.Object>();
             Application.AssetsPath = null;

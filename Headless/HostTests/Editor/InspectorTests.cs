@@ -6,6 +6,8 @@ using FastPoints.Editor;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace FastPoints.HostTests.Editor
 {
@@ -59,13 +61,126 @@ namespace FastPoints.HostTests.Editor
             Assert.That(FrameText.Describe(stats, 1, 1).Single(l => l.Key == "Reads").Value, Is.EqualTo("nothing is missing"));
         }
 
+        /// <summary>Both events of each repaint, through a cloud's life: no control may come that was not laid out, and all of
+        /// the fields that are drawn are there.</summary>
+        [Test]
+        public void CloudInspector_ThroughAConversion_IsDrawnWithoutAWord()
+        {
+            using (var project = new EditorProject())
+            {
+                var logged = new List<string>();
+                Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+                var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
+                try
+                {
+                    project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
+                    var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
+                    var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
+                    void Draw()
+                    {
+                        inspector.DrawInspector();
+                        project.Imports.Update(DateTime.UtcNow);
+                    }
+                    ImportProject.Updates(Draw, () => project.Imports.Queue.Requests.Count == 0);
+                    foreach (string button in buttons)
+                    {
+                        GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
+                        GUILayout.Pressed = button;
+                        GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
+                        GUILayout.Pressed = null;
+                        Draw();
+                    }
+                    ImportProject.Updates(Draw, () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
+                    Object.DestroyImmediate(inspector);
+                    Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
+                }
+                finally
+                {
+                    GUILayout.Pressed = null;
+                    Event.current = null;
+                    Debug.s_sink = null;
+                }
+            }
+        }
+
+        [Test]
+        public void ComponentInspectors_OfAScene_AreDrawnWithoutAWord()
+        {
+            var scene = new GameObject("scan");
+            try
+            {
+                var editor = UnityEditor.Editor.Of<PointCloudEditor>(scene.AddComponent<FastPoints.Entities.PointCloud>());
+                editor.Draw();
+                scene.AddComponent<FastPoints.Entities.PointCloudSettings>();
+                editor.Draw();
+                Object.DestroyImmediate(editor);
+                foreach (var provider in TypeCache.GetMethodsWithAttribute<SettingsProviderAttribute>())
+                {
+                    var page = (SettingsProvider)provider.Invoke(null, null);
+                    Assert.That((page.scope, page.settingsPath), Is.EqualTo((SettingsScope.Project, "Project/FastPoints")));
+                    GUILayoutUtility.Repaint(() => page.guiHandler(""));
+                }
+            }
+            finally
+            {
+                Event.current = null;
+                Object.DestroyImmediate(scene);
+            }
+        }
+
+        [Test]
+        public void FindProperty_OfWhatUnityDoesNotKeep_IsNull()
+        {
+            var asset = new SerializedObject(ScriptableObject.CreateInstance<FastPoints.Entities.PointCloudAsset>());
+            Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
+            Assert.That(asset.FindProperty("ProjectPath"), Is.Not.Null);
+            Assert.That(asset.FindProperty("Unknown"), Is.Null);
+            Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")), Throws.TypeOf<NullReferenceException>());
+        }
+
+        [Test]
+        public void Layout_AControlMoreAtTheRepaint_IsThrownOut()
+        {
+            int controls = 1;
+            void Draw()
+            {
+                for (int i = 0; i < controls; i++)
+                    GUILayout.Label("one");
+                controls++;
+            }
+            Assert.That(() => GUILayoutUtility.Repaint(Draw), Throws.ArgumentException);
+            controls = 1;
+            GUILayoutUtility.Send(new Event { type = EventType.Layout }, Draw);
+            Assert.That(() => GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, Draw), Throws.Nothing, "a click may change it");
+            Event.current = null;
+        }
+
+        [Test]
+        public void ImporterInspector_ThatLeavesOutApply_IsToldSo()
+        {
+            var logged = new List<string>();
+            Debug.s_sink = (type, text) => logged.Add(text);
+            try
+            {
+                var inspector = UnityEditor.Editor.Of<CarelessInspector>(new HandleImporter());
+                inspector.DrawInspector();
+                Object.DestroyImmediate(inspector);
+                Assert.That(logged.Single(), Does.Contain("must call ApplyRevertGUI"));
+            }
+            finally
+            {
+                Debug.s_sink = null;
+                Event.current = null;
+            }
+        }
+
         [Test]
         public void Check_SoundAndDamagedCloud_SaysSo()
         {
             using (var project = new EditorProject())
             {
                 var logged = new List<string>();
-                UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+                Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
                 try
                 {
                     var asset = project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
@@ -99,8 +214,15 @@ namespace FastPoints.HostTests.Editor
                 }
                 finally
                 {
-                    UnityEngine.Debug.s_sink = null;
+                    Debug.s_sink = null;
                 }
+            }
+        }
+
+        sealed class CarelessInspector : UnityEditor.AssetImporters.ScriptedImporterEditor
+        {
+            public override void OnInspectorGUI()
+            {
             }
         }
     }

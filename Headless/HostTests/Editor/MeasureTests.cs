@@ -197,14 +197,12 @@ namespace FastPoints.HostTests.Editor
             view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
             view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
             var tool = ScriptableObject.CreateInstance<MeasureTool>();
-            tool.OnActivated();
+            tool.Activate();
             void Send(Event sent)
             {
-                Event.current = new Event { type = EventType.Layout };
-                tool.OnToolGUI(view);
-                Event.current = sent;
+                GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
                 HandleUtility.nearestControl = GUIUtility.LastControl + 1;
-                tool.OnToolGUI(view);
+                GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
             }
             void Click(double east)
             {
@@ -219,8 +217,7 @@ namespace FastPoints.HostTests.Editor
                 Assert.That(press.type, Is.EqualTo(EventType.Used));
                 int count = tool.Session.Picks.Count;
                 Frames(() => tool.Session.Picks.Count > count);
-                Event.current = new Event { type = EventType.Repaint };
-                tool.OnToolGUI(view);
+                Send(new Event { type = EventType.Repaint });
             }
             try
             {
@@ -243,11 +240,30 @@ namespace FastPoints.HostTests.Editor
             }
             finally
             {
-                tool.OnWillBeDeactivated();
+                tool.Deactivate();
                 UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
             }
             var updated = EditorApplication.update?.GetInvocationList().Select(d => d.Target) ?? new object[0];
             Assert.That(updated, Has.None.SameAs(tool));
+        }
+
+        /// <summary>Unity tells the active tool before scripts are loaded anew: a search of pool threads must not outlive them.</summary>
+        [Test]
+        public void MeasureTool_ScriptsAreReloaded_IsToldOnceAndBeginsAnew()
+        {
+            var tool = ScriptableObject.CreateInstance<MeasureTool>();
+            tool.Activate();
+            var session = tool.Session;
+            session.Begin(Down());
+
+            AssemblyReloadEvents.Reload();
+
+            Assert.That(tool.Session, Is.Null);
+            Assert.That(tool.IsActive, Is.False);
+            tool.Activate();
+            Assert.That(tool.Session, Is.Not.Null.And.Not.SameAs(session));
+            tool.Deactivate();
+            Assert.That(AssemblyReloadEvents.IsHeardBy(tool), Is.False);
         }
 
         void AssertMarksGoWithTheCloud(MeasureSession session)

@@ -7,6 +7,7 @@ using NUnit.Framework;
 using StandIns.Scene;
 using Unity.Entities;
 using Unity.Mathematics;
+using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
 using PointCloud = FastPoints.Entities.PointCloud;
@@ -83,6 +84,27 @@ namespace FastPoints.HostTests.Editor
             var after = cloud.Entity;
             SceneLoop.Update();
             Assert.That(cloud.Entity, Is.EqualTo(after));
+            Object.DestroyImmediate(scene);
+        }
+
+        [Test]
+        public void Undo_OfAProperty_BringsTheFieldBackAndTheCloudFollows()
+        {
+            using var world = World.DefaultGameObjectInjectionWorld = new World("default");
+            var scene = new GameObject("scan");
+            var cloud = scene.AddComponent<PointCloud>();
+            cloud.Path = "scan.fastpoints";
+            Undo.RecordObject(cloud, "Show classes");
+            cloud.HiddenClasses = new[] { 2 };
+            var hiding = cloud.Entity;
+
+            Undo.PerformUndo();
+            Assert.That(cloud.HiddenClasses, Is.Empty);
+            Assert.That(cloud.Entity, Is.EqualTo(hiding), "nobody has told it");
+            SceneLoop.Update();
+
+            Assert.That(cloud.Entity, Is.Not.EqualTo(hiding));
+            Assert.That(world.EntityManager.GetComponentObject<PointCloudFile>(cloud.Entity).HiddenClasses.IsEmpty, Is.True);
             Object.DestroyImmediate(scene);
         }
 

@@ -99,7 +99,6 @@ namespace FastPoints.HostTests.Editor
             Assert.That(m_logged.Where(l => !l.Contains("copied to")), Is.Empty);
             m_project.Imports.Export(asset, m_project.Scratch["out"]);
             AssemblyReloadEvents.Reload();
-            m_project.Imports.Suspend();
             Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
         }
 
@@ -144,7 +143,7 @@ namespace FastPoints.HostTests.Editor
         public void Move_ToAnotherPlace_FilesInAssetsAreFoundThereWithoutAnImport()
         {
             m_project.Scratch.Demo("project/Assets/tile.las", 3000);
-            m_project.Import("Assets/tile.las");
+            AssetDatabase.Refresh();
             var asset = m_project.Asset("Assets/tile.las");
             string folder = AssetDatabase.AssetPathToGUID("Assets/tile.las") + ".fastpoints";
             Assert.That(asset.File().FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
@@ -162,8 +161,7 @@ namespace FastPoints.HostTests.Editor
         {
             string path = m_project.Paths.Absolute("Assets/tile.las");
             File.Move(m_project.Scratch.Demo("tile.las", 3000), path);
-            m_project.Import("Assets/tile.las");
-            m_project.Imports.TakePointFile("Assets/tile.las");
+            AssetDatabase.Refresh();
             m_project.UpdateToTheEnd();
             Updates(() => !m_project.Imports.Thumbnails.IsDrawing);
             var handle = m_project.Imports.HandleOf("Assets/tile.las");

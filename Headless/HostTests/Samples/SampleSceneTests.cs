@@ -63,6 +63,17 @@ namespace FastPoints.HostTests.Samples
         }
 
         [Test]
+        public void Command_OfASample_ClosesTheSceneBefore()
+        {
+            PutSmallStreet();
+            var before = new GameObject("of the scene before");
+            Camera.main = null;
+            Commands()[0].Invoke(null, null);
+            Updates(() => Camera.main != null);
+            Assert.That(before == null, Is.True);
+        }
+
+        [Test]
         public void Commands_OfSamples_AreOneForEachListedSample()
         {
             string package = Checkout.Repository.PackageRoot;

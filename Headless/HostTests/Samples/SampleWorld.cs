@@ -29,7 +29,7 @@ namespace FastPoints.HostTests.Samples
             Group = World.GetExistingSystemManaged<PointCloudSystemGroup>();
             Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
             Application.PlayerFiles = Scratch.Root;
-            SceneLoop.TellsAll = true;
+            SceneLoop.IsPlaying = true;
         }
 
         public ScratchFolder Scratch { get; } = new ScratchFolder();
@@ -94,9 +94,10 @@ namespace FastPoints.HostTests.Samples
 
         public void Dispose()
         {
-            SceneLoop.TellsAll = false;
             foreach (var holder in m_objects)
                 UnityEngine.Object.DestroyImmediate(holder);
+            SceneLoop.Update();
+            SceneLoop.IsPlaying = false;
             World.Dispose();
             World.DefaultGameObjectInjectionWorld = null;
             Application.PlayerFiles = null;

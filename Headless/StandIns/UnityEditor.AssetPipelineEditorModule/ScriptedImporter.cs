@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace UnityEditor.AssetImporters
 {
@@ -31,23 +32,37 @@ namespace UnityEditor.AssetImporters
         public abstract void OnImportAsset(AssetImportContext ctx);
     }
 
+    /// <summary>Says what an inspector has left out, as Unity does.</summary>
     public abstract class AssetImporterEditor : Editor
     {
+        bool m_isEnabled;
+        bool m_hasDrawn;
+        bool m_hasApplied;
+
         public virtual bool showImportedObject => true;
 
         protected virtual bool needsApplyRevert => true;
 
-        public virtual void OnEnable()
+        public virtual void OnEnable() => m_isEnabled = true;
+
+        public virtual void OnDisable()
         {
+            if (!m_isEnabled)
+                Debug.LogError(GetType().Name + ".OnEnable must call base.OnEnable to avoid unexpected behaviour.");
+            else if (needsApplyRevert && m_hasDrawn && !m_hasApplied)
+                Debug.LogError(GetType().Name + ".OnInspectorGUI must call ApplyRevertGUI to avoid unexpected behaviour.");
         }
 
-        public override void OnInspectorGUI()
+        public override void OnInspectorGUI() => ApplyRevertGUI();
+
+        /// <summary>The inspector has been drawn.</summary>
+        internal void DrawInspector()
         {
+            m_hasDrawn = true;
+            Draw();
         }
 
-        protected void ApplyRevertGUI()
-        {
-        }
+        protected void ApplyRevertGUI() => m_hasApplied = true;
     }
 
     public class ScriptedImporterEditor : AssetImporterEditor

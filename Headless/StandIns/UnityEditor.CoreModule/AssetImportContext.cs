@@ -8,6 +8,7 @@ namespace UnityEditor.AssetImporters
     {
         internal readonly List<string> Errors = new List<string>();
         internal readonly List<string> Warnings = new List<string>();
+        readonly Dictionary<string, Object> m_objects = new Dictionary<string, Object>();
 
         internal AssetImportContext(string assetPath)
         {
@@ -18,13 +19,11 @@ namespace UnityEditor.AssetImporters
 
         public Object mainObject { get; private set; }
 
-        public void AddObjectToAsset(string identifier, Object obj) => obj.name = obj.name.Length > 0 ? obj.name : identifier;
+        /// <summary>An identifier is one object's; names are the importer's.</summary>
+        public void AddObjectToAsset(string identifier, Object obj) => m_objects.Add(identifier, obj);
 
-        public void SetMainObject(Object obj) => mainObject = obj;
-
-        internal readonly List<string> Dependencies = new List<string>();
-
-        public void DependsOnCustomDependency(string dependency) => Dependencies.Add(dependency);
+        public void SetMainObject(Object obj) => mainObject = m_objects.ContainsValue(obj) ? obj
+            : throw new System.InvalidOperationException("the main object was not added to the asset");
 
         public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
 

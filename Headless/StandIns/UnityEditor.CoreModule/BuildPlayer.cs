@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 
 namespace UnityEditor
 {
@@ -33,6 +34,8 @@ namespace UnityEditor.Build
     {
         internal readonly Dictionary<string, string> FolderOfPlayerPath = new Dictionary<string, string>();
 
+        readonly Dictionary<string, string> m_files = new Dictionary<string, string>();
+
         internal BuildPlayerContext(BuildPlayerOptions options)
         {
             BuildPlayerOptions = options;
@@ -40,8 +43,25 @@ namespace UnityEditor.Build
 
         public BuildPlayerOptions BuildPlayerOptions { get; }
 
-        public void AddAdditionalPathToStreamingAssets(string directoryOrFile, string pathInStreamingAssets = null) =>
-            FolderOfPlayerPath.Add(pathInStreamingAssets ?? "", directoryOrFile);
+        public void AddAdditionalPathToStreamingAssets(string directoryOrFile, string pathInStreamingAssets = null)
+        {
+            if (Directory.Exists(directoryOrFile))
+                foreach (string file in Directory.GetFiles(directoryOrFile, "*", SearchOption.AllDirectories))
+                    Add(file, Path.Combine(pathInStreamingAssets ?? "", Path.GetRelativePath(directoryOrFile, file)));
+            else if (File.Exists(directoryOrFile))
+                Add(directoryOrFile, pathInStreamingAssets ?? Path.GetFileName(directoryOrFile));
+            else
+                throw new FileNotFoundException("No such file or directory.", directoryOrFile);
+            FolderOfPlayerPath[pathInStreamingAssets ?? ""] = directoryOrFile;
+        }
+
+        void Add(string file, string place)
+        {
+            if (m_files.TryGetValue(place, out string other) && other != file)
+                throw new ArgumentException("Unable to add '" + file + "' to StreamingAssets. An entry for '" + place +
+                    "' has already been added, '" + other + "'.");
+            m_files[place] = file;
+        }
     }
 
     public abstract class BuildPlayerProcessor : IOrderedCallback

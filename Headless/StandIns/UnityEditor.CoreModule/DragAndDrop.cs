@@ -26,9 +26,10 @@ namespace UnityEditor
         DropAbove = 16,
     }
 
-    /// <summary>Keeps the handlers for a test to call.</summary>
+    /// <summary>Asks the handlers of a window, the last that was added first, until one takes the drop.</summary>
     public class DragAndDrop
     {
+        /// <summary>By the window: project, Scene view and hierarchy have delegates of their own.</summary>
         internal static readonly List<Delegate> Handlers = new List<Delegate>();
 
         public delegate DragAndDropVisualMode ProjectBrowserDropHandler(int dragInstanceID, string dropUponPath, bool perform);
@@ -55,16 +56,32 @@ namespace UnityEditor
         {
         }
 
-        public static void AddDropHandler(ProjectBrowserDropHandler handler) => Handlers.Add(handler);
+        public static void AddDropHandler(ProjectBrowserDropHandler handler) => Add(handler);
 
-        public static void AddDropHandler(SceneDropHandler handler) => Handlers.Add(handler);
+        public static void AddDropHandler(SceneDropHandler handler) => Add(handler);
 
-        public static void AddDropHandler(HierarchyDropHandler handler) => Handlers.Add(handler);
+        public static void AddDropHandler(HierarchyDropHandler handler) => Add(handler);
 
-        public static void AddDropHandlerV2(ProjectBrowserDropHandlerV2 handler) => Handlers.Add(handler);
+        public static void AddDropHandlerV2(ProjectBrowserDropHandlerV2 handler) => Add(handler);
 
-        public static void AddDropHandlerV2(SceneDropHandler handler) => Handlers.Add(handler);
+        public static void AddDropHandlerV2(SceneDropHandler handler) => Add(handler);
 
-        public static void AddDropHandlerV2(HierarchyDropHandlerV2 handler) => Handlers.Add(handler);
+        public static void AddDropHandlerV2(HierarchyDropHandlerV2 handler) => Add(handler);
+
+        /// <summary>None: Unity's own handler is asked next.</summary>
+        internal static DragAndDropVisualMode Drop<T>(params object[] args) where T : Delegate
+        {
+            for (int i = Handlers.Count - 1; i >= 0; i--)
+                if (Handlers[i] is T handler && (DragAndDropVisualMode)handler.DynamicInvoke(args) is var mode and not DragAndDropVisualMode.None)
+                    return mode;
+            return DragAndDropVisualMode.None;
+        }
+
+        static void Add(Delegate handler)
+        {
+            if (Handlers.Contains(handler))
+                throw new Exception("Delegate already registered");
+            Handlers.Add(handler);
+        }
     }
 }

@@ -1,5 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using StandIns.Scene;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -28,7 +33,7 @@ namespace UnityEditor
 
         public Object[] targets => new[] { target };
 
-        public SerializedObject serializedObject => new SerializedObject();
+        public SerializedObject serializedObject => new SerializedObject(target);
 
         public virtual bool RequiresConstantRepaint() => false;
 
@@ -40,21 +45,39 @@ namespace UnityEditor
 
         public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
         {
-            if (previousEditor == null || previousEditor.target != targetObject)
-                previousEditor = CreateInstance<Editor>();
-            previousEditor.target = targetObject;
+            if (previousEditor != null && previousEditor.target == targetObject)
+                return;
+            if (previousEditor != null)
+                DestroyImmediate(previousEditor);
+            previousEditor = Of<Editor>(targetObject);
         }
+
+        /// <summary>It has its target before it is enabled.</summary>
+        internal static T Of<T>(Object target) where T : Editor, new()
+        {
+            var made = new T { target = target };
+            SceneLoop.Send(made, "OnEnable");
+            return made;
+        }
+
+        /// <summary>Both events of a repaint: what is laid out, then drawn.</summary>
+        internal void Draw() => GUILayoutUtility.Repaint(OnInspectorGUI);
 
         protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude)
         {
+            foreach (string property in propertyToExclude)
+                EditorGUILayout.Draw(obj.FindProperty(property));
         }
     }
 
     /// <summary>Nobody changes anything.</summary>
     public class SerializedObject
     {
-        internal SerializedObject()
+        readonly Object m_target;
+
+        public SerializedObject(Object obj)
         {
+            m_target = obj != null ? obj : throw new ArgumentException("Object at index 0 is null");
         }
 
         public void Update()
@@ -63,7 +86,11 @@ namespace UnityEditor
 
         public bool ApplyModifiedProperties() => false;
 
-        public SerializedProperty FindProperty(string propertyPath) => new SerializedProperty();
+        /// <returns>Null where Unity keeps no such field.</returns>
+        public SerializedProperty FindProperty(string propertyPath) => propertyPath == "m_Script" ||
+            SerializedFields.Of(m_target.GetType()).Any(f => f.Name == propertyPath && SerializedFields.IsKept(f.FieldType))
+                ? new SerializedProperty()
+                : null;
     }
 
     public class SerializedProperty
@@ -99,25 +126,81 @@ namespace UnityEditor
             ProjectFolder = 1,
         }
 
+        /// <summary>In the project; there are no other preferences here.</summary>
+        internal readonly string RelativePath;
+
         public FilePathAttribute(string relativePath, Location location)
         {
+            RelativePath = location == Location.ProjectFolder ? relativePath : throw EditorOnly.NotHere(location.ToString());
         }
     }
 
+    /// <summary>What <see cref="Save"/> has written is read when it is asked for first; what was not saved goes with the
+    /// session. An import worker has one of its own, which knows nothing of this one: importers may not ask.</summary>
     public class ScriptableSingleton<T> : ScriptableObject where T : ScriptableObject
     {
         static T s_instance;
 
         protected ScriptableSingleton()
         {
-            s_instance = (object)this as T;
+            if (s_instance != null)
+                Debug.LogError("ScriptableSingleton already exists. Did you query the singleton in a constructor?");
+            else
+                s_instance = (object)this as T;
         }
 
-        public static T instance => s_instance != null ? s_instance : CreateInstance<T>();
+        public static T instance
+        {
+            get
+            {
+                if (AssetDatabase.IsAssetImportWorkerProcess())
+                    throw new InvalidOperationException("an import worker sees no " + typeof(T).Name + " of the main process");
+                if (s_instance != null)
+                    return s_instance;
+                var made = CreateInstance<T>();
+                // Not to be edited otherwise: Save is the user's.
+                made.hideFlags = HideFlags.HideAndDontSave & ~HideFlags.NotEditable;
+                if (FilePath != null && File.Exists(FilePath))
+                    SettingsFile.Read(FilePath, made);
+                return made;
+            }
+        }
 
         protected virtual void Save(bool saveAsText)
         {
+            if (FilePath == null)
+                Debug.LogWarning("Saving has no effect. Your class '" + GetType() + "' is missing the FilePathAttribute.");
+            else
+                SettingsFile.Write(FilePath, this);
         }
+
+        static string FilePath => typeof(T).GetCustomAttribute<FilePathAttribute>() is { } file
+            ? Path.Combine(Path.GetDirectoryName(Application.dataPath), file.RelativePath)
+            : null;
+    }
+
+    /// <summary>The fields of an object that Unity keeps, a line each.</summary>
+    static class SettingsFile
+    {
+        public static void Write(string path, Object of)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            File.WriteAllLines(path, Fields(of).Select(f =>
+                f.Name + ": " + Convert.ToString(f.GetValue(of), CultureInfo.InvariantCulture)));
+        }
+
+        public static void Read(string path, Object into)
+        {
+            var lines = File.ReadAllLines(path).Select(l => l.Split(new[] { ": " }, 2, StringSplitOptions.None))
+                .ToDictionary(l => l[0], l => l[1]);
+            foreach (var field in Fields(into))
+                if (lines.TryGetValue(field.Name, out string text))
+                    field.SetValue(into, field.FieldType.IsEnum ? Enum.Parse(field.FieldType, text)
+                        : Convert.ChangeType(text, field.FieldType, CultureInfo.InvariantCulture));
+        }
+
+        static IEnumerable<FieldInfo> Fields(Object of) =>
+            SerializedFields.Of(of.GetType()).Where(f => SerializedFields.IsKept(f.FieldType));
     }
 
     public enum SettingsScope

@@ -1,4 +1,5 @@
 using System;
+using StandIns.Scene;
 
 namespace UnityEditor
 {
@@ -16,7 +17,12 @@ namespace UnityEditor
         /// <summary>How often frames were asked for.</summary>
         internal static int s_queuedUpdates;
 
-        public static bool isPlaying { get; set; }
+        /// <summary>Play mode begins and ends at once: scripts are not loaded anew.</summary>
+        public static bool isPlaying
+        {
+            get => SceneLoop.IsPlaying;
+            set => SceneLoop.IsPlaying = value;
+        }
 
         public static event Action quitting;
 
@@ -30,6 +36,9 @@ namespace UnityEditor
         public delegate void AssemblyReloadCallback();
 
         public static event AssemblyReloadCallback beforeAssemblyReload;
+
+        internal static bool IsHeardBy(object target) =>
+            beforeAssemblyReload != null && Array.Exists(beforeAssemblyReload.GetInvocationList(), d => d.Target == target);
 
         /// <summary>Scripts are loaded anew: what was to be told before is told.</summary>
         internal static void Reload()

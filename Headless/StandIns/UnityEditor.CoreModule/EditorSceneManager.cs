@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using StandIns.Scene;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 
@@ -29,13 +31,26 @@ namespace UnityEditor.SceneManagement
         /// <summary>What the user answers when asked to save.</summary>
         internal static bool s_goesOn = true;
 
-        public static bool SaveCurrentModifiedScenesIfUserWantsTo() => s_goesOn;
+        public static bool SaveCurrentModifiedScenesIfUserWantsTo()
+        {
+            CheckIsEditing();
+            return s_goesOn;
+        }
 
         public static Scene NewScene(NewSceneSetup setup, NewSceneMode mode)
         {
+            CheckIsEditing();
+            if (mode == NewSceneMode.Single)
+                SceneLoop.Clear();
             if (setup == NewSceneSetup.DefaultGameObjects)
                 Camera.main = new GameObject("Main Camera").AddComponent<Camera>();
             return default;
+        }
+
+        static void CheckIsEditing()
+        {
+            if (Application.isPlaying)
+                throw new InvalidOperationException("This cannot be used during play mode.");
         }
 
         /// <summary>Roots of scenes by path, as a test puts them there.</summary>

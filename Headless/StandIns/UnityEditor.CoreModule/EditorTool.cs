@@ -15,8 +15,26 @@ namespace UnityEditor.EditorTools
         }
     }
 
+    /// <summary>One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.</summary>
     public abstract class EditorTool : ScriptableObject
     {
+        internal bool IsActive { get; private set; }
+
+        internal void Activate()
+        {
+            OnActivated();
+            IsActive = true;
+            AssemblyReloadEvents.beforeAssemblyReload += Deactivate;
+        }
+
+        internal void Deactivate()
+        {
+            AssemblyReloadEvents.beforeAssemblyReload -= Deactivate;
+            if (IsActive)
+                OnWillBeDeactivated();
+            IsActive = false;
+        }
+
         public virtual void OnActivated()
         {
         }

@@ -1,4 +1,9 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using StandIns.Scene;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
@@ -61,17 +66,44 @@ namespace UnityEditor
         }
     }
 
+    /// <summary>What was made, and the fields of what was recorded.</summary>
     public class Undo
     {
+        static readonly Stack<Action> s_steps = new Stack<Action>();
+
         public delegate void UndoRedoCallback();
 
         public static UndoRedoCallback undoRedoPerformed;
 
-        public static void PerformUndo() => throw EditorOnly.NotHere(nameof(PerformUndo));
+        public static void PerformUndo()
+        {
+            if (s_steps.Count == 0)
+                return;
+            s_steps.Pop()();
+            undoRedoPerformed?.Invoke();
+        }
 
+        /// <summary>What Unity keeps of it comes back, past properties: no setter is called.</summary>
         public static void RecordObject(Object objectToUndo, string name)
         {
+            if (objectToUndo is Transform transform)
+            {
+                var before = transform.localToWorldMatrix;
+                Add(() => transform.localToWorldMatrix = before);
+                return;
+            }
+            var kept = SerializedFields.Of(objectToUndo.GetType()).Where(f => SerializedFields.IsKept(f.FieldType))
+                .Select(f => (Field: f, Before: f.GetValue(objectToUndo) is Array many ? many.Clone() : f.GetValue(objectToUndo))).ToArray();
+            Add(() =>
+            {
+                foreach (var (field, before) in kept)
+                    field.SetValue(objectToUndo, before);
+            });
         }
+
+        internal static void Add(Action step) => s_steps.Push(step);
+
+        internal static void Clear() => s_steps.Clear();
     }
 
     public class EditorGUIUtility : GUIUtility

@@ -13,12 +13,16 @@ namespace UnityEditor
         {
             const BindingFlags all = BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic |
                 BindingFlags.DeclaredOnly;
-            string defines = typeof(T).Assembly.GetName().Name;
-            // Others than those that refer to the attribute's assembly cannot bear it.
-            var assemblies = AppDomain.CurrentDomain.GetAssemblies()
-                .Where(a => a == typeof(T).Assembly || a.GetReferencedAssemblies().Any(r => r.Name == defines));
-            return new MethodCollection(assemblies.SelectMany(a => a.GetTypes()).SelectMany(t => t.GetMethods(all))
-                .Where(m => m.IsDefined(typeof(T), false)).ToArray());
+            return new MethodCollection(Referring(typeof(T).Assembly).SelectMany(a => a.GetTypes())
+                .SelectMany(t => t.GetMethods(all)).Where(m => m.IsDefined(typeof(T), false)).ToArray());
+        }
+
+        /// <summary>An assembly, and those that refer to it: no others can use what it defines.</summary>
+        internal static IEnumerable<Assembly> Referring(Assembly to)
+        {
+            string defines = to.GetName().Name;
+            return AppDomain.CurrentDomain.GetAssemblies()
+                .Where(a => a == to || a.GetReferencedAssemblies().Any(r => r.Name == defines));
         }
 
         public struct MethodCollection

@@ -1,11 +1,12 @@
 using System;
+using StandIns.Scene;
 
 namespace UnityEngine
 {
     public sealed class Application
     {
-        /// <summary>The host is as an editor that does not play: what is destroyed is destroyed at once.</summary>
-        public static bool isPlaying => false;
+        /// <summary>The host is as an editor that does not play, unless a test has it play.</summary>
+        public static bool isPlaying => SceneLoop.IsPlaying;
 
         public static bool isEditor => true;
 

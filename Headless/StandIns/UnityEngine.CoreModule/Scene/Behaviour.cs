@@ -8,25 +8,33 @@ namespace UnityEngine
 
         public bool enabled
         {
-            get => m_enabled;
+            get
+            {
+                CheckIsThere();
+                return m_enabled;
+            }
             set
             {
+                CheckIsThere();
                 m_enabled = value;
                 SceneLoop.Refresh(this);
             }
         }
 
-        public bool isActiveAndEnabled => m_enabled && !IsDestroyed && gameObject.activeSelf;
+        public bool isActiveAndEnabled => enabled && gameObject.activeInHierarchy;
 
-        /// <summary>Whether it was told that it is enabled.</summary>
+        /// <summary>How far it is told of its life.</summary>
+        internal bool IsAwake { get; set; }
         internal bool IsTold { get; set; }
+        internal bool IsStarted { get; set; }
 
         internal override void OnDestroyed()
         {
             m_enabled = false;
             SceneLoop.Refresh(this);
-            SceneLoop.Send(this, "OnDestroy");
-            SceneLoop.Forget(this);
+            // What never woke is not told that it goes.
+            if (IsAwake)
+                SceneLoop.Send(this, "OnDestroy");
         }
     }
 

@@ -2,7 +2,17 @@ namespace UnityEngine
 {
     public class Component : Object
     {
-        public GameObject gameObject { get; internal set; }
+        GameObject m_gameObject;
+
+        public GameObject gameObject
+        {
+            get
+            {
+                CheckIsThere();
+                return m_gameObject;
+            }
+            internal set => m_gameObject = value;
+        }
 
         public Transform transform => gameObject.transform;
 

@@ -1,6 +1,8 @@
+using System.Collections.Generic;
+
 namespace UnityEngine
 {
-    /// <summary>A place without parents: the matrix is set by whoever tests.</summary>
+    /// <summary>A place that its parents do not move: the matrix is set by whoever tests.</summary>
     public class Transform : Component
     {
         public Matrix4x4 localToWorldMatrix { get; internal set; } = Matrix4x4.identity;
@@ -37,7 +39,21 @@ namespace UnityEngine
 
         internal Transform Parent { get; private set; }
 
+        internal List<Transform> Children { get; } = new List<Transform>();
+
         /// <summary>Remembered, but the matrix stays its own.</summary>
-        public void SetParent(Transform parent, bool worldPositionStays) => Parent = parent;
+        public void SetParent(Transform parent, bool worldPositionStays)
+        {
+            Leave();
+            Parent = parent;
+            parent?.Children.Add(this);
+            gameObject.Refresh();
+        }
+
+        internal void Leave()
+        {
+            Parent?.Children.Remove(this);
+            Parent = null;
+        }
     }
 }

@@ -2,26 +2,68 @@ using System;
 using System.Diagnostics;
 using System.Threading;
 using StandIns;
+using StandIns.Scene;
 
 namespace UnityEngine
 {
+    /// <summary>Somebody uses an object that is destroyed.</summary>
+    public class MissingReferenceException : SystemException
+    {
+        public MissingReferenceException(string message)
+            : base(message)
+        {
+        }
+    }
+
     /// <summary>Equal to null once it is destroyed, though the reference is not.</summary>
     public class Object
     {
         static int s_lastId;
         readonly int m_id = Interlocked.Increment(ref s_lastId);
+        string m_name = "";
+        HideFlags m_hideFlags;
         bool m_isDestroyed;
 
-        public string name { get; set; } = "";
+        public string name
+        {
+            get
+            {
+                CheckIsThere();
+                return m_name;
+            }
+            set
+            {
+                CheckIsThere();
+                m_name = value;
+            }
+        }
 
-        public HideFlags hideFlags { get; set; }
+        public HideFlags hideFlags
+        {
+            get
+            {
+                CheckIsThere();
+                return m_hideFlags;
+            }
+            set
+            {
+                CheckIsThere();
+                m_hideFlags = value;
+            }
+        }
 
         internal int Id => m_id;
 
         internal bool IsDestroyed => m_isDestroyed;
 
-        /// <summary>Unity waits for the frame's end; nothing here goes before the device is done with it anyway.</summary>
-        public static void Destroy(Object obj) => DestroyImmediate(obj, false);
+        /// <summary>At the frame's end, in play mode; in edit mode it is refused.</summary>
+        public static void Destroy(Object obj)
+        {
+            if (!Application.isPlaying)
+                Debug.LogError("Destroy may not be called from edit mode! Use DestroyImmediate instead.");
+            else
+                SceneLoop.DestroyLater(obj);
+        }
 
         public static void DestroyImmediate(Object obj) => DestroyImmediate(obj, false);
 
@@ -48,7 +90,15 @@ namespace UnityEngine
 
         public override int GetHashCode() => m_id;
 
-        public override string ToString() => $"{name} ({GetType().FullName})";
+        public override string ToString() => m_isDestroyed ? "null" : $"{m_name} ({GetType().FullName})";
+
+        /// <summary>Its own fields can be read after it was destroyed; what the engine keeps of it is gone.</summary>
+        internal void CheckIsThere()
+        {
+            if (m_isDestroyed)
+                throw new MissingReferenceException("The object of type '" + GetType().FullName +
+                    "' has been destroyed but you are still trying to access it.");
+        }
 
         /// <summary>Whether it is null or destroyed. An asset that is destroyed may have come back, which only the main thread can
         /// tell; where the object is all there is of it, it cannot.</summary>
