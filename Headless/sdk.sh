@@ -47,14 +47,26 @@ has_graphics() {
     { ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1' && ls /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json 2>/dev/null | grep -q .; }
 }
 
-install_graphics() {
-  if has_graphics; then
-    return 0
-  fi
-  if [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null 2>&1 &&
+apt_install() { # packages...
+  [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null 2>&1 &&
     apt-get update -q >/dev/null 2>&1 </dev/null &&
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $graphics_packages >/dev/null 2>&1 </dev/null; then
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "$@" >/dev/null 2>&1 </dev/null
+}
+
+install_graphics() {
+  if has_graphics || apt_install $graphics_packages; then
     return 0
   fi
   echo "no graphics here, tests of them are skipped; with root: apt-get install $graphics_packages" >&2
+}
+
+# What Direct3D's own compiler takes: Wine, a compiler for the small program that calls it, and, by NuGet, the compiler.
+direct3d_packages="wine64 gcc-mingw-w64-x86-64"
+
+install_direct3d() {
+  { { command -v wine64 >/dev/null 2>&1 || [ -x /usr/lib/wine/wine64 ]; } && command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; } ||
+    apt_install $direct3d_packages ||
+    echo "no Wine here, Direct3D's compiler is not run; with root: apt-get install $direct3d_packages" >&2
+  dotnet restore Headless/Direct3D/Direct3D.csproj -v q >/dev/null 2>&1 </dev/null ||
+    echo "the Windows SDK's package (see Headless/Direct3D) cannot be had, Direct3D's compiler is not run" >&2
 }

@@ -1,4 +1,5 @@
-// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Gpu.DrawList.
+// A point of a block: where it is and what colour it has. An instance is a block; see FastPoints.Gpu.DrawList. Functions return
+// at their end only: Direct3D's compiler takes what they return for uninitialized otherwise, and Unity shows its warnings.
 #ifndef FASTPOINTS_POINT_DRAWING_INCLUDED
 #define FASTPOINTS_POINT_DRAWING_INCLUDED
 
@@ -61,6 +62,7 @@ float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index
     uint packedY = block.Packed + FastPointsWordsOf(block, 0u);
     uint packedZ = packedY + FastPointsWordsOf(block, 1u);
     uint widthX = FastPointsWidthOf(block, 0u), widthY = FastPointsWidthOf(block, 1u), widthZ = FastPointsWidthOf(block, 2u);
+    float3 steps;
     if (node.IsWide != 0u)
     {
         uint4 minimaXY = _FastPointsBank.Load4((block.Descriptor + 2u) * 4u);
@@ -68,14 +70,18 @@ float3 FastPointsStepsFromAnchor(GpuNode node, FastPointsBlock block, uint index
         uint2 x = FastPointsAddWide(minimaXY.xy, FastPointsWideOffset(block.Packed, widthX, index));
         uint2 y = FastPointsAddWide(minimaXY.zw, FastPointsWideOffset(packedY, widthY, index));
         uint2 z = FastPointsAddWide(minimumZ, FastPointsWideOffset(packedZ, widthZ, index));
-        return float3(FastPointsWideDifference(x, uint2(node.Anchor.x, node.AnchorHigh.x)),
+        steps = float3(FastPointsWideDifference(x, uint2(node.Anchor.x, node.AnchorHigh.x)),
             FastPointsWideDifference(y, uint2(node.Anchor.y, node.AnchorHigh.y)),
             FastPointsWideDifference(z, uint2(node.Anchor.z, node.AnchorHigh.z)));
     }
-    uint3 minima = _FastPointsBank.Load3((block.Descriptor + 2u) * 4u);
-    return float3(FastPointsDifference(minima.x + FastPointsOffset(block.Packed, widthX, index), node.Anchor.x),
-        FastPointsDifference(minima.y + FastPointsOffset(packedY, widthY, index), node.Anchor.y),
-        FastPointsDifference(minima.z + FastPointsOffset(packedZ, widthZ, index), node.Anchor.z));
+    else
+    {
+        uint3 minima = _FastPointsBank.Load3((block.Descriptor + 2u) * 4u);
+        steps = float3(FastPointsDifference(minima.x + FastPointsOffset(block.Packed, widthX, index), node.Anchor.x),
+            FastPointsDifference(minima.y + FastPointsOffset(packedY, widthY, index), node.Anchor.y),
+            FastPointsDifference(minima.z + FastPointsOffset(packedZ, widthZ, index), node.Anchor.z));
+    }
+    return steps;
 }
 
 // The value of one column of the colour plane, in entries of the palette or 255ths of a channel.
@@ -100,22 +106,30 @@ float FastPointsColumnValue(GpuCloud cloud, FastPointsBlock block, uint column, 
 float3 FastPointsColor(GpuNode node, GpuCloud cloud, uint blockIndex, uint index, float3 steps)
 {
     uint palette = cloud.ColumnTypes >> 24;
+    float3 color;
     if (cloud.ColorSource == FASTPOINTS_COLOR_PLACE)
-        return FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
-    uint columns = cloud.Columns & 0xFFu, wide = cloud.Columns >> 8;
-    uint descriptorWords = 2u + columns + countbits(wide);
-    FastPointsBlock block = FastPointsOpenBlock(node.ColorWord, descriptorWords, blockIndex);
-    float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
-    if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
-        return FastPointsLookUp(palette, FastPointsEntry(first));
-    if (cloud.ColorSource == FASTPOINTS_COLOR_WRAPPED)
-        return FastPointsLookUp(palette, uint(int(floor(first))) & 0xFFu);
-    uint packed = block.Packed + FastPointsWordsOf(block, 0u), minimumWord = 3u + (wide & 1u);
-    float second = FastPointsColumnValue(cloud, block, 1u, minimumWord, packed, index);
-    packed += FastPointsWordsOf(block, 1u);
-    minimumWord += 1u + (wide >> 1 & 1u);
-    float third = FastPointsColumnValue(cloud, block, 2u, minimumWord, packed, index);
-    return float3(FastPointsEntry(first), FastPointsEntry(second), FastPointsEntry(third)) / 255.0;
+        color = FastPointsLookUp(palette, FastPointsEntry(node.AnchorValue + dot(cloud.ValuePerStep, steps)));
+    else
+    {
+        uint columns = cloud.Columns & 0xFFu, wide = cloud.Columns >> 8;
+        uint descriptorWords = 2u + columns + countbits(wide);
+        FastPointsBlock block = FastPointsOpenBlock(node.ColorWord, descriptorWords, blockIndex);
+        float first = FastPointsColumnValue(cloud, block, 0u, 2u, block.Packed, index);
+        if (cloud.ColorSource == FASTPOINTS_COLOR_ATTRIBUTE)
+            color = FastPointsLookUp(palette, FastPointsEntry(first));
+        else if (cloud.ColorSource == FASTPOINTS_COLOR_WRAPPED)
+            color = FastPointsLookUp(palette, uint(int(floor(first))) & 0xFFu);
+        else
+        {
+            uint packed = block.Packed + FastPointsWordsOf(block, 0u), minimumWord = 3u + (wide & 1u);
+            float second = FastPointsColumnValue(cloud, block, 1u, minimumWord, packed, index);
+            packed += FastPointsWordsOf(block, 1u);
+            minimumWord += 1u + (wide >> 1 & 1u);
+            float third = FastPointsColumnValue(cloud, block, 2u, minimumWord, packed, index);
+            color = float3(FastPointsEntry(first), FastPointsEntry(second), FastPointsEntry(third)) / 255.0;
+        }
+    }
+    return color;
 }
 
 // Which eye an instance is for: 1 for the right one.
@@ -132,18 +146,19 @@ uint FastPointsEyeOf(uint instance)
 // seen: from the place that nodes are seen from, along the world's axes.
 void FastPointsSeeFrom(uint eye, float3 seen, out float4 clip, out float depth)
 {
+    float4x4 viewProjection = _FastPointsViewProjection;
+    float3 forward = _FastPointsForward, offset = _FastPointsEyeOffset;
 #if defined(FASTPOINTS_STEREO)
     if (eye != 0u)
     {
-        seen -= _FastPointsRightEyeOffset;
-        clip = mul(_FastPointsRightViewProjection, float4(seen, 1.0));
-        depth = dot(_FastPointsRightForward, seen);
-        return;
+        viewProjection = _FastPointsRightViewProjection;
+        forward = _FastPointsRightForward;
+        offset = _FastPointsRightEyeOffset;
     }
 #endif
-    seen -= _FastPointsEyeOffset;
-    clip = mul(_FastPointsViewProjection, float4(seen, 1.0));
-    depth = dot(_FastPointsForward, seen);
+    seen -= offset;
+    clip = mul(viewProjection, float4(seen, 1.0));
+    depth = dot(forward, seen);
 }
 
 // The point of a number below 128 of the draw's block of a number.
@@ -164,26 +179,30 @@ FastPointsPoint FastPointsLoadPoint(uint instance, uint index)
     loaded.Color = float3(0.0, 0.0, 0.0);
     loaded.SizePx = 0.0;
     loaded.Depth = 0.0;
-    if (!loaded.IsThere)
-        return loaded;
-    float3 steps = FastPointsStepsFromAnchor(node, block, index);
-    float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
+    if (loaded.IsThere)
+    {
+        float3 steps = FastPointsStepsFromAnchor(node, block, index);
+        float3 seen = node.AnchorView + cloud.StepX * steps.x + cloud.StepY * steps.y + cloud.StepZ * steps.z;
+        bool isDrawn = true;
 #if defined(FASTPOINTS_CLIPPED)
-    if (!FastPointsIsLeftByClips(seen))
-        return loaded;
+        isDrawn = FastPointsIsLeftByClips(seen);
 #endif
 #if defined(FASTPOINTS_FILTERED)
-    if (FastPointsIsHidden(cloud, node.ClassWord, blockIndex, index))
-        return loaded;
+        if (isDrawn)
+            isDrawn = !FastPointsIsHidden(cloud, node.ClassWord, blockIndex, index);
 #endif
-    FastPointsSeeFrom(eye, seen, loaded.PositionClip, loaded.Depth);
+        if (isDrawn)
+        {
+            FastPointsSeeFrom(eye, seen, loaded.PositionClip, loaded.Depth);
+            float gap = 1.0;
 #if defined(FASTPOINTS_ADAPTIVE)
-    loaded.SizePx = FastPointsSizePx(FastPointsGapAt(node.SizeNode, node.AnchorInCube + node.CubesPerStep * steps), loaded.Depth);
-#else
-    loaded.SizePx = FastPointsSizePx(1.0, loaded.Depth);
+            gap = FastPointsGapAt(node.SizeNode, node.AnchorInCube + node.CubesPerStep * steps);
 #endif
-    float3 color = FastPointsColor(node, cloud, blockIndex, index, steps) * FastPointsUnpackColor(node.Tint);
-    loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
+            loaded.SizePx = FastPointsSizePx(gap, loaded.Depth);
+            float3 color = FastPointsColor(node, cloud, blockIndex, index, steps) * FastPointsUnpackColor(node.Tint);
+            loaded.Color = _FastPointsIsLinear != 0u ? FastPointsLinearFromSrgb(color) : color;
+        }
+    }
     return loaded;
 }
 

@@ -32,14 +32,18 @@ bool FastPointsIsLeftByClips(float3 seen)
 #if defined(FASTPOINTS_FILTERED)
 bool FastPointsIsHidden(GpuCloud cloud, uint classWord, uint blockIndex, uint index)
 {
-    if (cloud.ClassDivisor == 0u)
-        return false;
-    // A plane of one column: two words and its minimum.
-    FastPointsBlock block = FastPointsOpenBlock(classWord, 3u, blockIndex);
-    uint minimum = _FastPointsBank.Load((block.Descriptor + 2u) * 4u);
-    uint number = (minimum + FastPointsOffset(block.Packed, FastPointsWidthOf(block, 0u), index)) * cloud.ClassDivisor & 0xFFu;
-    uint4 hidden = number < 128u ? cloud.HiddenLow : cloud.HiddenHigh;
-    return (hidden[number >> 5 & 3u] >> (number & 31u) & 1u) != 0u;
+    bool isHidden = false;
+    if (cloud.ClassDivisor != 0u)
+    {
+        // A plane of one column: two words and its minimum.
+        FastPointsBlock block = FastPointsOpenBlock(classWord, 3u, blockIndex);
+        uint minimum = _FastPointsBank.Load((block.Descriptor + 2u) * 4u);
+        uint value = minimum + FastPointsOffset(block.Packed, FastPointsWidthOf(block, 0u), index);
+        uint number = value * cloud.ClassDivisor & 0xFFu;
+        uint4 hidden = number < 128u ? cloud.HiddenLow : cloud.HiddenHigh;
+        isHidden = (hidden[number >> 5 & 3u] >> (number & 31u) & 1u) != 0u;
+    }
+    return isHidden;
 }
 #endif
 

@@ -20,29 +20,35 @@ ByteAddressBuffer _FastPointsPalettes;
 // A value of up to 32 bits.
 float FastPointsValue(uint bits, uint type)
 {
+    float value = float(bits);
     if (type == FASTPOINTS_INT8)
-        return float(int(bits) - 0x80);
-    if (type == FASTPOINTS_INT16)
-        return float(int(bits) - 0x8000);
-    if (type == FASTPOINTS_INT32)
-        return float(asint(bits ^ 0x80000000u));
-    if (type == FASTPOINTS_FLOAT32)
-        return asfloat(bits & 0x80000000u ? bits ^ 0x80000000u : ~bits);
-    return float(bits);
+        value = float(int(bits) - 0x80);
+    else if (type == FASTPOINTS_INT16)
+        value = float(int(bits) - 0x8000);
+    else if (type == FASTPOINTS_INT32)
+        value = float(asint(bits ^ 0x80000000u));
+    else if (type == FASTPOINTS_FLOAT32)
+        value = asfloat(bits & 0x80000000u ? bits ^ 0x80000000u : ~bits);
+    return value;
 }
 
 // A value of 64 bits: doubles beyond the range of floats become infinities, those too small for it 0.
 float FastPointsWideValue(uint2 bits, uint type)
 {
+    float value;
     if (type == FASTPOINTS_UINT64)
-        return float(bits.y) * 4294967296.0 + float(bits.x);
-    if (type == FASTPOINTS_INT64)
-        return float(asint(bits.y ^ 0x80000000u)) * 4294967296.0 + float(bits.x);
-    uint2 word = bits.y & 0x80000000u ? uint2(bits.x, bits.y ^ 0x80000000u) : ~bits;
-    int exponent = int(word.y >> 20 & 0x7FFu) - 1023 + 127;
-    uint fraction = (word.y & 0xFFFFFu) << 3 | word.x >> 29;
-    uint magnitude = exponent <= 0 ? 0u : exponent >= 255 ? 0x7F800000u : uint(exponent) << 23 | fraction;
-    return asfloat(magnitude | (word.y & 0x80000000u));
+        value = float(bits.y) * 4294967296.0 + float(bits.x);
+    else if (type == FASTPOINTS_INT64)
+        value = float(asint(bits.y ^ 0x80000000u)) * 4294967296.0 + float(bits.x);
+    else
+    {
+        uint2 word = bits.y & 0x80000000u ? uint2(bits.x, bits.y ^ 0x80000000u) : ~bits;
+        int exponent = int(word.y >> 20 & 0x7FFu) - 1023 + 127;
+        uint fraction = (word.y & 0xFFFFFu) << 3 | word.x >> 29;
+        uint magnitude = exponent <= 0 ? 0u : exponent >= 255 ? 0x7F800000u : uint(exponent) << 23 | fraction;
+        value = asfloat(magnitude | (word.y & 0x80000000u));
+    }
+    return value;
 }
 
 // Entry of a palette, or byte of a channel; what is no number is 0.
@@ -61,11 +67,11 @@ float3 FastPointsLookUp(uint palette, uint entry)
     return FastPointsUnpackColor(_FastPointsPalettes.Load((palette * 256u + entry) * 4u));
 }
 
-// IEC 61966-2-1.
+// IEC 61966-2-1. No colour is below 0; abs tells Direct3D's compiler, which warns of pow otherwise.
 float3 FastPointsLinearFromSrgb(float3 color)
 {
     float3 low = color / 12.92;
-    float3 high = pow((color + 0.055) / 1.055, 2.4);
+    float3 high = pow(abs(color + 0.055) / 1.055, 2.4);
     return float3(color.x <= 0.04045 ? low.x : high.x, color.y <= 0.04045 ? low.y : high.y, color.z <= 0.04045 ? low.z : high.z);
 }
 

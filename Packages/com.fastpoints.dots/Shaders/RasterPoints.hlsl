@@ -31,22 +31,25 @@ bool FastPointsProject(uint3 group, uint index, out uint address, out uint depth
     address = 0u;
     depth = 0u;
     color = 0u;
+    bool isSeen = false;
     uint instance = group.x + group.y * _FastPointsGroupsPerRow;
-    if (instance >= _FastPointsInstanceCount)
-        return false;
-    FastPointsPoint drawn = FastPointsLoadPoint(instance, index);
-    float4 clip = drawn.PositionClip;
-    if (!(clip.w > 0.0 && clip.z >= 0.0 && clip.z <= clip.w))
-        return false;
-    float2 place = float2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * _FastPointsScreenPx;
-    if (!(place.x >= 0.0 && place.y >= 0.0 && place.x < _FastPointsScreenPx.x && place.y < _FastPointsScreenPx.y))
-        return false;
-    address = (uint(place.y) * uint(_FastPointsScreenPx.x) + uint(place.x)) * 8u;
-    uint bits = asuint(drawn.Depth);
-    depth = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-    uint3 bytes = uint3(drawn.Color * 255.0 + 0.5);
-    color = bytes.x | bytes.y << 8 | bytes.z << 16;
-    return true;
+    if (instance < _FastPointsInstanceCount)
+    {
+        FastPointsPoint drawn = FastPointsLoadPoint(instance, index);
+        float4 clip = drawn.PositionClip;
+        float2 place = float2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * _FastPointsScreenPx;
+        isSeen = clip.w > 0.0 && clip.z >= 0.0 && clip.z <= clip.w && place.x >= 0.0 && place.y >= 0.0 &&
+            place.x < _FastPointsScreenPx.x && place.y < _FastPointsScreenPx.y;
+        if (isSeen)
+        {
+            address = (uint(place.y) * uint(_FastPointsScreenPx.x) + uint(place.x)) * 8u;
+            uint bits = asuint(drawn.Depth);
+            depth = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+            uint3 bytes = uint3(drawn.Color * 255.0 + 0.5);
+            color = bytes.x | bytes.y << 8 | bytes.z << 16;
+        }
+    }
+    return isSeen;
 }
 
 [numthreads(FASTPOINTS_CLEAR_THREADS, 1, 1)]

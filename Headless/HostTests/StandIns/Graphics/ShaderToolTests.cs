@@ -100,7 +100,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
             RequireCompiler();
             ShaderLabSource shader = Read("SubShader { Pass {\n" + Pass.Replace("return 1;", "return nothing;") + "\n} }");
             Assert.That(() =>
-                shader.Passes[0].FragmentCode(0), Throws.InvalidOperationException.With.Message.Contains(":7: 'nothing'"));
+                shader.Passes[0].Fragment(0).Compile(), Throws.InvalidOperationException.With.Message.Contains(":7: 'nothing'"));
         }
 
         [Test]
@@ -111,7 +111,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
             Write("outer.hlsl", "#include \"inner.hlsl\"\n");
             string path = Write("a.compute", "#pragma kernel K\n#include \"outer.hlsl\"\nRWStructuredBuffer<uint> _A;\n"
                 + "[numthreads(1,1,1)] void K() { _A[0] = VALUE; }\n");
-            byte[] Compile() => new ComputeSource(path).Code("K", 0);
+            byte[] Compile() => new ComputeSource(path).Kernel("K", 0).Compile();
             int runs = ShaderCompiler.Runs;
             byte[] first = Compile();
             Assert.That(Compile(), Is.EqualTo(first));
@@ -132,7 +132,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
                 + "[numthreads(4,2,1)] void K(uint3 id : SV_DispatchThreadID) { E e = _In[id.x]; float4 v = mul(_M, e.A) + _V.x "
                     + "* _F;\n"
                 + "_Out.Store(4, asuint(v.x + _Many[id.y].x + _Slices.Load(int4(_I, 0, 0)))); }\n"));
-            var module = new SpirvModule(source.Code("K", 0));
+            var module = new SpirvModule(source.Kernel("K", 0).Compile());
             Dictionary<string, ShaderResource> resources = module.Resources().ToDictionary(r => r.Name);
             Assert.That(module.GroupSize, Is.EqualTo((4u, 2u, 1u)));
             Assert.That((resources["_In"].Kind, resources["_In"].Stride, resources["_In"].IsWritten),

@@ -4,8 +4,10 @@ using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Threading.Tasks;
 using FastPoints.HostTests.Cli;
+using FastPoints.HostTests.Shaders;
 using NUnit.Framework;
 using StandIns.Graphics;
 
@@ -19,10 +21,8 @@ namespace FastPoints.HostTests.StandIns.Graphics
         // More would take minutes: then keywords want to become uniforms.
         private const long MostVariants = 256;
 
-        private static readonly string[] s_folders = { "Packages", "Headless/HostTests" };
-
-        private static IEnumerable<string> Shaders() => Checkout.Files().Where(f => s_folders.Any(f.StartsWith)
-            && (f.EndsWith(".shader", StringComparison.Ordinal) || f.EndsWith(".compute", StringComparison.Ordinal)));
+        private static IEnumerable<string> Shaders() =>
+            ShaderSources.In("Packages").Concat(ShaderSources.In("Headless/HostTests"));
 
         [TestCaseSource(nameof(Shaders))]
         public void Variants_OfAShader_AreValid(string shader)
@@ -32,38 +32,27 @@ namespace FastPoints.HostTests.StandIns.Graphics
             if (!HasChecker())
                 Assert.Ignore("spirv-val is not installed (Debian, Ubuntu: apt-get install spirv-tools)");
             using var folder = new ScratchFolder();
-            Func<byte[]>[] all = Codes(Path.Combine(Checkout.Repository.Root, shader)).ToArray();
+            ShaderStage[] all = ShaderSources.StagesOf(Path.Combine(Checkout.Repository.Root, shader)).ToArray();
             Assert.That(all.Length, Is.LessThanOrEqualTo(MostVariants));
             var faults = new string[all.Length];
             Parallel.For(0, all.Length, i =>
             {
-                File.WriteAllBytes(folder[i + ".spv"], all[i]());
+                File.WriteAllBytes(folder[i + ".spv"], all[i].Compile());
                 faults[i] = Check(folder[i + ".spv"]);
             });
             Assert.That(faults.Where(f => f.Length > 0), Is.Empty);
         }
 
-        // Each kernel or stage in each variant, compiled when it is called.
-        private static IEnumerable<Func<byte[]>> Codes(string path)
+        /// <summary>Then what the compiler of one platform is given, each is.</summary>
+        [Test]
+        public void Conditions_OfThePackagesShaders_AskForItsOwnNamesOnly()
         {
-            if (path.EndsWith(".compute", StringComparison.Ordinal))
-            {
-                var source = new ComputeSource(path);
-                foreach (string kernel in source.Kernels)
-                    for (long i = 0; i < KeywordVariant.Count(source.Keywords); i++)
-                    {
-                        long variant = i;
-                        yield return () => source.Code(kernel, variant);
-                    }
-                yield break;
-            }
-            foreach (ShaderPass pass in ShaderLabReader.Read(path).Passes)
-                for (long i = 0; i < KeywordVariant.Count(pass.Keywords); i++)
-                {
-                    long variant = i;
-                    yield return () => pass.VertexCode(variant);
-                    yield return () => pass.FragmentCode(variant);
-                }
+            string folder = Path.Combine(Checkout.Repository.PackageRoot, "Shaders");
+            var names = Directory.GetFiles(folder, "*", SearchOption.AllDirectories).SelectMany(File.ReadLines)
+                .Where(l => Regex.IsMatch(l, @"^\s*#\s*(el)?if"))
+                .SelectMany(l => Regex.Matches(l, @"[A-Za-z_]\w+").Select(m => m.Value))
+                .Where(n => n is not ("if" or "ifdef" or "ifndef" or "elif" or "defined")).Distinct().ToList();
+            Assert.That(names, Is.Not.Empty.And.All.StartsWith("FASTPOINTS_"));
         }
 
         private static bool HasChecker()

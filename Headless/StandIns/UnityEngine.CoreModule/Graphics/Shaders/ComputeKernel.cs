@@ -29,6 +29,6 @@ namespace StandIns.Graphics
         }
 
         ComputeProgram Compile(long variant) => new ComputeProgram(GpuDevice.Current, m_source.Name + ", " + Name, Name,
-            SpirvModule.For(GpuDevice.Current, m_source.Code(Name, variant)));
+            SpirvModule.For(GpuDevice.Current, m_source.Kernel(Name, variant).Compile()));
     }
 }

@@ -35,11 +35,8 @@ namespace StandIns.Graphics
             Keywords = keywords.ToArray();
         }
 
-        /// <summary>A variant of a kernel, without a device.</summary>
-        internal byte[] Code(string kernel, long variant)
-        {
-            const string stage = "comp";
-            return ShaderCompiler.Compile(Files, Name, Text, stage, kernel, KeywordVariant.Names(Keywords, variant, stage));
-        }
+        /// <summary>A variant of a kernel.</summary>
+        internal ShaderStage Kernel(string kernel, long variant) =>
+            new ShaderStage(Files, Name, Text, "comp", kernel, Keywords, variant);
     }
 }

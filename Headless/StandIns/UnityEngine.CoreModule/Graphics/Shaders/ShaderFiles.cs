@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Text;
 using System.Text.RegularExpressions;
 
 namespace StandIns.Graphics
@@ -11,6 +12,8 @@ namespace StandIns.Graphics
     sealed class ShaderFiles
     {
         static readonly Regex s_include = new Regex(@"^[ \t]*#[ \t]*include[ \t]+[""<]([^"">]+)["">]", RegexOptions.Multiline);
+
+        static readonly Regex s_line = new Regex(@"^[ \t]*#[ \t]*line[ \t]+(\d+)");
 
         /// <summary>The folder that Packages/ is in.</summary>
         internal readonly string Root;
@@ -56,6 +59,28 @@ namespace StandIns.Graphics
                     yield return file;
                 }
             }
+        }
+
+        /// <summary>A shader's text with what it includes in place, for compilers that look for no files; lines keep their
+        /// numbers and the names of their files.</summary>
+        internal string Flat(string text, string name) => Flat(text, name, m_folder);
+
+        string Flat(string text, string name, string folder)
+        {
+            var flat = new StringBuilder();
+            int next = 1;
+            foreach (string line in text.Split('\n'))
+            {
+                next = s_line.Match(line) is { Success: true } renumbered ? int.Parse(renumbered.Groups[1].Value) : next + 1;
+                string file = s_include.Match(line) is { Success: true } include ? Find(include.Groups[1].Value, folder) : null;
+                if (file == null)
+                    flat.Append(line).Append('\n');
+                else
+                    flat.Append($"#line 1 \"{Path.GetFileName(file)}\"\n")
+                        .Append(Flat(File.ReadAllText(file), Path.GetFileName(file), Path.GetDirectoryName(file)))
+                        .Append($"#line {next} \"{name}\"\n");
+            }
+            return flat.ToString();
         }
 
         string Find(string name, string folder)

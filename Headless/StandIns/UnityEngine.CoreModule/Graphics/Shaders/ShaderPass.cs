@@ -57,23 +57,22 @@ namespace StandIns.Graphics
             return program;
         }
 
-        /// <summary>A stage of a variant, without a device.</summary>
-        internal byte[] VertexCode(long variant) => Code(variant, "vert", m_vertex);
+        internal ShaderStage Vertex(long variant) => Stage(variant, "vert", m_vertex);
 
-        internal byte[] FragmentCode(long variant) => Code(variant, "frag", m_fragment);
+        internal ShaderStage Fragment(long variant) => Stage(variant, "frag", m_fragment);
 
         bool Names(string keyword) => m_program.Contains(keyword)
             || Shader.Files.Includes(m_program).Any(file => File.ReadAllText(file).Contains(keyword));
 
-        byte[] Code(long variant, string stage, string entry) => ShaderCompiler.Compile(Shader.Files, Label, m_program, stage,
-            entry, KeywordVariant.Names(Keywords, variant, stage));
+        ShaderStage Stage(long variant, string stage, string entry) =>
+            new ShaderStage(Shader.Files, Label, m_program, stage, entry, Keywords, variant);
 
         GraphicsProgram Compile(long variant)
         {
             GpuDevice device = GpuDevice.Current;
-            return new GraphicsProgram(device, Label, SpirvModule.For(device, SpirvPointSize.Given(VertexCode(variant))),
-                m_vertex,
-                SpirvModule.For(device, FragmentCode(variant)), m_fragment);
+            return new GraphicsProgram(device, Label,
+                SpirvModule.For(device, SpirvPointSize.Given(Vertex(variant).Compile())), m_vertex,
+                SpirvModule.For(device, Fragment(variant).Compile()), m_fragment);
         }
     }
 }

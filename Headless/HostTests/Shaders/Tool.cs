@@ -1,0 +1,28 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+
+namespace FastPoints.HostTests.Shaders
+{
+    /// <summary>Programs that tests of shaders run where they are installed.</summary>
+    static class Tool
+    {
+        /// <summary>Where a program lies: on the PATH, or in one of the folders; null where it does not.</summary>
+        internal static string Find(string name, params string[] folders) =>
+            (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Concat(folders)
+                .Where(folder => folder.Length > 0).Select(folder => Path.Combine(folder, name)).FirstOrDefault(File.Exists);
+
+        /// <summary>Runs a program to its end.</summary>
+        /// <returns>What it said, and whether it ended well.</returns>
+        internal static (bool IsGood, string Said) Run(string program, params string[] arguments)
+        {
+            var start = new ProcessStartInfo(program, arguments) { RedirectStandardOutput = true, RedirectStandardError = true };
+            using Process process = Process.Start(start);
+            var errors = process.StandardError.ReadToEndAsync();
+            string said = process.StandardOutput.ReadToEnd() + errors.Result;
+            process.WaitForExit();
+            return (process.ExitCode == 0, said.Trim());
+        }
+    }
+}
