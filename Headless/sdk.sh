@@ -70,3 +70,15 @@ install_direct3d() {
   dotnet restore Headless/Direct3D/Direct3D.csproj -v q >/dev/null 2>&1 </dev/null ||
     echo "the Windows SDK's package (see Headless/Direct3D) cannot be had, Direct3D's compiler is not run" >&2
 }
+
+# What makes other languages of shaders and compiles them; npm's packages for WebGPU (130 MB) lie beside what is built.
+cross_packages="spirv-cross glslang-tools"
+
+install_cross() {
+  { command -v spirv-cross >/dev/null 2>&1 && command -v glslangValidator >/dev/null 2>&1; } ||
+    apt_install $cross_packages ||
+    echo "no spirv-cross here, shaders are not made for other APIs; with root: apt-get install $cross_packages" >&2
+  mkdir -p Headless/artifacts/webgpu && cp Headless/WebGpu/package.json Headless/artifacts/webgpu &&
+    npm install --prefix Headless/artifacts/webgpu --ignore-scripts --no-audit --no-fund >/dev/null 2>&1 </dev/null ||
+    echo "npm's packages (see Headless/WebGpu) cannot be had, shaders are not compiled for WebGPU" >&2
+}
