@@ -2,3 +2,4 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("HostTests")]
 [assembly: InternalsVisibleTo("UnityEditor.AssetPipelineEditorModule")]
+[assembly: InternalsVisibleTo("UnityEditor.TestRunner")]

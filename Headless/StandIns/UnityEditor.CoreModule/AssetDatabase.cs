@@ -108,9 +108,28 @@ namespace UnityEditor
         public static string[] FindAssets(string filter, string[] searchInFolders) =>
             throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
 
-        public static string CreateFolder(string parentFolder, string newFolderName) => throw EditorOnly.NotHere(nameof(CreateFolder));
+        /// <returns>Its number.</returns>
+        public static string CreateFolder(string parentFolder, string newFolderName)
+        {
+            string path = parentFolder + "/" + newFolderName;
+            System.IO.Directory.CreateDirectory(path);
+            return GuidOf(path);
+        }
 
-        public static bool DeleteAsset(string path) => throw EditorOnly.NotHere(nameof(DeleteAsset));
+        /// <summary>A file or a folder, with what is imported of it.</summary>
+        public static bool DeleteAsset(string path)
+        {
+            bool isFolder = System.IO.Directory.Exists(path);
+            if (!isFolder && !System.IO.File.Exists(path))
+                return false;
+            if (isFolder)
+                System.IO.Directory.Delete(path, true);
+            else
+                System.IO.File.Delete(path);
+            foreach (string asset in Assets.Keys.Where(a => a == path || a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
+                Assets.Remove(asset);
+            return true;
+        }
 
         public static bool IsValidFolder(string path) => Directory.Exists(path);
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using UnityEditor;
 
 namespace UnityEngine.TestTools
 {
@@ -14,7 +15,13 @@ namespace UnityEngine.TestTools
 
         public bool ExpectedPlaymodeState => true;
 
-        public IEnumerator Perform() => throw new NotSupportedException("play mode takes an editor");
+        public IEnumerator Perform()
+        {
+            if (EditorApplication.isPlaying)
+                throw new Exception("Editor is already in PlayMode");
+            yield return null;
+            EditorApplication.isPlaying = true;
+        }
     }
 
     public class ExitPlayMode : IEditModeTestYieldInstruction
@@ -23,6 +30,12 @@ namespace UnityEngine.TestTools
 
         public bool ExpectedPlaymodeState => false;
 
-        public IEnumerator Perform() => throw new NotSupportedException("play mode takes an editor");
+        public IEnumerator Perform()
+        {
+            if (!EditorApplication.isPlaying)
+                throw new Exception("Editor is already in EditMode");
+            yield return null;
+            EditorApplication.isPlaying = false;
+        }
     }
 }
