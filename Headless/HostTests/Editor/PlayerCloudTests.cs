@@ -9,15 +9,21 @@ using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.Build;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>What of a project's clouds goes into a player.</summary>
     public sealed class PlayerCloudTests : EditorFixture
     {
+        const string ScenePath = "Assets/main.unity";
+
         [SetUp]
         public void ReferToACloud() =>
-            AssetDatabase.Dependencies["Assets/main.unity"] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+            AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.pointcloud", "Assets/other.mat" };
+
+        [TearDown]
+        public void CloseScene() => SceneManager.s_active = default;
 
         void Take(params string[] names)
         {
@@ -25,9 +31,11 @@ namespace FastPoints.HostTests.Editor
                 m_project.Imports.Take(m_project.Scratch.Demo(names[i] + ".las", 2000 + 1000 * i), "Assets");
         }
 
-        BuildPlayerContext Build()
+        BuildPlayerContext Build() => Build(new[] { ScenePath });
+
+        static BuildPlayerContext Build(string[] scenes)
         {
-            var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = new[] { "Assets/main.unity" } });
+            var context = new BuildPlayerContext(new BuildPlayerOptions { scenes = scenes });
             new PlayerCloudProcessor().PrepareForBuild(context);
             return context;
         }
@@ -44,6 +52,34 @@ namespace FastPoints.HostTests.Editor
             Assert.That(added.Single().Value, Is.EqualTo(Path.Combine(m_project.Paths.Clouds, "a.fastpoints")));
             Assert.That(m_logged.Single(), Does.StartWith("Log: 1 point clouds in the player, 0.")
                 .And.Contains("2,000 points  PointClouds/a.fastpoints"));
+        }
+
+        static readonly string[][] s_noScenes = { null, new string[0] };
+
+        [TestCaseSource(nameof(s_noScenes))]
+        public void Build_NoScenesNamed_AddsTheCloudsOfTheOpenOne(string[] none)
+        {
+            Take("a", "b");
+            m_project.UpdateToTheEnd();
+            SceneManager.s_active = new Scene { Path = ScenePath };
+
+            var context = Build(none);
+
+            Assert.That(context.BuiltScenes, Is.EqualTo(new[] { ScenePath }));
+            Assert.That(context.FolderOfPlayerPath.Keys, Is.EqualTo(new[] { "PointClouds/a.fastpoints" }));
+        }
+
+        [TestCase("Assets/menu.unity", "of 2 in the project: neither Assets/menu.unity nor")]
+        [TestCase(null, "of 2 in the project: neither a scene nor")]
+        public void Build_CloudsOfWhichNoneGoesIn_SaysSo(string scene, string said)
+        {
+            Take("a", "b");
+            m_project.UpdateToTheEnd();
+
+            var context = Build(scene == null ? null : new[] { scene });
+
+            Assert.That(context.FolderOfPlayerPath, Is.Empty);
+            Assert.That(m_logged.Single(), Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
         }
 
         [Test]
@@ -74,7 +110,7 @@ namespace FastPoints.HostTests.Editor
         public void Build_CloudThatIsStreamedAsItIs_GoesInAsItIs()
         {
             string source = m_project.Copc("a.copc.laz");
-            AssetDatabase.Dependencies["Assets/main.unity"] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
+            AssetDatabase.Dependencies[ScenePath] = new[] { "Assets/a.copc.pointcloud", "Assets/a.pointcloud" };
             var asset = m_project.Imports.Take(source, "Assets");
 
             var added = Build().FolderOfPlayerPath;

@@ -12,6 +12,7 @@ using UnityEditor.Build;
 using UnityEditor.Compilation;
 using UnityEditor.SceneManagement;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 using KeywordVariant = StandIns.Graphics.KeywordVariant;
 
 namespace FastPoints.HostTests.Editor
@@ -19,7 +20,7 @@ namespace FastPoints.HostTests.Editor
     /// <summary>Which variants of the package's shaders go into a player.</summary>
     public sealed class PlayerShaderTests : EditorFixture
     {
-        const string Scene = "Assets/main.unity";
+        const string ScenePath = "Assets/main.unity";
         const string OfPackage = "Packages/com.fastpoints.dots/Runtime/FastPoints.Entities/Authoring/PointCloudSettings.cs";
 
         readonly PlayerShaderProcessor m_processor = new PlayerShaderProcessor();
@@ -29,8 +30,8 @@ namespace FastPoints.HostTests.Editor
         public void MakeScene()
         {
             m_root = new GameObject("root");
-            AssetDatabase.Dependencies[Scene] = new[] { OfPackage };
-            EditorSceneManager.Scenes[Scene] = new[] { m_root };
+            AssetDatabase.Dependencies[ScenePath] = new[] { OfPackage };
+            EditorSceneManager.Scenes[ScenePath] = new[] { m_root };
             EditorSceneManager.Opened.Clear();
             BuildPipeline.isBuildingPlayer = true;
         }
@@ -39,6 +40,7 @@ namespace FastPoints.HostTests.Editor
         public void DeleteScene()
         {
             BuildPipeline.isBuildingPlayer = false;
+            SceneManager.s_active = default;
             EditorSceneManager.Scenes.Clear();
             CompilationPipeline.Assemblies.Clear();
             AssetDatabase.AssetBundleNames.Clear();
@@ -74,7 +76,7 @@ namespace FastPoints.HostTests.Editor
         [Test]
         public void Build_SceneWithoutSettings_HasWhatTheDefaultNeeds()
         {
-            Assert.That(Build(Scene), Is.EquivalentTo(new[] { "Points FASTPOINTS_SQUARES", "Compose" }));
+            Assert.That(Build(ScenePath), Is.EquivalentTo(new[] { "Points FASTPOINTS_SQUARES", "Compose" }));
             Assert.That(m_logged.Single(), Is.EqualTo("Log: FastPoints: 2 of 107 variants of the point shaders: as the built scenes draw points"));
             Assert.That(EditorSceneManager.s_previewScenes, Is.Zero);
         }
@@ -87,7 +89,7 @@ namespace FastPoints.HostTests.Editor
             m_root.AddComponent<PointCloudClipBox>();
             m_root.SetActive(false);
 
-            Assert.That(Build(Scene), Is.EquivalentTo(new[]
+            Assert.That(Build(ScenePath), Is.EquivalentTo(new[]
             {
                 "Points FASTPOINTS_SQUARES", "Points FASTPOINTS_CLIPPED FASTPOINTS_SQUARES",
                 "Points FASTPOINTS_ADAPTIVE FASTPOINTS_DISCS FASTPOINTS_LAYERED",
@@ -103,11 +105,20 @@ namespace FastPoints.HostTests.Editor
             m_root.AddComponent<PointCloud>().HiddenClasses = new[] { 7 };
             CompilationPipeline.Assemblies.Add(new Assembly("Unity.XR.Management"));
 
-            Assert.That(Build(Scene), Is.SupersetOf(new[]
+            Assert.That(Build(ScenePath), Is.SupersetOf(new[]
             {
                 "Points", "Points FASTPOINTS_FILTERED", "Points FASTPOINTS_STEREO", "Points FASTPOINTS_FILTERED FASTPOINTS_STEREO",
                 "Compose FASTPOINTS_FROM_PIXELS",
             }).And.None.Contain("CLIPPED").And.None.Contain("LAYERED"));
+        }
+
+        [Test]
+        public void Build_NoScenesNamed_HasWhatTheOpenOneNeeds()
+        {
+            Settings(PointShape.Paraboloid);
+            SceneManager.s_active = new Scene { Path = ScenePath };
+
+            Assert.That(Build(), Does.Contain("Points FASTPOINTS_PARABOLOIDS"));
         }
 
         [Test]
@@ -125,9 +136,9 @@ namespace FastPoints.HostTests.Editor
         {
             AssetDatabase.Dependencies["Assets/menu.unity"] = new[] { "Assets/menu.mat" };
 
-            Build("Assets/menu.unity", Scene);
+            Build("Assets/menu.unity", ScenePath);
 
-            Assert.That(EditorSceneManager.Opened, Is.EqualTo(new[] { Scene }));
+            Assert.That(EditorSceneManager.Opened, Is.EqualTo(new[] { ScenePath }));
         }
 
         [TestCase("Assembly-CSharp", 0, ExpectedResult = 2, Description = "no such assembly is loaded")]
@@ -138,7 +149,7 @@ namespace FastPoints.HostTests.Editor
             System.Reflection.Assembly.Load("FastPoints.Samples");
             CompilationPipeline.Assemblies.Add(new Assembly(assembly, isOfPackage != 0 ? OfPackage : "Assets/look.cs"));
 
-            return Build(Scene).Count;
+            return Build(ScenePath).Count;
         }
 
         [Test]
@@ -146,9 +157,9 @@ namespace FastPoints.HostTests.Editor
         {
             AssetDatabase.AssetBundleNames.Add("levels");
 
-            Assert.That(Build(Scene), Has.Count.EqualTo(67));
+            Assert.That(Build(ScenePath), Has.Count.EqualTo(67));
             FastPointsSettings.instance.PlayerVariants = VariantChoice.BuiltScenes;
-            Assert.That(Build(Scene), Has.Count.EqualTo(2));
+            Assert.That(Build(ScenePath), Has.Count.EqualTo(2));
         }
 
         [Test]
@@ -159,7 +170,7 @@ namespace FastPoints.HostTests.Editor
             var existing = every.SelectMany(p => Enumerable.Range(0, (int)KeywordVariant.Count(p.Keywords))
                 .Select(v => PlayerVariants.NameOf(p.Name, KeywordVariant.Names(p.Keywords, v, "vert")))).ToList();
 
-            var built = Build(Scene);
+            var built = Build(ScenePath);
 
             // Pixels have no adaptive size.
             Assert.That(existing.Except(built).ToList(), Has.Count.EqualTo(12).And.All.StartsWith("Points FASTPOINTS_ADAPTIVE")
@@ -169,7 +180,7 @@ namespace FastPoints.HostTests.Editor
         [Test]
         public void Process_NoPlayerIsBuilt_LeavesAllIn()
         {
-            Prepare(Scene);
+            Prepare(ScenePath);
             BuildPipeline.isBuildingPlayer = false;
 
             Assert.That(BuildShaders(), Has.Count.EqualTo(107));
@@ -181,13 +192,13 @@ namespace FastPoints.HostTests.Editor
             void FromCache()
             {
                 m_logged.Clear();
-                Prepare(Scene);
+                Prepare(ScenePath);
                 m_processor.OnPostprocessBuild(null);
             }
             FromCache();
             Assert.That(m_logged, Is.Empty, "nobody knows of an earlier build: it had all");
 
-            Build(Scene);
+            Build(ScenePath);
             FromCache();
             Assert.That(m_logged, Is.Empty);
 

@@ -43,6 +43,10 @@ namespace UnityEditor.Build
 
         public BuildPlayerOptions BuildPlayerOptions { get; }
 
+        /// <summary>What Unity builds: the open scene where the options name none.</summary>
+        internal string[] BuiltScenes => BuildPlayerOptions.scenes?.Length > 0 ? BuildPlayerOptions.scenes
+            : new[] { UnityEngine.SceneManagement.SceneManager.GetActiveScene().path };
+
         public void AddAdditionalPathToStreamingAssets(string directoryOrFile, string pathInStreamingAssets = null)
         {
             if (Directory.Exists(directoryOrFile))

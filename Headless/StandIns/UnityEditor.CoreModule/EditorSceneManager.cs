@@ -65,7 +65,7 @@ namespace UnityEditor.SceneManagement
         {
             s_previewScenes++;
             Opened.Add(scenePath);
-            return new Scene { Roots = Scenes[scenePath] };
+            return new Scene { Roots = Scenes[scenePath], Path = scenePath };
         }
 
         public static bool ClosePreviewScene(Scene scene)

@@ -4,10 +4,18 @@ namespace UnityEngine.SceneManagement
     {
         internal GameObject[] Roots;
 
+        internal string Path;
+
+        /// <summary>Empty for one that was never saved.</summary>
+        public string path => Path ?? "";
+
         public GameObject[] GetRootGameObjects() => Roots;
     }
 
     public class SceneManager
     {
+        internal static Scene s_active;
+
+        public static Scene GetActiveScene() => s_active;
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Entities;
 using UnityEditor;
+using UnityEngine.SceneManagement;
 
 namespace FastPoints.Editor
 {
@@ -9,6 +10,16 @@ namespace FastPoints.Editor
     static class PlayerAssets
     {
         static readonly string[] s_ofResources = { "t:" + nameof(PointCloudAsset), "t:Prefab" };
+
+        /// <summary>The scenes that a player is built of: where none are named, Unity builds the open one.</summary>
+        /// <returns>Paths; none for an open scene that was never saved, which Entities does not build.</returns>
+        public static string[] ScenesOf(BuildPlayerOptions options)
+        {
+            if (options.scenes != null && options.scenes.Length > 0)
+                return options.scenes;
+            string open = SceneManager.GetActiveScene().path;
+            return string.IsNullOrEmpty(open) ? Array.Empty<string>() : new[] { open };
+        }
 
         /// <summary>What scenes refer to, and clouds and prefabs that Unity adds to any player.</summary>
         /// <returns>Paths.</returns>

@@ -1,4 +1,3 @@
-using System;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Store;
@@ -17,9 +16,10 @@ namespace FastPoints.Editor
         {
             var paths = PointCloudImports.Current.Paths;
             var clouds = new PlayerClouds();
+            string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
             try
             {
-                foreach (string path in PlayerAssets.Of(buildPlayerContext.BuildPlayerOptions.scenes ?? Array.Empty<string>()))
+                foreach (string path in PlayerAssets.Of(scenes))
                 {
                     var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);
                     if (asset == null)
@@ -40,6 +40,9 @@ namespace FastPoints.Editor
                 buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.Folder, entry.PlayerPath);
             if (clouds.Entries.Count > 0)
                 Debug.Log(clouds.Report());
+            else if (AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)).Length is var known && known > 0)
+                Debug.LogWarning("FastPoints: no point cloud in the player, of " + known + " in the project: neither " +
+                    (scenes.Length > 0 ? string.Join(", ", scenes) : "a scene") + " nor a folder Resources refers to one.");
         }
     }
 }

@@ -29,7 +29,7 @@ namespace FastPoints.Editor
             s_asked.Clear();
             s_kept.Clear();
             s_wanted = new PlayerVariants();
-            string[] scenes = buildPlayerContext.BuildPlayerOptions.scenes ?? Array.Empty<string>();
+            string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
             var options = new DrawnOptions { Stereo = PlayerScripts.HasHeadsets };
             s_reason = WhyAll(FastPointsSettings.instance.PlayerVariants);
             if (s_reason != null)
