@@ -9,6 +9,7 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
 {
+    [Category("Smoke")]
     public sealed class BakingTests : TestProjectFixture
     {
         const string SubScenePath = TestProject.Folder + "/sub.unity";

@@ -9,6 +9,7 @@ namespace FastPoints.UnityTests
 {
     /// <summary>The drop handlers over the editor's own asset database and scenes. That the windows call them, and copy nothing
     /// when they have taken a drop, takes a hand with a mouse.</summary>
+    [Category("Smoke")]
     public sealed class DropTests : TestProjectFixture
     {
         int m_copiedMiB;

@@ -10,6 +10,7 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
 {
+    [Category("Smoke")]
     public sealed class PlayModeTests : TestProjectFixture
     {
         const string CloudName = "the tests' cloud";

@@ -6,6 +6,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Benchmarks
 {
+    [Category("Smoke")]
     public sealed class WorkloadTurnsTests
     {
         /// <summary>Writes down what is done to it.</summary>

@@ -14,6 +14,7 @@ using Camera = FastPoints.Picture.Camera;
 namespace FastPoints.Tests.Entities
 {
     /// <summary>Clouds and nodes as entities, in a world of the test's own.</summary>
+    [Category("Smoke")]
     public sealed class PointCloudSystemsTests
     {
         const int MostFrames = 1_000_000;

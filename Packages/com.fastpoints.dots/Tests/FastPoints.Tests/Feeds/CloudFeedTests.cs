@@ -15,6 +15,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Tests.Feeds
 {
     /// <summary>What comes of a path, one state after the other.</summary>
+    [Category("Smoke")]
     public sealed class CloudFeedTests
     {
         static readonly TimeSpan s_mostTime = TimeSpan.FromMinutes(1);

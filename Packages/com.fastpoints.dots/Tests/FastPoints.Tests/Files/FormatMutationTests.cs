@@ -54,7 +54,7 @@ namespace FastPoints.Files.Tests
 
         /// <summary>Nearly all cases go to the small clouds of our own, which are quick and as much of a decoder as large
         /// ones.</summary>
-        [TestCaseSource(nameof(Fixtures)), Category("Long")]
+        [TestCaseSource(nameof(Fixtures)), Category("Long"), Explicit]
         public void Mutate_ManyTimes(FormatFixture fixture)
         {
             int cases = Number("FASTPOINTS_MUTATIONS", LongCases), own = FormatFixture.All.Count(f => !f.IsSample);

@@ -14,6 +14,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Gpu
 {
     /// <summary>What draws read, against the cloud in double: the arithmetic of the shader is done here in floats.</summary>
+    [Category("Smoke")]
     public sealed unsafe class DrawListTests
     {
         const double Ulp = 1.0 / (1 << 23);

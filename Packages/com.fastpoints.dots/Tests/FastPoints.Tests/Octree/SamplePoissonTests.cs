@@ -7,6 +7,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Octree
 {
+    [Category("Smoke")]
     public class SamplePoissonTests
     {
         static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };

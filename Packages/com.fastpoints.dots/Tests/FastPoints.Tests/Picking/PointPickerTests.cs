@@ -13,6 +13,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picking
 {
+    [Category("Smoke")]
     public sealed class PointPickerTests
     {
         PickTestCloud m_cloud;

@@ -9,6 +9,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Picture
 {
+    [Category("Smoke")]
     public class PointDrawingTests
     {
         const uint Red = 0xFF0000FF, Green = 0xFF00FF00, Blue = 0xFFFF0000;

@@ -17,6 +17,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Pipeline
 {
+    [Category("Smoke")]
     public class ConvertCloudTests
     {
         static readonly PositionTransform s_centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };

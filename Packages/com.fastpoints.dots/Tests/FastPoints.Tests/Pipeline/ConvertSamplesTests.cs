@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Pipeline
     {
         /// <summary>Every file that can be read becomes a cloud of the same points; one that cannot leaves nothing
         /// behind.</summary>
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Convert_EverySample_KeepsEveryPoint([Values("las", "laz", "ply", "broken")] string kind)
         {
             if (TestData.Samples == null)

@@ -12,6 +12,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Pipeline
 {
+    [Category("Smoke")]
     public class PreviewCloudTests
     {
         [Test]

@@ -3,6 +3,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Points
 {
+    [Category("Smoke")]
     public class MortonTests
     {
         [TestCase(0u, 0u, 0u, 0UL)]

@@ -7,6 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Tests.Points
 {
+    [Category("Smoke")]
     public class RadixSortTests
     {
         static ulong[] Keys(int count, ulong mask, ulong set, uint seed)

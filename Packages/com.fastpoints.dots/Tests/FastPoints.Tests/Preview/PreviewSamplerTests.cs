@@ -13,6 +13,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Preview
 {
+    [Category("Smoke")]
     public class PreviewSamplerTests
     {
         string m_path;

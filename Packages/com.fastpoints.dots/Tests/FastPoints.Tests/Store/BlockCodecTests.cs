@@ -4,6 +4,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Store
 {
+    [Category("Smoke")]
     public unsafe class BlockCodecTests
     {
         [Test]

@@ -6,6 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Store
 {
+    [Category("Smoke")]
     public class CloudManifestTests
     {
         static CloudManifest Example()

@@ -6,6 +6,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Store
 {
+    [Category("Smoke")]
     public unsafe class StoreFormatTests
     {
         [Test]

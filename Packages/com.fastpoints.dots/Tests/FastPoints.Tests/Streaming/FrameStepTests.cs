@@ -11,6 +11,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Streaming
 {
+    [Category("Smoke")]
     public unsafe class FrameStepTests
     {
         StreamedTestCloud m_cloud;

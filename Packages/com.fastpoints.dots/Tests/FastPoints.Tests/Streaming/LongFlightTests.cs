@@ -30,8 +30,9 @@ namespace FastPoints.Tests.Streaming
         public void DeleteCloud() => m_cloud.Dispose();
 
         [TestCase(1500, 1u)]
-        [TestCase(10_000, 2u), Category("Long")]
-        [TestCase(10_000, 3u), Category("Long")]
+        [TestCase(10_000, 2u)]
+        [TestCase(10_000, 3u)]
+        [Category("Long"), Explicit]
         public void Fly_WithAllThatCanHappen_EndsAsAFreshLoad(int frames, uint seed)
         {
             UnsafeUtility.ForgiveLeaks();

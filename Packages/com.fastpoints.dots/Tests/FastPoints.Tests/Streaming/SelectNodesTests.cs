@@ -9,6 +9,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
+    [Category("Smoke")]
     public unsafe class SelectNodesTests
     {
         const int Levels = 7;

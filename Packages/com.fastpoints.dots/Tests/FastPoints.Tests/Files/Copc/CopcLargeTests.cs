@@ -19,7 +19,7 @@ namespace FastPoints.Files.Tests
     {
         const string KeepVariable = "FASTPOINTS_COPC";
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void FiveMillionPoints_AreReadBack()
         {
             var writer = new CopcFileWriter { PointFormat = 7, MaxNodePoints = 50000, LevelsPerPage = 4 };

@@ -23,7 +23,7 @@ namespace FastPoints.Files.Tests
         [TestCase(99)]
         public void Mutate(int levelsPerPage) => Mutate(levelsPerPage, Cases, levelsPerPage);
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Mutate_ManyTimes()
         {
             string cases = Environment.GetEnvironmentVariable("FASTPOINTS_MUTATIONS");

@@ -11,6 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files.Tests
 {
     /// <summary>Files by the tests' own writer: each node's points, pages as they are wanted, hierarchies that lie.</summary>
+    [Category("Smoke")]
     public class CopcReaderTests
     {
         const int InfoAt = 375 + 54;

@@ -125,7 +125,7 @@ namespace FastPoints.Files.Tests
         public void Read_DamagedFile_GivesPointsOrAFailureThatNamesIt([Values] bool isSpherical) =>
             Run(isSpherical, 500, isSpherical ? 1 : 2);
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Read_ManyDamagedFiles_GivesPointsOrAFailureThatNamesIt() => Run(true, 20000, 3);
     }
 }

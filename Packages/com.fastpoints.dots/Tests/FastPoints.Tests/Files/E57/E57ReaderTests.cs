@@ -9,6 +9,7 @@ using static FastPoints.Files.Tests.E57TestScans;
 
 namespace FastPoints.Files.Tests
 {
+    [Category("Smoke")]
     public class E57ReaderTests
     {
         [Test]

@@ -214,7 +214,7 @@ namespace FastPoints.Files.Tests
             }
         }
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Hierarchy_OfTooManyNodes_IsCutThere()
         {
             const int MaxNodes = 1 << 21;

@@ -8,6 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files.Tests
 {
+    [Category("Smoke")]
     public class LasReaderTests
     {
         static IEnumerable<int[]> VersionsAndFormats()

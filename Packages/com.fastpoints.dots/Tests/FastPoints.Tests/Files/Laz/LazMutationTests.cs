@@ -68,7 +68,7 @@ namespace FastPoints.Files.Tests
         public void MutateSample(string sample) =>
             MutateFile(File.ReadAllBytes(TestData.SampleOrIgnore(sample)), 40, sample.Length);
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void MutateOwn_ManyTimes()
         {
             int cases = Cases(), seed = 100000;
@@ -87,7 +87,7 @@ namespace FastPoints.Files.Tests
         [TestCase(10)]
         public void MutateChunk(int format) => MutateChunks(format, CasesPerChunk, format);
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void MutateChunk_ManyTimes([Range(0, 10)] int format) => MutateChunks(format, Cases() / 11, 7000 + format);
 
         static int Cases() =>

@@ -11,6 +11,7 @@ using Unity.Jobs;
 namespace FastPoints.Files.Tests
 {
     /// <summary>Files made by the repository's own encoder: every point format, item version and chunking.</summary>
+    [Category("Smoke")]
     public class LazReaderTests
     {
         static IEnumerable<int[]> FormatsAndVersions()

@@ -9,6 +9,7 @@ using Unity.Collections;
 
 namespace FastPoints.Files.Tests
 {
+    [Category("Smoke")]
     public class PlyReaderTests
     {
         static readonly string[] s_formats = { "ascii", "binary_little_endian", "binary_big_endian" };

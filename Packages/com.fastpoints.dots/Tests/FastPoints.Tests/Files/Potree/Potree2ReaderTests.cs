@@ -12,6 +12,7 @@ using Random = System.Random;
 
 namespace FastPoints.Files.Tests
 {
+    [Category("Smoke")]
     public class Potree2ReaderTests
     {
         const int Points = 3000, Depth = 5;

@@ -30,7 +30,7 @@ namespace FastPoints.Files.Tests
         [TestCase("BROTLI", 5)]
         public void Mutate(string kind, int seed) => Mutate(kind, seed, UsualCases);
 
-        [Test, Category("Long")]
+        [Test, Category("Long"), Explicit]
         public void Mutate_ManyTimes([Values("1.4", "1.7", "1.8", "DEFAULT", "BROTLI")] string kind) => Mutate(kind, 1000,
             int.TryParse(Environment.GetEnvironmentVariable(CasesVariable), out int cases) ? cases / 5 : LongCases);
 

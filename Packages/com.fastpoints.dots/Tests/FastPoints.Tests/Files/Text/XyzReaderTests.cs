@@ -12,6 +12,7 @@ using Unity.Collections;
 
 namespace FastPoints.Files.Tests
 {
+    [Category("Smoke")]
     public class XyzReaderTests
     {
         string m_path;

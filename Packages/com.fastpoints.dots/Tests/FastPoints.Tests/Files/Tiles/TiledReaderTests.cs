@@ -364,7 +364,7 @@ namespace FastPoints.Files.Tests
 
         /// <summary>Ten thousand files: seconds, and a handful of handles.</summary>
         [Test]
-        [Category("Long")]
+        [Category("Long"), Explicit]
         public void Open_TenThousandFiles_IsQuick()
         {
             var bytes = File.ReadAllBytes(WriteLas("00000.las", Places(3, 1), new double3(0.01, 0.01, 0.01), default));
