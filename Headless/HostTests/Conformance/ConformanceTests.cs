@@ -63,6 +63,8 @@ namespace FastPoints.HostTests.Conformance
         [TestCase("NUnit.Framework", "Warn", "Unless", "NUnit.Framework.Warn is not in Unity's NUnit")]
         [TestCase("NUnit.Framework.Constraints", "EqualConstraint", "ApplyTo", "EqualConstraint.ApplyTo is not in Unity's NUnit")]
         [TestCase("NUnit.Framework.Internal", "TestResult", "get_Output", "Internal.TestResult is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework.Internal.Commands", "TestCommand", "Execute", "Commands.TestCommand is not in Unity's NUnit")]
+        [TestCase("NUnit.Framework.Internal", "TestParameters", "get_Arguments", null)]
         [TestCase("NUnit.Framework", "Assert", "That", null)]
         public void Check_WhatUnitysNUnitLacks_IsReported(string space, string type, string method, string reported)
         {

@@ -14,11 +14,16 @@ namespace FastPoints.RepoTools.Api
         private const string Assembly = "nunit.framework";
 
         /// <summary>Unity has changed much in these: no test needs them.</summary>
-        private static readonly string[] s_namespaces = { "NUnit.Framework.Internal", "NUnit.Framework.Api" };
+        private static readonly string[] s_namespaces =
+        {
+            "NUnit.Framework.Internal.Commands", "NUnit.Framework.Internal.Execution", "NUnit.Framework.Api",
+        };
 
         private static readonly HashSet<string> s_types = new HashSet<string>(StringComparer.Ordinal)
         {
             "NUnit.Framework.MultipleAssertException", "NUnit.Framework.NonTestAssemblyAttribute", "NUnit.Framework.Warn",
+            "NUnit.Framework.Internal.TestResult", "NUnit.Framework.Internal.TestCaseResult", "NUnit.Framework.Internal.TestSuiteResult",
+            "NUnit.Framework.Internal.TestExecutionContext", "NUnit.Framework.Internal.StackFilter",
             "NUnit.Framework.Interfaces.AssertionResult", "NUnit.Framework.Interfaces.AssertionStatus",
             "NUnit.Framework.Constraints.Interval", "NUnit.Framework.Constraints.ItemsConstraintExpression",
             "NUnit.Framework.Constraints.DelayedConstraint.WithDimensionedDelayInterval",
