@@ -43,7 +43,8 @@ namespace FastPoints.RepoTools.Layers
                 "Unity.Entities", "Unity.Mathematics",
             },
             ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
-                .Concat(new[] { "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks", "Unity.Entities", "Unity.Scenes" })
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks" })
+                .Concat(new[] { "Unity.Entities", "Unity.Scenes" })
                 .ToArray(),
             ["FastPoints.UnityTests.Performance"] = s_testRunner
                 .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),

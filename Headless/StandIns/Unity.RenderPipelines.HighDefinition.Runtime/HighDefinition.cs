@@ -53,4 +53,8 @@ namespace UnityEngine.Rendering.HighDefinition
         public static bool UnregisterGlobalCustomPass(CustomPassInjectionPoint injectionPoint, CustomPass customPassInstance) =>
             Global.RemoveAll(p => p == customPassInstance) > 0;
     }
+
+    public class HDRenderPipelineAsset : RenderPipelineAsset
+    {
+    }
 }

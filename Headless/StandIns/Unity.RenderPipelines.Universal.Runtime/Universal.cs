@@ -71,8 +71,25 @@ namespace UnityEngine.Rendering.Universal
         public override void Reset() => camera = null;
     }
 
-    public class UniversalRenderPipelineAsset : RenderPipelineAsset
+    public enum RendererType
+    {
+        Custom = 0,
+        UniversalRenderer = 1,
+        _2DRenderer = 2,
+    }
+
+    public abstract class ScriptableRendererData : ScriptableObject
     {
         public ScriptableRenderer scriptableRenderer { get; internal set; }
+    }
+
+    /// <summary>What makes assets takes an editor.</summary>
+    public class UniversalRenderPipelineAsset : RenderPipelineAsset
+    {
+        public static UniversalRenderPipelineAsset Create(ScriptableRendererData rendererData = null) =>
+            throw new System.NotSupportedException("assets take an editor");
+
+        public ScriptableRendererData LoadBuiltinRendererData(RendererType type = RendererType.UniversalRenderer) =>
+            throw new System.NotSupportedException("assets take an editor");
     }
 }

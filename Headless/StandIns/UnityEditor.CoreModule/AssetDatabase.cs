@@ -108,6 +108,10 @@ namespace UnityEditor
         public static string[] FindAssets(string filter, string[] searchInFolders) =>
             throw EditorOnly.NotHere(nameof(FindAssets) + " in folders");
 
+        public static void CreateAsset(Object asset, string path) => throw EditorOnly.NotHere(nameof(CreateAsset));
+
+        public static void SaveAssets() => throw EditorOnly.NotHere(nameof(SaveAssets));
+
         /// <returns>Its number.</returns>
         public static string CreateFolder(string parentFolder, string newFolderName)
         {

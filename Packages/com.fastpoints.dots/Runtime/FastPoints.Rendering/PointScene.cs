@@ -61,6 +61,9 @@ namespace FastPoints.Rendering
         /// <summary>Of the cameras that were announced since the last <see cref="BeginFrame"/>.</summary>
         public NativeArray<StreamView> NextViews => m_nextViews.AsArray();
 
+        /// <summary>How often a pipeline's pass has recorded the clouds: not at all where none draws.</summary>
+        public long RecordedPictures { get; private set; }
+
         /// <summary>How a cloud of the stream is coloured.</summary>
         public void SetLook(int cloud, CloudLook look)
         {
@@ -114,6 +117,7 @@ namespace FastPoints.Rendering
         /// <summary>Records the clouds as a camera sees them, into the target that is set.</summary>
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)
         {
+            RecordedPictures++;
             var renderer = Seen(camera).Renderer;
             for (int cloud = 0; cloud < m_looks.Count; cloud++)
                 renderer.List.SetLook(cloud, m_looks[cloud]);

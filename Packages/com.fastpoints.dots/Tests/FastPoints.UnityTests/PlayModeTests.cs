@@ -1,6 +1,7 @@
 using System.Collections;
 using FastPoints.Editor;
 using FastPoints.Entities;
+using FastPoints.Rendering;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.SceneManagement;
@@ -36,6 +37,11 @@ namespace FastPoints.UnityTests
             while (TestProject.DrawnNodes() == 0)
             {
                 TestProject.AssertBefore(deadline, "the first drawn node");
+                yield return null;
+            }
+            while (PointScene.Current.RecordedPictures == 0)
+            {
+                TestProject.AssertBefore(deadline, "the first picture that the pass of the project's pipeline records");
                 yield return null;
             }
             yield return new ExitPlayMode();

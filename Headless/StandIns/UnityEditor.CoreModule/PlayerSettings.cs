@@ -1,0 +1,7 @@
+namespace UnityEditor
+{
+    public sealed class PlayerSettings : UnityEngine.Object
+    {
+        public static UnityEngine.ColorSpace colorSpace { get; set; }
+    }
+}
