@@ -26,7 +26,6 @@ namespace FastPoints.RepoTools
 
         /// <summary>What Unity does that the package relies on.</summary>
         public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
-        public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
 
         /// <summary>The full list of Unity's signatures; it may be absent.</summary>
         public string FullApi => Path.Combine(DataRoot, "unity-api");
