@@ -47,11 +47,15 @@ namespace FastPoints.HostTests.Threads
                 yield return 1;
             }
 
+            public virtual void Rest() => Thread.Yield();
+
             protected abstract void Step();
         }
 
         internal sealed class AskingWalk : Walk
         {
+            public override void Rest() => Ask();
+
             protected override void Step() => Ask();
         }
 
@@ -134,6 +138,12 @@ namespace FastPoints.HostTests.Threads
                 var walk = new AskingWalk();
                 return Task.Run(() => walk.Go());
             }
+        }
+
+        [Planted(IsPlaying)]
+        internal static class ThroughAMethodGroupOfABaseType
+        {
+            internal static Task Begin(Walk walk) => Task.Run(walk.Rest);
         }
 
         [Planted]
@@ -291,6 +301,13 @@ namespace FastPoints.HostTests.Threads
             private readonly bool m_isPlaying = Ask();
         }
 
+        [Planted("constructor of ")]
+        [Serializable]
+        internal sealed class ByTheConstructorOfWhatIsKept
+        {
+            private readonly bool m_isPlaying = Ask();
+        }
+
         [Planted("serialization of ")]
         internal sealed class ByTheSerializer : ISerializationCallbackReceiver
         {
@@ -372,6 +389,18 @@ namespace FastPoints.HostTests.Threads
             internal void Begin(Task<T> task) => task.ContinueWith(t => (t.Result as IStep)?.Take());
         }
 
+        [Planted(IsPlaying)]
+        internal sealed class ByACallbackOfAGeneric<T> where T : IStep
+        {
+            private readonly Action<T> m_done;
+
+            internal ByACallbackOfAGeneric(Action<T> done) => m_done = done;
+
+            internal static ByACallbackOfAGeneric<AskingStep> Make() => new ByACallbackOfAGeneric<AskingStep>(s => s.Take());
+
+            internal void Begin(Task<T> task) => task.ContinueWith(t => m_done(t.Result));
+        }
+
         internal static class Registry
         {
             internal static readonly bool IsPlaying = Ask();
@@ -446,6 +475,12 @@ namespace FastPoints.HostTests.Threads
         internal static class TempInAJobThatIsRunThere
         {
             internal static Task Begin() => Task.Run(() => new TempJob().Run());
+        }
+
+        [Planted("for which the manual asks for the main thread")]
+        internal static class JobThatIsScheduledThere
+        {
+            internal static Task Begin() => Task.Run(() => new TempJob().Schedule());
         }
 
         [Planted(IsPlaying)]

@@ -94,13 +94,15 @@ namespace FastPoints.RepoTools.Threads
                 foreach (MethodDefinition method in HpcEntries.OfJob(type))
                     yield return new ThreadRoot("job " + name, type, method, IsJob: true);
             }
-            bool isObject = TypeRelations.AllOf(type).Any(t => t.FullName == "UnityEngine.Object");
+            // Unity makes them while it loads, with the constructor without parameters, on whatever thread does that.
+            bool isLoaded = (type.IsSerializable && !type.Name.StartsWith('<'))
+                || TypeRelations.AllOf(type).Any(t => t.FullName == "UnityEngine.Object");
             bool isCalledBack = type.Interfaces.Any(i => i.InterfaceType.FullName == "UnityEngine.ISerializationCallbackReceiver");
             foreach (MethodDefinition method in type.Methods.Where(m => m.HasBody))
             {
                 if (method.Name == "Finalize" && method.IsVirtual && method.Parameters.Count == 0)
                     yield return new ThreadRoot("finalizer of " + name, type, method);
-                if (isObject && method.IsConstructor && !method.IsStatic)
+                if (isLoaded && method.IsConstructor && !method.IsStatic && method.Parameters.Count == 0)
                     yield return new ThreadRoot("constructor of " + name, type, method);
                 bool isOfSerializer = isCalledBack && (method.Name.EndsWith("OnBeforeSerialize", StringComparison.Ordinal)
                     || method.Name.EndsWith("OnAfterDeserialize", StringComparison.Ordinal));

@@ -17,6 +17,9 @@ namespace FastPoints.RepoTools.Threads
         /// <summary>Whether it was looked up for this repository: its reason says in what source.</summary>
         public bool IsByHand => Why.StartsWith(HandMark, StringComparison.Ordinal);
 
+        /// <summary>Whether it belongs on the main thread though the sources show no check: jobs' scheduling.</summary>
+        public bool IsAskedForMain => Why.Contains("the manual asks for the main thread", StringComparison.Ordinal);
+
         public static ThreadRow Parse(string line)
         {
             string[] c = line.Split('\t');

@@ -60,7 +60,11 @@ namespace FastPoints.RepoTools.Threads
                 m_problems.Add($"{root.Name}: what it runs is not to be seen");
                 return;
             }
-            new Walker(this, root, null).Follow(root.Method, GenericScope.None, root.Self, root.From);
+            var start = new Walker(this, root, null);
+            if (root.From == null)
+                start.Run(root.Method, GenericScope.None, root.Self);
+            else
+                start.Follow(root.Method, GenericScope.None, root.Self, root.From);
             while (m_visits.TryDequeue(out Visit? visit))
             {
                 WalkedCount++;
@@ -104,6 +108,17 @@ namespace FastPoints.RepoTools.Threads
                 }
             }
 
+            /// <summary>A method that a delegate or Unity calls: a virtual one is whatever the object has.</summary>
+            internal void Run(MethodReference target, GenericScope scope, Value? self)
+            {
+                MethodDefinition? definition = Resolution.Of(target);
+                bool isVirtual = definition is { IsVirtual: true, IsFinal: false };
+                if (isVirtual)
+                    Dispatch(target, self ?? new Value(TypeRelations.Self(definition!.DeclaringType), definition, false), scope);
+                if (!isVirtual || !m_verifier.m_code.IsInside(definition!))
+                    Follow(target, scope, self);
+            }
+
             /// <summary>A method that is called for sure: it is walked, or looked up if it is Unity's.</summary>
             internal void Follow(MethodReference called, GenericScope scope, Value? self, Instruction? from = null)
             {
@@ -115,8 +130,6 @@ namespace FastPoints.RepoTools.Threads
                 }
                 if (definition.HasBody)
                     Enqueue(definition, scope.Of(called), self, from);
-                else if (definition.IsAbstract)
-                    Dispatch(called, self ?? new Value(called.DeclaringType, definition, false), scope);
                 if (definition.IsStatic || definition.IsConstructor)
                     Initialize(definition.DeclaringType, scope.Of(called), false);
             }
@@ -219,7 +232,7 @@ namespace FastPoints.RepoTools.Threads
             {
                 foreach (Value made in ThreadRoots.Delegates(m_verifier.m_code, m_verifier.m_origins, Method, m_visit!.Self, at,
                     argument, type))
-                    Follow(made.Target!, made.Place == Method ? Scope : GenericScope.None, made.Inner);
+                    Run(made.Target!, made.Place == Method ? Scope : GenericScope.None, made.Inner);
             }
 
             /// <summary>What .NET's and Unity's code may call of what it is given.</summary>
@@ -317,9 +330,15 @@ namespace FastPoints.RepoTools.Threads
             private void Judge(string shown, ThreadRow? row, string accessor)
             {
                 if (row == null)
+                {
                     Add($"uses {shown}, which the table of threads does not have");
-                else if (row.In(m_verifier.m_generation, accessor) is var threads && threads != "any")
+                    return;
+                }
+                string threads = row.In(m_verifier.m_generation, accessor);
+                if (threads != "any")
                     Add($"uses {shown}, which is {(threads == "main" ? "for the main thread" : "for nobody knows which threads")} ({row.Why})");
+                else if (row.IsAskedForMain)
+                    Add($"uses {shown}, for which the manual asks for the main thread");
             }
 
             private static TypeReference[] ArgumentsOf(MethodReference called, GenericScope scope) =>

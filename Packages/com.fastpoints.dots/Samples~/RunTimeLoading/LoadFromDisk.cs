@@ -87,7 +87,7 @@ namespace FastPoints.Samples.RunTimeLoading
             if (Directory.Exists(m_target))
                 yield break;
             // A slow disk stops no frame.
-            using (var opening = PoolWork.Begin(source, () => PointReaders.Open(source)))
+            using (var opening = PoolWork.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread()))
             {
                 while (!opening.IsDone)
                     yield return default;

@@ -154,7 +154,8 @@ namespace FastPoints.Streaming
             {
                 string path = Path;
                 if (reader == null)
-                    using (var opening = PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other))
+                    using (var opening = PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
+                        other => other.DisposeUnread()))
                         while (opening.MoveNext())
                             yield return opening.Current;
                 using (var finding = FindTop(reader))

@@ -14,19 +14,21 @@ namespace FastPoints.Base
         /// <summary>Begins work on a thread of the pool.</summary>
         /// <param name="path">The file or folder that it is about, for messages.</param>
         /// <param name="work">Uses nothing that anybody else changes: when nobody wants it any more, it goes on.</param>
-        public static PoolWork<T> Begin<T>(string path, Func<T> work) => new PoolWork<T>(path, work);
+        /// <param name="unwanted">Frees what nobody took when the work was disposed, on whatever thread that is.</param>
+        public static PoolWork<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
+            new PoolWork<T>(path, work, unwanted);
 
         /// <summary>The same as work for a pump; done where it is pumped, where that is a thread of the pool.</summary>
-        /// <param name="done">Takes what came of it, on the pump's thread. What came too late for it is disposed, if it can
-        /// be.</param>
-        public static IEnumerator<JobHandle> Run<T>(string path, Func<T> work, Action<T> done)
+        /// <param name="done">Takes what came of it, on the pump's thread.</param>
+        /// <param name="unwanted">Frees what came too late for that, on whatever thread that is.</param>
+        public static IEnumerator<JobHandle> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)
             {
                 done(work());
                 yield break;
             }
-            using (var begun = Begin(path, work))
+            using (var begun = Begin(path, work, unwanted))
             {
                 while (!begun.IsDone)
                     yield return default;
@@ -40,11 +42,13 @@ namespace FastPoints.Base
     {
         readonly string m_path;
         readonly Task<T> m_task;
+        readonly Action<T> m_unwanted;
         bool m_isTaken;
 
-        internal PoolWork(string path, Func<T> work)
+        internal PoolWork(string path, Func<T> work, Action<T> unwanted)
         {
             m_path = path;
+            m_unwanted = unwanted;
             m_task = Task.Run(work);
         }
 
@@ -80,16 +84,15 @@ namespace FastPoints.Base
             }
         }
 
-        /// <summary>Disposes what came of it, if nobody took it: now, or where it goes on, on its thread when it ends.</summary>
+        /// <summary>Has what came of it freed, if nobody took it: now, or where it goes on, on its thread when it
+        /// ends.</summary>
         public void Dispose()
         {
-            if (m_isTaken)
+            if (m_isTaken || m_unwanted == null)
                 return;
             m_isTaken = true;
-            if (m_task.IsCompleted)
-                (TakeIfSound() as IDisposable)?.Dispose();
-            else
-                m_task.ContinueWith(t => (t.Result as IDisposable)?.Dispose(), TaskContinuationOptions.OnlyOnRanToCompletion);
+            m_task.ContinueWith(t => m_unwanted(t.Result),
+                TaskContinuationOptions.OnlyOnRanToCompletion | TaskContinuationOptions.ExecuteSynchronously);
         }
     }
 }

@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
         public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
         {
             string path = Path;
-            return PoolWork.Run<NodeSource>(path, () => OpenWhole(path), opened);
+            return PoolWork.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());
         }
 
         public override void Dispose()

@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Feeds
                 {
                     goesOn.Wait();
                     return thing;
-                });
+                }, unwanted => unwanted.Dispose());
                 work.Dispose();
                 Assert.That(thing.Disposed.IsSet, Is.False);
                 goesOn.Set();
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Feeds
         public void Dispose_AfterTheEnd_DisposesWhatNobodyTook()
         {
             var thing = new Thing();
-            var work = PoolWork.Begin("cloud", () => thing);
+            var work = PoolWork.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             Assert.That(SpinWait.SpinUntil(() => work.IsDone, s_mostTime), Is.True);
             work.Dispose();
             Assert.That(thing.Disposed.IsSet, Is.True);
@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Feeds
         public void Dispose_OfWhatWasTaken_LeavesItToWhoHasIt()
         {
             var thing = new Thing();
-            var work = PoolWork.Begin("cloud", () => thing);
+            var work = PoolWork.Begin("cloud", () => thing, unwanted => unwanted.Dispose());
             work.Take();
             work.Dispose();
             Assert.That(thing.Disposed.IsSet, Is.False);

@@ -41,7 +41,7 @@ namespace FastPoints.Files.Tests
             try
             {
                 string path = fixture.Write(m_path + "-folder");
-                Task.Run(() => PointReaders.Open(path).Dispose()).GetAwaiter().GetResult();
+                Task.Run(() => PointReaders.Open(path).DisposeUnread()).GetAwaiter().GetResult();
             }
             finally
             {

@@ -153,12 +153,6 @@ namespace FastPoints.Files
             m_octree.Close().Complete();
         }
 
-        public override void Dispose()
-        {
-            CloseFile();
-            base.Dispose();
-        }
-
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
 
         /// <summary>Whether the page has another record, whose bytes have not been believed before.</summary>
