@@ -80,12 +80,13 @@ namespace UnityEngine.Rendering.Universal
 
     public abstract class ScriptableRendererData : ScriptableObject
     {
-        public ScriptableRenderer scriptableRenderer { get; internal set; }
     }
 
     /// <summary>What makes assets takes an editor.</summary>
     public class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
+        public ScriptableRenderer scriptableRenderer { get; internal set; }
+
         public static UniversalRenderPipelineAsset Create(ScriptableRendererData rendererData = null) =>
             throw new System.NotSupportedException("assets take an editor");
 
