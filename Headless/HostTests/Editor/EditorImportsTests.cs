@@ -271,7 +271,8 @@ namespace FastPoints.HostTests.Editor
             World.DefaultGameObjectInjectionWorld = world;
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
                 typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
-                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem));
+                typeof(ControlNodesSystem), typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem),
+                typeof(ListNodesSystem));
             world.GetExistingSystemManaged<PointCloudSystemGroup>().Begin(new MemoryNodePool(1 << 24, 1 << 20));
             return world;
         }
