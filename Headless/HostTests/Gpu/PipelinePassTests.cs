@@ -55,6 +55,7 @@ namespace FastPoints.HostTests.Gpu
                 : Matrix4x4.Perspective(60, aspect, 0.1f, 10_000), target);
             camera.backgroundColor = new Color(24 / 255f, 26 / 255f, 30 / 255f, 1);
             var drawn = Render(camera);
+            Assert.That(Scene.RecordedPictures, Is.GreaterThan(0));
 
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
             var view = views;
