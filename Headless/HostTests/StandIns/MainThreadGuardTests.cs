@@ -102,7 +102,7 @@ namespace FastPoints.HostTests.StandIns
 
         [Test]
         public void Member_InAJob_IsRefusedWhicheverThreadHasIt() =>
-            Assert.That(() => new AskJob().Schedule().Complete(), Throws.TypeOf<UnityException>());
+            Assert.That(() => new AskJob().Schedule().CompleteAndThrow(), Throws.TypeOf<UnityException>());
 
         [Test]
         public void Object_ComparedOnAThreadOfThePool_IsForItWhileItIsThere()

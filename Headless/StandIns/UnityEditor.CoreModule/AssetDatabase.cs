@@ -9,13 +9,6 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
-    [Flags]
-    public enum ImportAssetOptions
-    {
-        Default = 0,
-        ForceUpdate = 1,
-    }
-
     public class AssetImporter : Object
     {
         internal string Path;

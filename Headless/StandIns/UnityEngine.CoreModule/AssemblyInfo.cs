@@ -12,4 +12,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Unity.PerformanceTesting")]
 [assembly: InternalsVisibleTo("UnityEditor.AssetPipelineEditorModule")]
 [assembly: InternalsVisibleTo("UnityEditor.BuildReportingEditorModule")]
+[assembly: InternalsVisibleTo("UnityEditor.TestRunner")]
 [assembly: InternalsVisibleTo("UnityEngine.IMGUIModule")]

@@ -1,0 +1,11 @@
+using System;
+
+namespace UnityEditor
+{
+    [Flags]
+    public enum ImportAssetOptions
+    {
+        Default = 0,
+        ForceUpdate = 1,
+    }
+}
