@@ -107,7 +107,7 @@ namespace FastPoints.Editor
             {
                 var range = cloud.Manifest.Ranges[i];
                 EditorGUILayout.LabelField(cloud.Manifest.Attributes[i].Name,
-                    string.Format(CultureInfo.InvariantCulture, "{0:R} to {1:R}", range.Min, range.Max));
+                    NumberText.Of(range.Min) + " to " + NumberText.Of(range.Max));
             }
         }
 

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.IO;
 using System.Text;
 using FastPoints.Base;
@@ -50,9 +49,9 @@ namespace FastPoints.Benchmarks
                     if (isAscii)
                     {
                         line.Clear();
-                        line.Append(x.ToString("R", CultureInfo.InvariantCulture)).Append(' ');
-                        line.Append(y.ToString("R", CultureInfo.InvariantCulture)).Append(' ');
-                        line.Append(z.ToString("R", CultureInfo.InvariantCulture)).Append(' ');
+                        line.Append(NumberText.Of(x)).Append(' ');
+                        line.Append(NumberText.Of(y)).Append(' ');
+                        line.Append(NumberText.Of(z)).Append(' ');
                         line.Append(color & 255).Append(' ').Append(color >> 8 & 255).Append(' ').Append(color >> 16).Append('\n');
                         Write(stream, line.ToString());
                         continue;

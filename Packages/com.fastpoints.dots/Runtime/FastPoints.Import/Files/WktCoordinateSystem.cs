@@ -1,4 +1,5 @@
 using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -60,7 +61,7 @@ namespace FastPoints.Files
         {
             var unit = system.Child(s_unit) ?? system.Child("AXIS")?.Child(s_unit);
             return unit != null && unit.Values.Count >= 2
-                && double.TryParse(unit.Values[1], NumberStyles.Float, CultureInfo.InvariantCulture, out double metres)
+                && NumberText.TryRead(unit.Values[1], out double metres)
                 && metres > 0 && !double.IsInfinity(metres)
                 ? metres
                 : 0;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
@@ -104,10 +103,7 @@ namespace FastPoints.Octree
             }
             result.IsInteger = true;
             if (loss > 0)
-            {
-                info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
-                    "{0} does not fit the common grid: moved by up to {1:R}", name, loss));
-            }
+                info.Warn(-1, name + " does not fit the common grid: moved by up to " + NumberText.Of(loss));
             return result;
         }
 

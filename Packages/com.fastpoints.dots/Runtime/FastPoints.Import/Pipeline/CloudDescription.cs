@@ -50,9 +50,8 @@ namespace FastPoints.Pipeline
                         found.LeftOut));
                 if (found.WorstLossSteps > 0)
                 {
-                    info.Warn(-1, string.Format(CultureInfo.InvariantCulture,
-                        "positions were rounded, by up to {0:R}, to the grid's steps",
-                        found.WorstLossSteps * math.cmax(grid.Step)));
+                    info.Warn(-1, "positions were rounded, by up to " +
+                        NumberText.Of(found.WorstLossSteps * math.cmax(grid.Step)) + ", to the grid's steps");
                 }
             }
         }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -98,9 +99,9 @@ namespace FastPoints.Pipeline
         string ToText(ulong ordered)
         {
             if (Type == AttributeType.Float32)
-                return ((float)ColumnValues.FromOrderedBits(ordered)).ToString("R", CultureInfo.InvariantCulture);
+                return NumberText.Of((float)ColumnValues.FromOrderedBits(ordered));
             if (Type == AttributeType.Float64)
-                return ColumnValues.FromOrderedBits(ordered).ToString("R", CultureInfo.InvariantCulture);
+                return NumberText.Of(ColumnValues.FromOrderedBits(ordered));
             return Type == AttributeType.UInt64
                 ? ordered.ToString(CultureInfo.InvariantCulture)
                 : ((long)(ordered ^ SignBit)).ToString(CultureInfo.InvariantCulture);

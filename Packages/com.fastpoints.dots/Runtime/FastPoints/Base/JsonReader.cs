@@ -54,7 +54,7 @@ namespace FastPoints.Base
 
         /// <summary>A value that must be a number.</summary>
         public static double ToDouble(object value) =>
-            value is Number n && double.TryParse(n.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double result)
+            value is Number n && NumberText.TryRead(n.Text, out double result)
                 ? result
                 : throw new FormatException("wanted a number, got " + Describe(value));
 
@@ -67,8 +67,7 @@ namespace FastPoints.Base
 
         /// <summary>Whether <see cref="ToDouble"/> gives a finite number.</summary>
         public static bool IsNumber(object value) =>
-            value is Number n && double.TryParse(n.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double result)
-                && !double.IsInfinity(result);
+            value is Number n && NumberText.TryRead(n.Text, out double result) && !double.IsInfinity(result);
 
         static string Describe(object value)
         {

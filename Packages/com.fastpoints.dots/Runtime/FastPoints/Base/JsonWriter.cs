@@ -39,17 +39,8 @@ namespace FastPoints.Base
 
         public override string ToString() => m_text + "\n";
 
-        /// <summary>The shortest text where that reads back the same: .NET's own is one digit short for some powers of two
-        /// (2^-25).</summary>
-        static string Text(double value)
-        {
-            if (double.IsNaN(value) || double.IsInfinity(value))
-                return "null";
-            string text = value.ToString("R", CultureInfo.InvariantCulture);
-            return double.Parse(text, NumberStyles.Float, CultureInfo.InvariantCulture) == value
-                ? text
-                : value.ToString("G17", CultureInfo.InvariantCulture);
-        }
+        static string Text(double value) =>
+            double.IsNaN(value) || double.IsInfinity(value) ? "null" : NumberText.Of(value);
 
         static string Quoted(string value)
         {

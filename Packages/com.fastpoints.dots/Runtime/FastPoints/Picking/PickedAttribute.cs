@@ -1,4 +1,5 @@
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Mathematics;
@@ -45,10 +46,10 @@ namespace FastPoints.Picking
         public override string ToString()
         {
             if (Attribute.Scale != 1 || Attribute.Offset != 0 || Attribute.Type == AttributeType.Float64)
-                return Value.ToString("R", CultureInfo.InvariantCulture);
+                return NumberText.Of(Value);
             switch (Attribute.Type)
             {
-                case AttributeType.Float32: return math.asfloat((uint)m_bits).ToString("R", CultureInfo.InvariantCulture);
+                case AttributeType.Float32: return NumberText.Of(math.asfloat((uint)m_bits));
                 case AttributeType.UInt64: return m_bits.ToString(CultureInfo.InvariantCulture);
                 default: return ((long)m_bits).ToString(CultureInfo.InvariantCulture);
             }

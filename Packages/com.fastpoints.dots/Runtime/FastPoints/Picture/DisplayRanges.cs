@@ -383,7 +383,7 @@ namespace FastPoints.Picture
                     Assumptions.Add("colour is black throughout the sample: taken for none");
                 return;
             }
-            string max = range.Max.ToString("R", CultureInfo.InvariantCulture);
+            string max = NumberText.Of(range.Max);
             Color = DepthOf(type, range.Max);
             if (Color == ColorDepth.Unit)
                 Assumptions.Add("colours are floats up to " + max + ": read as 0 to 1");

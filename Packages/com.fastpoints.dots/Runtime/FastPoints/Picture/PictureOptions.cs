@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Streaming;
@@ -96,7 +97,7 @@ namespace FastPoints.Picture
                     return TryName(value, out UpAxis, ref error);
                 case "size":
                     if (!TrySize(value))
-                        error = "size: wanted auto, 1 to " + PointDrawing.MaxSizePx +
+                        error = "size: wanted auto, 1 to " + NumberText.Of(PointDrawing.MaxSizePx) +
                             " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances between points as in " +
                             "adaptive:1.2; got " + value;
                     break;
@@ -144,8 +145,12 @@ namespace FastPoints.Picture
             return false;
         }
 
-        static bool TryNumber(string text, float min, float max, out float value) =>
-            float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && value >= min && value <= max;
+        static bool TryNumber(string text, float min, float max, out float value)
+        {
+            bool isNumber = NumberText.TryRead(text, out double number);
+            value = (float)number;
+            return isNumber && value >= min && value <= max;
+        }
 
         bool TrySize(string value)
         {

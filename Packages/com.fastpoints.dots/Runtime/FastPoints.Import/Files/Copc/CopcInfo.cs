@@ -1,4 +1,5 @@
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -79,7 +80,7 @@ namespace FastPoints.Files
             info.Fact("COPC GPS time", Text(MinGpsTime) + " to " + Text(MaxGpsTime));
         }
 
-        static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+        static string Text(double value) => NumberText.Of(value);
 
         static string Text(ulong value) => value.ToString(CultureInfo.InvariantCulture);
     }

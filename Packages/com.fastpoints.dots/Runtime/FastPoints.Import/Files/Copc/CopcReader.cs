@@ -32,7 +32,7 @@ namespace FastPoints.Files
             if (!(spacing > 0) || double.IsInfinity(spacing))
             {
                 spacing = 2 * copc.HalfSize / UsualPointsAcross;
-                Info.Warn(copc.FileOffset, "the octree's spacing is " + copc.Spacing + ": taken as the edge of its cube over "
+                Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing) + ": taken as the edge of its cube over "
                     + UsualPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);

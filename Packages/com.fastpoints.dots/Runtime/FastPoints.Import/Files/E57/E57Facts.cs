@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -59,7 +60,7 @@ namespace FastPoints.Files
                     info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
             TellPose(scan, info);
             if (!scan.BoundsClaimed.IsEmpty)
-                info.Fact("  cartesianBounds", Text(scan.BoundsClaimed.Min) + " to " + Text(scan.BoundsClaimed.Max) +
+                info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " + NumberText.Of(scan.BoundsClaimed.Max) +
                     " (the scanner's coordinates)");
             if (math.all(math.isfinite(scan.IntensityLimits)))
                 info.Fact("  intensityLimits", E57Text.Of(scan.IntensityLimits.x) + " to " + E57Text.Of(scan.IntensityLimits.y));
@@ -121,9 +122,9 @@ namespace FastPoints.Files
             var pose = scan.Pose;
             if (pose.IsIdentity)
                 return;
-            string text = "translation " + Text(pose.Translation);
+            string text = "translation " + NumberText.Of(pose.Translation);
             if (!pose.IsShift)
-                text += ", axes " + Text(pose.AxisX) + " | " + Text(pose.AxisY) + " | " + Text(pose.AxisZ);
+                text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | " + NumberText.Of(pose.AxisZ);
             info.Fact("  pose", text);
         }
 
@@ -157,7 +158,5 @@ namespace FastPoints.Files
             if (text != null)
                 info.Fact(fact, text);
         }
-
-        static string Text(double3 v) => E57Text.Of(v.x) + ", " + E57Text.Of(v.y) + ", " + E57Text.Of(v.z);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Text;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -26,7 +27,7 @@ namespace FastPoints.Files
             value = missing;
             if (string.IsNullOrWhiteSpace(text))
                 return true;
-            return double.TryParse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture, out value);
+            return NumberText.TryRead(text.Trim(), out value);
         }
 
         public static bool TryCount(string text, out ulong value) =>
@@ -50,7 +51,7 @@ namespace FastPoints.Files
             return line.ToString().TrimEnd();
         }
 
-        public static string Of(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+        public static string Of(double value) => NumberText.Of(value);
 
         public static string Of(long value) => value.ToString(CultureInfo.InvariantCulture);
 

@@ -69,8 +69,8 @@ namespace FastPoints.Files
             index.ReadSchema(json);
             ReadCrs(json, info);
             info.Fact("data type", json.Text("dataType"));
-            info.Fact("span", Text(json.Number("span", 0)));
-            info.Fact("spacing", Text(index.Spacing));
+            info.Fact("span", NumberText.Of(json.Number("span", 0)));
+            info.Fact("spacing", NumberText.Of(index.Spacing));
             info.Fact("schema bytes a point", index.RecordBytes.ToString(CultureInfo.InvariantCulture));
             return index;
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Files
             double span = json.Number("span", UsualSpan);
             if (!(span >= 1))
             {
-                Info.Warn(-1, "span: wanted at least 1, got " + Text(span) + ": taken as " + UsualSpan);
+                Info.Warn(-1, "span: wanted at least 1, got " + NumberText.Of(span) + ": taken as " + UsualSpan);
                 span = UsualSpan;
             }
             Spacing = Cube.Size.x / span;
@@ -207,7 +207,5 @@ namespace FastPoints.Files
                 && int.TryParse(srs.Text("horizontal", ""), NumberStyles.None, CultureInfo.InvariantCulture, out int code))
                 info.Crs.Epsg = code;
         }
-
-        static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
     }
 }

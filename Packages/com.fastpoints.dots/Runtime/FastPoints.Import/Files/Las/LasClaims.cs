@@ -134,7 +134,6 @@ namespace FastPoints.Files
 
         static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
 
-        static string Text(double3 point) =>
-            string.Format(CultureInfo.InvariantCulture, "({0:R}, {1:R}, {2:R})", point.x, point.y, point.z);
+        static string Text(double3 point) => "(" + NumberText.Of(point) + ")";
     }
 }

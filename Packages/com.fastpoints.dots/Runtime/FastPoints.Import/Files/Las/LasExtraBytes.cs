@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Files
@@ -99,7 +100,7 @@ namespace FastPoints.Files
             if (!double.IsNaN(value) && !double.IsInfinity(value) && !(isScale && value == 0))
                 return value;
             info.Warn(entries.FileOffset + position, "extra bytes " + (isScale ? "scale" : "offset") + ": wanted a number, got "
-                + value.ToString(CultureInfo.InvariantCulture) + ": read as " + otherwise.ToString(CultureInfo.InvariantCulture));
+                + NumberText.Of(value) + ": read as " + NumberText.Of(otherwise));
             return otherwise;
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -74,8 +75,7 @@ namespace FastPoints.Files
             return string.Join(" ", counts);
         }
 
-        static string Numbers(params double[] values) =>
-            string.Join(" ", Array.ConvertAll(values, value => value.ToString("R", CultureInfo.InvariantCulture)));
+        static string Numbers(params double[] values) => string.Join(" ", Array.ConvertAll(values, NumberText.Of));
 
         static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
     }

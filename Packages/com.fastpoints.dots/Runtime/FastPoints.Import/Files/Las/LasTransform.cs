@@ -1,4 +1,4 @@
-using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Files
@@ -26,7 +26,7 @@ namespace FastPoints.Files
                 {
                     transform.Offset[axis] = 0;
                     info.Warn(LasHeader.At.Offset + 8 * axis, "offset of " + s_axes[axis] + ": wanted a number, got "
-                        + Text(offset) + ": read as 0");
+                        + NumberText.Of(offset) + ": read as 0");
                 }
                 double scale = header.Scale[axis];
                 if (IsUsable(scale))
@@ -37,7 +37,7 @@ namespace FastPoints.Files
                         assumed = header.Scale[other];
                 transform.Scale[axis] = assumed;
                 info.Warn(LasHeader.At.Scale + 8 * axis, "scale of " + s_axes[axis] + ": wanted a number that is not 0, got "
-                    + Text(scale) + ": read as " + Text(assumed));
+                    + NumberText.Of(scale) + ": read as " + NumberText.Of(assumed));
             }
             return transform;
         }
@@ -46,7 +46,5 @@ namespace FastPoints.Files
         static bool IsUsable(double scale) => scale != 0 && IsFinite(scale) && IsFinite(scale * int.MinValue * 2);
 
         static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
-
-        static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
     }
 }

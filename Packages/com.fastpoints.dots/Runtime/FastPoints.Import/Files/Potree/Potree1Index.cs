@@ -72,7 +72,7 @@ namespace FastPoints.Files
             index.ReadAttributes(json);
             PotreeIndexes.ReadProjection(json, info);
             info.Fact("nodes", index.NodeFormat ?? "BIN");
-            info.Fact("spacing", index.Spacing.ToString("R", CultureInfo.InvariantCulture));
+            info.Fact("spacing", NumberText.Of(index.Spacing));
             return index;
         }
 

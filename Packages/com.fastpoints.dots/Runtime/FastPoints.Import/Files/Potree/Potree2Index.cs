@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
@@ -49,7 +48,7 @@ namespace FastPoints.Files
             PotreeIndexes.TellFact(json, "name", info);
             PotreeIndexes.TellFact(json, "description", info);
             info.Fact("encoding", encoding);
-            info.Fact("spacing", index.Spacing.ToString("R", CultureInfo.InvariantCulture));
+            info.Fact("spacing", NumberText.Of(index.Spacing));
             return index;
         }
 

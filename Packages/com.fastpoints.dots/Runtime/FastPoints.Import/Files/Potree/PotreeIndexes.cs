@@ -38,7 +38,7 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">It is zero or negative: no writer's.</exception>
         public static double3 UsableScale(double3 scale, SourceJson json) =>
             math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
-                "numbers above 0", string.Format(CultureInfo.InvariantCulture, "{0:R}, {1:R}, {2:R}", scale.x, scale.y, scale.z));
+                "numbers above 0", NumberText.Of(scale));
 
         /// <exception cref="PointCloudException">It has no volume to divide.</exception>
         public static BoundsGeo Cube(BoundsGeo box, SourceJson json) =>

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 

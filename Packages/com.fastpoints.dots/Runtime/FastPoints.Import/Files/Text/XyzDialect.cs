@@ -1,3 +1,5 @@
+using FastPoints.Base;
+
 namespace FastPoints.Files
 {
     /// <summary>How the values of a text file's lines are set apart. Blittable; HPC#.</summary>

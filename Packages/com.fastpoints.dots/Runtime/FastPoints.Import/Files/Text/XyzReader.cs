@@ -259,9 +259,7 @@ namespace FastPoints.Files
                 Tell(0, found.BadRows, found.FirstBadRow, " lines are no points and left out; the first one: " + m_firstError);
             }
             Tell(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
-                "first: rounded to " + Info.Transform.Scale.x.ToString("R", CultureInfo.InvariantCulture) + ", " +
-                Info.Transform.Scale.y.ToString("R", CultureInfo.InvariantCulture) + ", " +
-                Info.Transform.Scale.z.ToString("R", CultureInfo.InvariantCulture));
+                "first: rounded to " + NumberText.Of(Info.Transform.Scale));
             Tell(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
                 "the nearest that do were taken");
             Tell(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");

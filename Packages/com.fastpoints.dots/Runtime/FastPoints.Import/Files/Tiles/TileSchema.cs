@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Files
@@ -147,8 +148,8 @@ namespace FastPoints.Files
                 worst = Math.Max(worst, loss);
             }
             if (worst > 0)
-                m_info.Warn(-1, string.Format(System.Globalization.CultureInfo.InvariantCulture,
-                    "{0}: scales and offsets of the files have no common step: moved by up to {1:R}", name, worst));
+                m_info.Warn(-1, name + ": scales and offsets of the files have no common step: moved by up to " +
+                    NumberText.Of(worst));
             transform.Scale[axis] = step;
             transform.Offset[axis] = offsets[0];
             return AttributeType.Int64;

@@ -1,7 +1,7 @@
 using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
-namespace FastPoints.Files
+namespace FastPoints.Base
 {
     /// <summary>
     /// Decimal numbers to the nearest binary one (ties to even), exactly, for any number of digits and any exponent. HPC#.

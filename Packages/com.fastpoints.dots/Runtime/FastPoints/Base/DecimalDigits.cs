@@ -1,4 +1,4 @@
-namespace FastPoints.Files
+namespace FastPoints.Base
 {
     /// <summary>A decimal number as its text gives it: <see cref="Mantissa"/> * 10^<see cref="Exponent"/>, and the text's digits
     /// where these are more than a mantissa holds.</summary>

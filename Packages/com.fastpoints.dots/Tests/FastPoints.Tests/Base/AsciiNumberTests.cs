@@ -1,11 +1,12 @@
 using System;
 using System.Globalization;
 using System.Text;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Base.Tests
 {
     public class AsciiNumberTests
     {
@@ -40,17 +41,14 @@ namespace FastPoints.Files.Tests
             }
         }
 
-        /// <summary>Bit by bit what .NET's parser gives, which rounds exactly.</summary>
         static string Difference(string text)
         {
-            double wantedDouble = double.Parse(text, CultureInfo.InvariantCulture);
             if (!TryDouble(text, out double gotDouble, out int taken) || taken != text.Length ||
-                math.asulong(gotDouble) != math.asulong(wantedDouble))
-                return "double " + text + ": " + gotDouble.ToString("R", CultureInfo.InvariantCulture);
-            float wantedFloat = float.Parse(text, CultureInfo.InvariantCulture);
+                !ExactNumber.IsNearest(text, gotDouble))
+                return "double " + text + ": " + NumberText.Of(gotDouble);
             if (!TryFloat(text, out float gotFloat, out taken) || taken != text.Length ||
-                math.asuint(gotFloat) != math.asuint(wantedFloat))
-                return "float " + text + ": " + gotFloat.ToString("R", CultureInfo.InvariantCulture);
+                !ExactNumber.IsNearest(text, gotFloat))
+                return "float " + text + ": " + NumberText.Of(gotFloat);
             return null;
         }
 
@@ -62,17 +60,17 @@ namespace FastPoints.Files.Tests
                 case 0:
                     long anyBits = (long)random.Next() << 33 ^ (long)random.Next() << 11 ^ random.Next();
                     double any = BitConverter.Int64BitsToDouble(anyBits);
-                    return double.IsNaN(any) || double.IsInfinity(any) ? "1" : any.ToString("R", culture);
+                    return double.IsNaN(any) || double.IsInfinity(any) ? "1" : NumberText.Of(any);
                 case 1:
                     float single = math.asfloat((uint)random.Next());
-                    return float.IsNaN(single) || float.IsInfinity(single) ? "2" : single.ToString("R", culture);
+                    return float.IsNaN(single) || float.IsInfinity(single) ? "2" : NumberText.Of(single);
                 case 2:
                     return (random.NextDouble() * 1e6).ToString("F" + random.Next(0, 30), culture);
                 case 3:
                     // Half-way between two floats, in few digits and in many.
                     uint bits = (uint)random.Next(0, 0x7F000000);
                     double halfWay = ((double)math.asfloat(bits) + math.asfloat(bits + 1)) / 2;
-                    return halfWay.ToString(random.Next(2) == 0 ? "R" : "E60", culture);
+                    return random.Next(2) == 0 ? NumberText.Of(halfWay) : halfWay.ToString("E60", culture);
                 case 4:
                     var text = new StringBuilder(random.Next(2) == 0 ? "-" : "");
                     int digits = random.Next(1, 60), point = random.Next(0, digits + 1);
@@ -87,7 +85,7 @@ namespace FastPoints.Files.Tests
         }
 
         [Test]
-        public void TryDouble_SeededNumbers_AreThoseOfDotNet([Range(0, 6)] int kind)
+        public void TryDouble_SeededNumbers_AreTheNearest([Range(0, 6)] int kind)
         {
             var random = new Random(17 + kind);
             for (int i = 0; i < 20000; i++)
@@ -124,7 +122,7 @@ namespace FastPoints.Files.Tests
         [TestCase("1e0000000000000000000001")]
         [TestCase("0e999999999")]
         [TestCase("1.2345678901234567890123456789e-300")]
-        public void TryDouble_Border_IsThatOfDotNet(string text)
+        public void TryDouble_Border_IsTheNearest(string text)
         {
             Assert.That(Difference(text), Is.Null);
         }
