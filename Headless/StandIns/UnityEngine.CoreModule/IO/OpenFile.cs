@@ -22,6 +22,8 @@ namespace StandIns.Io
         bool m_closing;
 #if NET
         SafeFileHandle m_handle;
+#else
+        FileStream m_handle;
 #endif
 
         OpenFile(string path)
@@ -84,7 +86,6 @@ namespace StandIns.Io
         /// <returns>Bytes read: fewer than asked for at the end of the file, -1 on failure.</returns>
         internal long Read(byte* to, long offset, long size, ref bool cancelled)
         {
-#if NET
             if (Status == FileStatus.Pending)
             {
                 // Two threads serve the queue, so that a read may overtake the opening of its file.
@@ -100,7 +101,7 @@ namespace StandIns.Io
                 while (done < size && !System.Threading.Volatile.Read(ref cancelled))
                 {
                     int part = (int)Math.Min(size - done, PartBytes);
-                    int got = RandomAccess.Read(m_handle, new Span<byte>(to + done, part), offset + done);
+                    int got = ReadAt(new Span<byte>(to + done, part), offset + done);
                     if (got <= 0)
                         break;
                     done += got;
@@ -111,17 +112,31 @@ namespace StandIns.Io
                 return -1;
             }
             return done;
-#else
-            throw new PlatformNotSupportedException();
-#endif
         }
+
+#if NET
+        int ReadAt(Span<byte> to, long offset) => RandomAccess.Read(m_handle, to, offset);
+#else
+        int ReadAt(Span<byte> to, long offset)
+        {
+            // A stream has one position.
+            lock (m_handle)
+            {
+                m_handle.Position = offset;
+                return m_handle.Read(to);
+            }
+        }
+#endif
 
         void Open()
         {
-#if NET
             try
             {
+#if NET
                 m_handle = File.OpenHandle(m_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+#else
+                m_handle = new FileStream(m_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, 1);
+#endif
                 Status = FileStatus.Open;
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException
@@ -129,9 +144,6 @@ namespace StandIns.Io
             {
                 Status = FileStatus.OpenFailed;
             }
-#else
-            throw new PlatformNotSupportedException(m_path);
-#endif
         }
 
         void CloseIfUnused()
@@ -139,10 +151,8 @@ namespace StandIns.Io
             if (!m_closing || m_readers > 0 || Status == FileStatus.Closed)
                 return;
             Status = FileStatus.Closed;
-#if NET
             m_handle?.Dispose();
             m_handle = null;
-#endif
         }
     }
 }

@@ -42,7 +42,12 @@ namespace StandIns.Memory
 #if NET
             return NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, MinAlignment));
 #else
-            return (void*)Marshal.AllocHGlobal(new IntPtr(Math.Max(size, MinAlignment)));
+            // The block's own address lies before what is handed out.
+            alignment = Math.Max(alignment, MinAlignment);
+            long block = (long)Marshal.AllocHGlobal(new IntPtr(size + alignment + sizeof(long)));
+            long* aligned = (long*)((block + sizeof(long) + alignment - 1) & -alignment);
+            aligned[-1] = block;
+            return aligned;
 #endif
         }
 
@@ -51,7 +56,8 @@ namespace StandIns.Memory
 #if NET
             NativeMemory.AlignedFree(memory);
 #else
-            Marshal.FreeHGlobal((IntPtr)memory);
+            if (memory != null)
+                Marshal.FreeHGlobal((IntPtr)((long*)memory)[-1]);
 #endif
         }
     }

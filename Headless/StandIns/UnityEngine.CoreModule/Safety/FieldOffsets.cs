@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Reflection;
-#if NET
 using System.Reflection.Emit;
-#endif
 
 namespace StandIns.Safety
 {
@@ -16,7 +14,6 @@ namespace StandIns.Safety
             var offsets = new int[paths.Count];
             if (paths.Count == 0)
                 return offsets;
-#if NET
             var method = new DynamicMethod("Offsets", typeof(void), new[] { typeof(byte*), typeof(int*) }, root, true);
             ILGenerator il = method.GetILGenerator();
             for (int i = 0; i < paths.Count; i++)
@@ -41,13 +38,8 @@ namespace StandIns.Safety
             fixed (int* results = offsets)
                 compute(somewhere, results);
             return offsets;
-#else
-            throw new PlatformNotSupportedException();
-#endif
         }
 
-#if NET
         delegate void Compute(byte* at, int* offsets);
-#endif
     }
 }

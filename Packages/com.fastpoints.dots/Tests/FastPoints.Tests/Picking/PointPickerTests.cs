@@ -113,7 +113,7 @@ namespace FastPoints.Tests.Picking
                 Assert.That(found.Attributes[2].Value, Is.EqualTo(m_cloud.Angles[point] * 0.006));
                 Assert.That(found.Attributes[3].Value, Is.EqualTo(m_cloud.Extras[point]));
                 Assert.That(found.Attributes[3].ToString(),
-                    Is.EqualTo(m_cloud.Extras[point].ToString("R", System.Globalization.CultureInfo.InvariantCulture)));
+                    Is.EqualTo(NumberText.Of(m_cloud.Extras[point])));
                 Assert.That(found.Attributes[4].ToString(), Is.EqualTo(m_cloud.Reds[point].ToString()));
             }
         }
