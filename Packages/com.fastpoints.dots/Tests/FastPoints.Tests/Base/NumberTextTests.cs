@@ -6,6 +6,7 @@ using Random = System.Random;
 
 namespace FastPoints.Base.Tests
 {
+    [Category("Smoke")]
     public class NumberTextTests
     {
         [TestCase(0.0, "0")]
