@@ -88,8 +88,11 @@ namespace FastPoints.MonoTests
         {
         }
 
+#if NET
+        /// <summary>An old NUnit, as Unity's is, sends none.</summary>
         public void SendMessage(TestMessage message)
         {
         }
+#endif
     }
 }
