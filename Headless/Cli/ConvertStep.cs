@@ -2,8 +2,8 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 
 namespace FastPoints.Cli
 {

@@ -3,9 +3,10 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
+using FastPoints.Draw;
+using FastPoints.Evaluation;
 using FastPoints.Files;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
 
 namespace FastPoints.Cli
 {

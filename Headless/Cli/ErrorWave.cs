@@ -1,4 +1,4 @@
-using FastPoints.Pipeline;
+using FastPoints.Evaluation;
 using FastPoints.Preview;
 
 namespace FastPoints.Cli

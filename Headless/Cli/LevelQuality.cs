@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Draw;
 using FastPoints.Files;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Store;
+using FastPoints.Verify;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;

@@ -1,8 +1,8 @@
 using System.Collections.Generic;
 using System.Text.Json;
+using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
 using FastPoints.Preview;
 
 namespace FastPoints.Cli

@@ -87,7 +87,7 @@ namespace FastPoints.Cli
         public void Picture(byte[] png, string caption)
         {
             m_body.Append("<figure><img alt=\"").Append(Escape(caption)).Append("\" src=\"data:image/png;base64,")
-                .Append(Convert.ToBase64String(png)).Append("\">\n<figcaption>").Append(Escape(caption)).Append("</figcaption></figure>\n");
+                .Append(System.Convert.ToBase64String(png)).Append("\">\n<figcaption>").Append(Escape(caption)).Append("</figcaption></figure>\n");
         }
 
         public void Chart(LineChart chart) => m_body.Append("<figure>\n").Append(chart.ToSvg()).Append("\n</figure>\n");

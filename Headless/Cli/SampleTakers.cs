@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using FastPoints.Draw;
+using FastPoints.Evaluation;
 using FastPoints.Files;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Preview;
 

@@ -4,10 +4,11 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using FastPoints.Convert;
+using FastPoints.Draw;
 using FastPoints.Files;
-using FastPoints.Octree;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
+using FastPoints.Samplers;
 using FastPoints.Store;
 using Unity.Mathematics;
 

@@ -3,8 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Text.Json;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 using FastPoints.Points;
+using FastPoints.Verify;
 
 namespace FastPoints.Cli
 {

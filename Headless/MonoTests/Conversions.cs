@@ -4,9 +4,9 @@ using System.IO;
 using System.Linq;
 using System.Security.Cryptography;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
+using FastPoints.Samplers;
 using FastPoints.Scenes;
 using FastPoints.Tests;
 

@@ -4,13 +4,14 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Convert;
+using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Headless.Graphics;
-using FastPoints.Octree;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
-using FastPoints.Preview;
+using FastPoints.Samplers;
 using FastPoints.Store;
+using FastPoints.Verify;
 using Unity.Jobs;
 
 namespace FastPoints.Cli.Stability

@@ -5,7 +5,7 @@ using System.IO;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Headless.Graphics;
-using FastPoints.Octree;
+using FastPoints.Samplers;
 
 namespace FastPoints.Cli.Stability
 {

@@ -2,9 +2,9 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
+using FastPoints.Samplers;
 
 namespace FastPoints.Cli.Verbs
 {

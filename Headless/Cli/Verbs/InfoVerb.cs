@@ -3,7 +3,7 @@ using System.CommandLine;
 using System.Linq;
 using System.Text.Json;
 using FastPoints.Files;
-using FastPoints.Pipeline;
+using FastPoints.Verify;
 
 namespace FastPoints.Cli.Verbs
 {

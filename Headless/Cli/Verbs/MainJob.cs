@@ -4,10 +4,11 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using FastPoints.Convert;
+using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Headless.Graphics;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
 using FastPoints.Store;
 
 namespace FastPoints.Cli.Verbs

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using FastPoints.Draw;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 
 namespace FastPoints.Cli.Verbs
 {

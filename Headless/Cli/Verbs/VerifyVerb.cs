@@ -4,7 +4,7 @@ using System.CommandLine;
 using System.Text.Json;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Pipeline;
+using FastPoints.Verify;
 
 namespace FastPoints.Cli.Verbs
 {

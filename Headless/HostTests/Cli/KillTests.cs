@@ -3,7 +3,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Text.Json;
 using FastPoints.Cli;
-using FastPoints.Store;
+using FastPoints.Writing;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Cli.Stability;
-using FastPoints.Octree;
+using FastPoints.Samplers;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using FastPoints.Editor;
+using FastPoints.Samplers;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.AssetImporters;
@@ -115,7 +116,7 @@ namespace FastPoints.HostTests.Editor
         public void Settings_AreThoseThatWereSavedInTheNextSession()
         {
             var settings = FastPointsSettings.instance;
-            (settings.UpdateMs, settings.Sampler) = (7, Octree.Sampler.Poisson);
+            (settings.UpdateMs, settings.Sampler) = (7, Sampler.Poisson);
             settings.Save();
             settings.UpdateMs = 9;
             UnityEngine.Object.DestroyImmediate(settings);
@@ -123,7 +124,7 @@ namespace FastPoints.HostTests.Editor
             {
                 var next = FastPointsSettings.instance;
                 Assert.That(next, Is.Not.SameAs(settings));
-                Assert.That((next.UpdateMs, next.Sampler), Is.EqualTo((7, Octree.Sampler.Poisson)));
+                Assert.That((next.UpdateMs, next.Sampler), Is.EqualTo((7, Sampler.Poisson)));
                 Assert.That(next.hideFlags & HideFlags.NotEditable, Is.EqualTo(HideFlags.None));
             }
             finally

@@ -5,7 +5,7 @@ using System.Diagnostics;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Editor;
-using FastPoints.Store;
+using FastPoints.Writing;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Editor

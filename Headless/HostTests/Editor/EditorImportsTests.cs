@@ -8,6 +8,7 @@ using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.HostTests.Cli;
 using FastPoints.Points;
+using FastPoints.SourceFeeds;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using StandIns.Scene;

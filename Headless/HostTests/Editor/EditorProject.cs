@@ -4,7 +4,7 @@ using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.Feeds;
 using FastPoints.HostTests.Cli;
-using FastPoints.Pipeline;
+using FastPoints.SourceFeeds;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;

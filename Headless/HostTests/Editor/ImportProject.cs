@@ -2,9 +2,9 @@ using System;
 using System.IO;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Convert;
 using FastPoints.Editor;
 using FastPoints.HostTests.Cli;
-using FastPoints.Pipeline;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Editor

@@ -121,7 +121,7 @@ namespace FastPoints.HostTests.Editor
             string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
             var kept = XDocument.Load(link).Root.Element("assembly");
             Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
-                .GetType((string)kept.Element("type").Attribute("fullname")), Is.EqualTo(typeof(FastPoints.Pipeline.PointFileReaders)));
+                .GetType((string)kept.Element("type").Attribute("fullname")), Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
             File.Delete(source);
             Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
         }

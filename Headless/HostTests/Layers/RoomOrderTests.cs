@@ -25,7 +25,7 @@ namespace FastPoints.HostTests.Layers
         }
 
         [TestCase("FastPoints", "Points/A.cs", "using FastPoints.Base;\nnamespace FastPoints.Points { }")]
-        [TestCase("FastPoints.Import", "Octree/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Octree { }")]
+        [TestCase("FastPoints.Import", "Nodes/A.cs", "using FastPoints.Store;\nnamespace FastPoints.Nodes { }")]
         [TestCase("FastPoints", "Base/A.cs", "// after FastPoints.Points\nnamespace FastPoints.Base { }")]
         [TestCase("FastPoints", "AssemblyInfo.cs", "")]
         public void CheckSource_OwnAndEarlierRooms_NoProblem(string assembly, string path, string text) =>
@@ -33,7 +33,7 @@ namespace FastPoints.HostTests.Layers
 
         [TestCase("FastPoints", "Base/A.cs", "using FastPoints.Points;\nnamespace FastPoints.Base { }", "uses FastPoints.Points")]
         [TestCase("FastPoints", "Picture/A.cs", "namespace FastPoints.Picture { class A : FastPoints.Files.B { } }", "uses FastPoints.Files")]
-        [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Octree;\nnamespace FastPoints.Files { }", "comes after Files")]
+        [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }", "comes after Files")]
         [TestCase("FastPoints", "Base/A.cs", "namespace FastPoints.Points { }", "wanted FastPoints.Base")]
         [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
         [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "is in no room")]

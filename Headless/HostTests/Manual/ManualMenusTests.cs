@@ -5,7 +5,7 @@ using System.Reflection;
 using System.Text.RegularExpressions;
 using FastPoints.Editor;
 using FastPoints.Entities;
-using FastPoints.Pipeline;
+using FastPoints.SourceFeeds;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

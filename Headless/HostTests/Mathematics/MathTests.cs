@@ -53,8 +53,8 @@ namespace FastPoints.HostTests.Mathematics
                 Assert.That(math.lzcnt((uint)x), Is.EqualTo(BitOperations.LeadingZeroCount((uint)x)));
                 Assert.That(math.rol(x, 13), Is.EqualTo(BitOperations.RotateLeft(x, 13)));
                 Assert.That(math.ror((uint)x, 5), Is.EqualTo(BitOperations.RotateRight((uint)x, 5)));
-                string bits = Convert.ToString((long)x, 2).PadLeft(64, '0');
-                Assert.That(math.reversebits(x), Is.EqualTo(Convert.ToUInt64(new string(bits.Reverse().ToArray()), 2)));
+                string bits = System.Convert.ToString((long)x, 2).PadLeft(64, '0');
+                Assert.That(math.reversebits(x), Is.EqualTo(System.Convert.ToUInt64(new string(bits.Reverse().ToArray()), 2)));
             }
             Assert.That(math.lzcnt(0), Is.EqualTo(32));
             Assert.That(math.tzcnt(0ul), Is.EqualTo(64));

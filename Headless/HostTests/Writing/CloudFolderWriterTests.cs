@@ -3,6 +3,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.HostTests.Cli;
 using FastPoints.Store;
+using FastPoints.Writing;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Writing

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using FastPoints.HostTests.Cli;
-using FastPoints.Store;
+using FastPoints.Writing;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Writing

@@ -32,7 +32,7 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes", "Unity.Entities", "Unity.Entities.Hybrid" })
                 .ToArray(),
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
-                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks" })
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Evaluation" })
                 .Concat(s_testRunner).ToArray(),
             ["FastPoints.Scenes"] = s_shared,
             ["FastPoints.Samples"] = s_shared.Concat(s_entities)
@@ -48,6 +48,7 @@ namespace FastPoints.RepoTools.Layers
                 .ToArray(),
             ["FastPoints.UnityTests.Performance"] = s_testRunner
                 .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
+            ["FastPoints.Evaluation"] = s_shared,
             ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities).Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
                 .Concat(s_testRunner).ToArray(),

@@ -17,7 +17,11 @@ namespace FastPoints.RepoTools.Layers
         private static readonly (string Assembly, string[] Rooms)[] s_order =
         {
             ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
-            ("FastPoints.Import", new[] { "Files", "Preview", "Octree", "Store", "Streaming", "Pipeline" }),
+            ("FastPoints.Import", new[]
+            {
+                "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing", "Draw", "SourceFeeds", "Verify",
+                "Convert",
+            }),
         };
 
         public static IEnumerable<string> Assemblies => s_order.Select(o => o.Assembly);
@@ -72,8 +76,7 @@ namespace FastPoints.RepoTools.Layers
             }
             foreach (string used in Regex.Matches(code, @"\bFastPoints\.(\w+)").Select(m => m.Groups[1].Value).Distinct())
             {
-                // A name of two rooms (Store) is taken for the earlier one here; the IL tells which it is.
-                int index = s_order.Select(o => IndexOf(o.Assembly, used)).Where(i => i >= 0).DefaultIfEmpty(-1).Min();
+                int index = s_order.Max(o => IndexOf(o.Assembly, used));
                 if (index > own)
                     yield return $"{shown} uses FastPoints.{used}, which comes after {room}";
             }

@@ -1,6 +1,6 @@
+using FastPoints.Convert;
 using FastPoints.Entities;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
+using FastPoints.Samplers;
 using UnityEditor;
 
 namespace FastPoints.Editor

@@ -1,4 +1,4 @@
-using FastPoints.Octree;
+using FastPoints.Samplers;
 using UnityEditor;
 
 namespace FastPoints.Editor

@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using FastPoints.Pipeline;
+using FastPoints.SourceFeeds;
 using UnityEditor;
 using UnityEngine;
 

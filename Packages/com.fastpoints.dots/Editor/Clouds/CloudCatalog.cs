@@ -4,6 +4,7 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Store;
+using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {

@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 using FastPoints.Base;
-using FastPoints.Pipeline;
+using FastPoints.Convert;
 
 namespace FastPoints.Editor
 {

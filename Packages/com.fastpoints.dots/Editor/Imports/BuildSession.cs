@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Pipeline;
-using FastPoints.Store;
+using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {

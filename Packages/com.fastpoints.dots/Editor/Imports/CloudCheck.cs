@@ -2,7 +2,7 @@ using System;
 using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Pipeline;
+using FastPoints.Verify;
 
 namespace FastPoints.Editor
 {

@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 using FastPoints.Store;
+using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {

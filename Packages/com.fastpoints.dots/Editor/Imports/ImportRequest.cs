@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
-using FastPoints.Octree;
+using FastPoints.Samplers;
 
 namespace FastPoints.Editor
 {

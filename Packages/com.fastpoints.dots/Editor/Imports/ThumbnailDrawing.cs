@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
+using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Picture;
-using FastPoints.Pipeline;
 using FastPoints.Store;
 using Unity.Jobs;
 

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
     {
         const string Kept = "<linker>\n" +
             "  <assembly fullname=\"FastPoints.Import\">\n" +
-            "    <type fullname=\"FastPoints.Pipeline.PointFileReaders\" preserve=\"all\" />\n" +
+            "    <type fullname=\"FastPoints.SourceFeeds.PointFileReaders\" preserve=\"all\" />\n" +
             "  </assembly>\n" +
             "</linker>\n";
 

@@ -1,6 +1,5 @@
 using FastPoints.Entities;
 using FastPoints.Points;
-using FastPoints.Streaming;
 using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight

@@ -1,9 +1,9 @@
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
 using FastPoints.Points;
+using FastPoints.Samplers;
 
 namespace FastPoints.Benchmarks
 {

@@ -1,7 +1,7 @@
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 using FastPoints.Points;
 
 namespace FastPoints.Benchmarks

@@ -1,6 +1,5 @@
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 using Unity.Jobs;
 
 namespace FastPoints.Benchmarks

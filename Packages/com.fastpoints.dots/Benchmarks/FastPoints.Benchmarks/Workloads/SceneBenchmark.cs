@@ -1,8 +1,8 @@
 using System;
 using System.Threading;
 using FastPoints.Entities;
-using FastPoints.Octree;
-using FastPoints.Pipeline;
+using FastPoints.Records;
+using FastPoints.SourceFeeds;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Entities;

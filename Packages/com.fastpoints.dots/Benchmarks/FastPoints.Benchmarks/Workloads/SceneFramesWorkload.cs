@@ -1,6 +1,6 @@
 using System.Globalization;
 using FastPoints.Base;
-using FastPoints.Octree;
+using FastPoints.Records;
 using FastPoints.Streaming;
 using Unity.Mathematics;
 using Camera = FastPoints.Picture.Camera;

@@ -2,6 +2,7 @@ using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.SourceFeeds;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

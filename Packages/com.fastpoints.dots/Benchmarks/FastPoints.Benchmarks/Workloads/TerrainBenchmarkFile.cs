@@ -1,8 +1,8 @@
 using System;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Convert;
 using FastPoints.Files;
-using FastPoints.Pipeline;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Mathematics;

@@ -3,7 +3,6 @@ using FastPoints.Base;
 using FastPoints.Feeds;
 using FastPoints.Picture;
 using FastPoints.Rendering;
-using FastPoints.Streaming;
 
 namespace FastPoints.Entities
 {

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
-using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;

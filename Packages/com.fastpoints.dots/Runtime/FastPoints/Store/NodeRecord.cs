@@ -64,6 +64,9 @@ namespace FastPoints.Store
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
+        /// <summary>Leaves have all that is left, and a chain has points at one place: there is no distance to keep.</summary>
+        public bool HasSpacing => (Flags & IsLeaf) == 0 && SideLog2 > 0;
+
         /// <summary>Offsets in a cube of a side beyond 2^32 are stored as 64-bit columns.</summary>
         public bool IsWide => SideLog2 > 32;
 

@@ -1,12 +1,13 @@
 using System;
 using System.Globalization;
 using System.Text;
+using FastPoints.Base;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Base.Tests
+namespace FastPoints.Tests.Base
 {
     public class AsciiNumberTests
     {

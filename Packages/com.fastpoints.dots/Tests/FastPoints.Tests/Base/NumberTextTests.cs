@@ -1,10 +1,11 @@
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Base.Tests
+namespace FastPoints.Tests.Base
 {
     [Category("Smoke")]
     public class NumberTextTests

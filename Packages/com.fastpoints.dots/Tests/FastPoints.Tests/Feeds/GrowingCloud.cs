@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Convert;
 using FastPoints.Feeds;
-using FastPoints.Pipeline;
 using FastPoints.Points;
+using FastPoints.SourceFeeds;
 using FastPoints.Store;
-using FastPoints.Tests.Octree;
+using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
 using Unity.Jobs;
 using Unity.Mathematics;

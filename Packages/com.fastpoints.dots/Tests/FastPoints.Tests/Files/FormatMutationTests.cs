@@ -4,11 +4,12 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped bits,

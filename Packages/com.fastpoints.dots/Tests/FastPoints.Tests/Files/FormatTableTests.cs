@@ -3,11 +3,13 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>The manual's table "format, what is read, what is not, tested by" is true: what it names is there.</summary>
     public class FormatTableTests
@@ -70,7 +72,7 @@ namespace FastPoints.Files.Tests
                 {
                     Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
                     if (!reader.BlocksAreKnown)
-                        Base.WorkPump.RunToEnd(reader.FindBlocks());
+                        WorkPump.RunToEnd(reader.FindBlocks());
                     Assert.That(reader.PointCount, Is.GreaterThan(0));
                 }
             }

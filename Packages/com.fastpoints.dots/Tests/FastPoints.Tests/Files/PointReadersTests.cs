@@ -5,10 +5,11 @@ using System.Linq;
 using System.Text;
 using System.Threading.Tasks;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class PointReadersTests
     {

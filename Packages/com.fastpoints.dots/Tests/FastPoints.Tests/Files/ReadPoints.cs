@@ -1,8 +1,9 @@
 using System;
+using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Reads whole columns, or ranges, of any reader, block by block on the test's thread.</summary>
     static class ReadPoints

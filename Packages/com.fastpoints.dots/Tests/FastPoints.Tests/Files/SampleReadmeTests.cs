@@ -3,12 +3,13 @@ using System.Globalization;
 using System.IO;
 using System.Text.RegularExpressions;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Each LAS and PLY row of the samples' README against what the readers say of that file: kind, version, point format and

@@ -1,8 +1,9 @@
 using System.Collections.Generic;
+using FastPoints.Files;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class WaitingPagesTests
     {

@@ -5,7 +5,7 @@ using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octree;
+using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
 using Unity.Collections;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using FastPoints.Gpu;
 using FastPoints.Points;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octree;
+using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
 using Unity.Collections;

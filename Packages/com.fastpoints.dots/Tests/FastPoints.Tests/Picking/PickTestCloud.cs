@@ -3,7 +3,7 @@ using FastPoints.Base;
 using FastPoints.Picking;
 using FastPoints.Points;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octree;
+using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
 using Unity.Mathematics;
 

@@ -167,7 +167,7 @@ namespace FastPoints.Tests.Preview
         [Test]
         public void Sample_OfEachLasFormat_HasTheFilesPoints([Range(0, 10)] int format)
         {
-            using var file = new FastPoints.Files.Tests.LasTestFile { Minor = 4, Format = format }.RandomPoints(20_000).Save();
+            using var file = new FastPoints.Tests.Files.LasTestFile { Minor = 4, Format = format }.RandomPoints(20_000).Save();
             using var reader = PointReaders.Open(file.Path);
             using var sample = Take(reader, 3000);
             var all = new Dictionary<(int, int, int), int>();

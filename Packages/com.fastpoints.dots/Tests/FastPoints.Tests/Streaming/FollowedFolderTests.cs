@@ -1,11 +1,12 @@
 using System;
 using System.IO;
 using System.Threading;
-using FastPoints.Pipeline;
+using FastPoints.Convert;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Tests.Octree;
+using FastPoints.Tests.Samplers;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -2,10 +2,10 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Files.Tests;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
+using FastPoints.Tests.Files;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 

@@ -1,5 +1,4 @@
 using FastPoints.Points;
-using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Mathematics;

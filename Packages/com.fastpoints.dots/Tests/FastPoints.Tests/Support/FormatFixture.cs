@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Files;
-using FastPoints.Files.Tests;
+using FastPoints.Tests.Files;
 
 namespace FastPoints.Tests.Support
 {

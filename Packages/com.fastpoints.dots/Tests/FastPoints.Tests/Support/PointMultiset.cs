@@ -2,8 +2,8 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Files.Tests;
 using FastPoints.Points;
+using FastPoints.Tests.Files;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support

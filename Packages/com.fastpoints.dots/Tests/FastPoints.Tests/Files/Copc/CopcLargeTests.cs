@@ -3,13 +3,14 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Points;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Five million airborne points as a COPC of the tests' own writer. $FASTPOINTS_COPC names a path where it is left, as the

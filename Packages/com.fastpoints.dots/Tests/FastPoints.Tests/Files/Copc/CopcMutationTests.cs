@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Seeded damage to the info VLR and the hierarchy: whatever comes of it is a failure of one line, or points that were
@@ -39,7 +40,7 @@ namespace FastPoints.Files.Tests
             var written = new Dictionary<string, int>();
             foreach (var record in records)
             {
-                string text = Convert.ToBase64String(record);
+                string text = System.Convert.ToBase64String(record);
                 written[text] = written.TryGetValue(text, out int count) ? count + 1 : 1;
             }
             for (int i = 0; i < cases; i++)
@@ -67,7 +68,7 @@ namespace FastPoints.Files.Tests
                     int noise = 0;
                     for (int at = 0; at < got.Length; at += recordBytes)
                     {
-                        string text = Convert.ToBase64String(got, at, recordBytes);
+                        string text = System.Convert.ToBase64String(got, at, recordBytes);
                         if (left.TryGetValue(text, out int count) && count > 0)
                             left[text] = count - 1;
                         else

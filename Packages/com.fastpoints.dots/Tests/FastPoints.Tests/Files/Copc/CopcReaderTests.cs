@@ -2,13 +2,14 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files by the tests' own writer: each node's points, pages as they are wanted, hierarchies that lie.</summary>
     [Category("Smoke")]
@@ -381,7 +382,7 @@ namespace FastPoints.Files.Tests
         {
             var texts = new List<string>();
             for (int at = 0; at < records.Length; at += recordBytes)
-                texts.Add(Convert.ToBase64String(records, at, recordBytes));
+                texts.Add(System.Convert.ToBase64String(records, at, recordBytes));
             texts.Sort(StringComparer.Ordinal);
             return texts;
         }

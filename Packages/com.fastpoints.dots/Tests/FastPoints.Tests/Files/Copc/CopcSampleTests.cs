@@ -1,12 +1,13 @@
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files by other writers: counts, nodes and boxes, and the same points as in their twins.</summary>
     public class CopcSampleTests

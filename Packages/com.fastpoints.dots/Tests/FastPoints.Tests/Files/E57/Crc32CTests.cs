@@ -1,8 +1,9 @@
 using System.Text;
+using FastPoints.Files;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class Crc32CTests
     {

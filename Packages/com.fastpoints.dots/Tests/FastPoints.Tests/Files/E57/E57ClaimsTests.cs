@@ -4,7 +4,7 @@ using System.Text;
 using FastPoints.Base;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files that claim what is not so: a failure that says where, or the points that are there and a warning.</summary>
     public class E57ClaimsTests

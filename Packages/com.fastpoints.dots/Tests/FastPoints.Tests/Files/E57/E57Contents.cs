@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Everything that a reader gives of an E57 file, read block by block.</summary>
     sealed class E57Contents

@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using FastPoints.Points;
 using NUnit.Framework;
-using static FastPoints.Files.Tests.E57TestScans;
+using static FastPoints.Tests.Files.E57TestScans;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Several scans of one file as one cloud: their poses, their grids, and fields that not all of them have.</summary>
     public class E57ManyScansTests

@@ -5,7 +5,7 @@ using System.Text;
 using FastPoints.Base;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Damaged files end in a failure that names them, or in points and warnings; nothing else, and nothing
     /// large.</summary>

@@ -1,13 +1,14 @@
 using System;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests;
 using NUnit.Framework;
 using Unity.Collections;
-using static FastPoints.Files.Tests.E57TestScans;
+using static FastPoints.Tests.Files.E57TestScans;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     [Category("Smoke")]
     public class E57ReaderTests

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Bytes as a file in the temporary folder, gone when disposed.</summary>
     sealed class E57TestFile : IDisposable

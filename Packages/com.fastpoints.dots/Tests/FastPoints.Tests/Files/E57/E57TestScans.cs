@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using FastPoints.Points;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Small scans of a known content, and what was read of them.</summary>
     static class E57TestScans

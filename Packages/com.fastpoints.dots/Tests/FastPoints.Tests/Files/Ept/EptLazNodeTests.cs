@@ -1,12 +1,13 @@
 using System;
 using System.IO;
 using System.Linq;
+using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
-using static FastPoints.Files.Tests.EptTestClouds;
+using static FastPoints.Tests.Files.EptTestClouds;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Nodes that are LAZ files of their own: on other grids than the root's, of another kind, longer than
     /// claimed.</summary>

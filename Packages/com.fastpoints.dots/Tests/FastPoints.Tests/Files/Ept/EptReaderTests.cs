@@ -3,16 +3,17 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
-using static FastPoints.Files.Tests.EptTestClouds;
+using static FastPoints.Tests.Files.EptTestClouds;
 using Random = System.Random;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Octrees of the tests' own writer, in each data type: every node's points, holes, and indexes that lie.</summary>
     public class EptReaderTests

@@ -1,11 +1,12 @@
 using System.IO;
 using System.Linq;
+using FastPoints.Files;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Octrees by Entwine: counts, trees, and the same points as in their twins. The zstandard one is read in the
     /// host's tests, which have a decompressor.</summary>

@@ -1,11 +1,12 @@
 using System;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using NUnit.Framework;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Headers that lie: what can be saved is offered with a warning, the rest is one line.</summary>
     public class LasClaimsTests

@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
+using FastPoints.Files;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class LasCoordinateSystemTests
     {

@@ -1,10 +1,11 @@
 using System;
 using System.Linq;
 using System.Text;
+using FastPoints.Files;
 using FastPoints.Points;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class LasExtraBytesTests
     {

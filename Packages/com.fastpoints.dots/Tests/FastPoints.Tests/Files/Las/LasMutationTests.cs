@@ -3,10 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Seeded damage to small files: flipped bits, cuts, insertions, fields set to their extremes. Whatever comes of it is a

@@ -1,12 +1,13 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     [Category("Smoke")]
     public class LasReaderTests

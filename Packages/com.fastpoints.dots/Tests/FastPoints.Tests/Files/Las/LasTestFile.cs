@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>A LAS file put together byte by byte from the specification, without the package's own tables.</summary>
     sealed class LasTestFile : IDisposable

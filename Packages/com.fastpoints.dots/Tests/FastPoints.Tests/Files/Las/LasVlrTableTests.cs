@@ -1,8 +1,9 @@
 using System;
 using System.Linq;
+using FastPoints.Files;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class LasVlrTableTests
     {

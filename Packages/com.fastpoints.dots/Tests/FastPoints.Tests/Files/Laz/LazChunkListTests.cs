@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Files;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class LazChunkListTests
     {

@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files of very many chunks: sparse ones, of which the disk has a header and a table.</summary>
     public class LazManyChunksTests

@@ -3,12 +3,13 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files by LASzip itself, each beside its truth.</summary>
     public class LazMatrixTests

@@ -1,11 +1,12 @@
 using System;
+using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>The coder and its models against the encoder's, symbol by symbol.</summary>
     public unsafe class LazModelTests

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
@@ -9,7 +10,7 @@ using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes of it is

@@ -2,13 +2,14 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Pointwise chunks have no mark of their end, and with chunks of one size only the header says how many points the last one

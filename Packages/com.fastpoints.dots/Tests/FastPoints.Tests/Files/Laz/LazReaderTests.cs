@@ -2,13 +2,14 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Jobs;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Files made by the repository's own encoder: every point format, item version and chunking.</summary>
     [Category("Smoke")]

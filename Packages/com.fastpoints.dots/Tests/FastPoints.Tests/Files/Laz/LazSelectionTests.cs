@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -9,7 +10,7 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Layers that nobody asks for are neither read nor decoded.</summary>
     public unsafe class LazSelectionTests

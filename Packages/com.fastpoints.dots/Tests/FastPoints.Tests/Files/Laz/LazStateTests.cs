@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Decoder states that are kept between ranges of a block.</summary>
     public class LazStateTests

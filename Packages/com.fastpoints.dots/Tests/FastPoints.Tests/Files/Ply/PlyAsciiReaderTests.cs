@@ -3,7 +3,7 @@ using System.Text;
 using FastPoints.Base;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class PlyAsciiReaderTests
     {

@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Everything that a reader gives of a file, read block by block.</summary>
     sealed class PlyContents

@@ -1,7 +1,8 @@
+using FastPoints.Files;
 using FastPoints.Points;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class PlyNamesTests
     {

@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     [Category("Smoke")]
     public class PlyReaderTests
@@ -47,7 +48,7 @@ namespace FastPoints.Files.Tests
             foreach (object value in values)
                 file.Text(value is float single ? single.ToString("R", CultureInfo.InvariantCulture) + " "
                     : value is double number ? number.ToString("R", CultureInfo.InvariantCulture) + " "
-                    : Convert.ToString(value, CultureInfo.InvariantCulture) + " ");
+                    : System.Convert.ToString(value, CultureInfo.InvariantCulture) + " ");
             if (endsLine)
                 file.Text("\n");
         }

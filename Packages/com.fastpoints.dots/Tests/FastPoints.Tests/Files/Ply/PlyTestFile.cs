@@ -4,7 +4,7 @@ using System.IO;
 using System.Text;
 using FastPoints.Points;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>A PLY file built by hand in the temporary folder, gone when disposed.</summary>
     sealed class PlyTestFile : IDisposable

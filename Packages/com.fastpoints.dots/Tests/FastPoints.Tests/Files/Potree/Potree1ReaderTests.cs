@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
@@ -10,7 +11,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class Potree1ReaderTests
     {

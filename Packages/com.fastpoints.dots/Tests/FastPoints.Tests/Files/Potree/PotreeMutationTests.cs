@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Seeded damage to small trees: flipped bits, cuts, insertions, fields at their extremes, in any of their files. Whatever

@@ -1,8 +1,9 @@
+using FastPoints.Files;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Random = System.Random;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class PotreeNormalsTests
     {

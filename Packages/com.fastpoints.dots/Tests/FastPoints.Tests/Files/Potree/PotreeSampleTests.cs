@@ -1,9 +1,10 @@
 using System;
 using System.IO;
+using FastPoints.Files;
 using FastPoints.Tests;
 using NUnit.Framework;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Trees by PotreeConverter itself, beside the files that they were made from.</summary>
     public class PotreeSampleTests

@@ -1,8 +1,9 @@
 using System;
 using FastPoints.Base;
+using FastPoints.Files;
 using FastPoints.Points;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>Clouds of the same points in another order: what is compared of them.</summary>
     static class PotreeTwins

@@ -5,12 +5,14 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Base;
-using FastPoints.Pipeline;
+using FastPoints.Convert;
+using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Collections;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     [Category("Smoke")]
     public class XyzReaderTests
@@ -68,7 +70,7 @@ namespace FastPoints.Files.Tests
             if (axis >= 0 && attribute.Name.Length == 1)
                 value = (long)value * decimal.Parse(reader.Info.Transform.Scale[axis].ToString("R", CultureInfo.InvariantCulture),
                     NumberStyles.Float, CultureInfo.InvariantCulture);
-            return Convert.ToString(value, CultureInfo.InvariantCulture);
+            return System.Convert.ToString(value, CultureInfo.InvariantCulture);
         }
 
         static string Columns(PointReader reader) => reader.Info.Facts.First(f => f.Key == "columns").Value.Split('(')[0].Trim();

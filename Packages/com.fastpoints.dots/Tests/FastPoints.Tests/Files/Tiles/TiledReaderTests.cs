@@ -5,13 +5,15 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using FastPoints.Base;
-using FastPoints.Pipeline;
+using FastPoints.Convert;
+using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Verify;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     public class TiledReaderTests
     {

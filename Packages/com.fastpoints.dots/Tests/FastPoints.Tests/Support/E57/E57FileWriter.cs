@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using FastPoints.Files;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>
     /// Writes E57 files for tests, after ASTM E2807-11 and with none of the reader's code: pages with CRC-32C, bit-packed

@@ -1,4 +1,4 @@
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>How a scan's bytestreams are cut into packets.</summary>
     public enum E57Packing

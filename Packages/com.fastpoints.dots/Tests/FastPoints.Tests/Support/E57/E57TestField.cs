@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>A field of a prototype and its values.</summary>
     sealed class E57TestField

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace FastPoints.Files.Tests
+namespace FastPoints.Tests.Files
 {
     /// <summary>A scan to write: fields with their values, and how they are cut into packets.</summary>
     sealed class E57TestScan

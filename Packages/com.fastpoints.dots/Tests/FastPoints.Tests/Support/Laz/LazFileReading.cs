@@ -4,9 +4,9 @@ using System.IO;
 using System.IO.Compression;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Files.Tests;
 using FastPoints.LazEncoding;
 using FastPoints.Points;
+using FastPoints.Tests.Files;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

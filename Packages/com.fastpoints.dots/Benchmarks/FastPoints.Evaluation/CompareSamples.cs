@@ -1,0 +1,393 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Draw;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Evaluation
+{
+    /// <summary>
+    /// Measures how far samples of a source are from the full cloud: distances, cells left uncovered, evenness, pictures. The
+    /// full cloud is read in three scans (a fourth to look points up) in bounded memory, whatever its size: a uniform choice of
+    /// <see cref="MostQueries"/> points, occupied cells, three pictures. The results depend on no number of threads.
+    /// </summary>
+    public sealed class CompareSamples : IDisposable
+    {
+        /// <summary>Points of the full cloud from which distances are measured: all, or so many of a uniform choice.</summary>
+        public const int MostQueries = 200_000;
+
+        /// <summary>Points of each sample that are looked up in the full cloud.</summary>
+        public const int LookedUpPerSample = 4096;
+
+        /// <summary>Usual size of the three views.</summary>
+        public const int DefaultWidthPx = 640, DefaultHeightPx = 360;
+
+        /// <summary>Not the samplers' own, so that no sample is measured by itself.</summary>
+        const uint QuerySeed = 0x9E3779B9;
+
+        const int PointsPerSlice = 1 << 17;
+
+        static readonly ViewDirection[] s_views = { ViewDirection.Top, ViewDirection.Front, ViewDirection.Iso };
+
+        readonly PointReader m_reader;
+        readonly PictureOptions m_options;
+        readonly PicturePlan[] m_plans = new PicturePlan[s_views.Length];
+        readonly List<double3> m_lookedUp = new List<double3>();
+        readonly List<SampleError> m_measured = new List<SampleError>();
+        CellOccupancy m_cloud;
+        NativeArray<double3> m_queries;
+        int m_queryCount;
+        long m_pointCount;
+        ErrorGrid m_grid;
+
+        /// <param name="options">Colours, background and up axis of the views.</param>
+        /// <param name="widthPx">Of a view.</param>
+        /// <param name="heightPx">Of a view.</param>
+        public CompareSamples(PointReader reader, PictureOptions options, int widthPx = DefaultWidthPx,
+            int heightPx = DefaultHeightPx)
+        {
+            m_reader = reader;
+            m_options = options;
+            WidthPx = widthPx;
+            HeightPx = heightPx;
+        }
+
+        /// <summary>Size of the three views.</summary>
+        public int WidthPx { get; }
+        public int HeightPx { get; }
+
+        /// <summary>Where nearly all of the full cloud is: see <see cref="DisplayRanges.Robust"/>.</summary>
+        public BoundsGeo Bounds => m_grid.Bounds;
+
+        /// <summary>Pictures of all points: top, front, iso.</summary>
+        public RgbaImage[] FullViews { get; private set; }
+
+        /// <summary>Of the full cloud, as found.</summary>
+        public long PointCount => m_pointCount;
+
+        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>reference sample</c> and <c>reference</c>:
+        /// reads the full cloud. Comes before all else.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<JobHandle> Prepare(StageProgress progress)
+        {
+            if (!m_reader.BlocksAreKnown)
+            {
+                progress?.Begin(PreviewCloud.FindBlocksStage);
+                using (var finding = m_reader.FindBlocks())
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+            }
+            progress?.Begin("reference sample");
+            using (var sampler = new UniformSampler(m_reader, MostQueries, QuerySeed))
+            {
+                using (var scan = sampler.Run(0, progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+                using (var sample = sampler.TakeSample())
+                {
+                    using (var preparing = Prepare(sample, progress))
+                        while (preparing.MoveNext())
+                            yield return preparing.Current;
+                }
+            }
+            progress?.End();
+        }
+
+        IEnumerator<JobHandle> Prepare(PreviewSample sample, StageProgress progress)
+        {
+            m_pointCount = sample.PointsInSource;
+            var ranges = new DisplayRanges();
+            using (var measuring = ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis))
+                while (measuring.MoveNext())
+                    yield return measuring.Current;
+            m_grid = new ErrorGrid(ranges.Robust);
+            for (int view = 0; view < s_views.Length; view++)
+                m_plans[view] = new PicturePlan(OptionsFor(s_views[view]), ranges, sample.Transform);
+
+            m_queries = new NativeArray<double3>(Math.Max(1, sample.Count), Allocator.Persistent);
+            using (var loaded = new NativeReference<int>(Allocator.Persistent))
+            {
+                var loading = new LoadPositionsJob
+                {
+                    Bytes = sample.Points.Bytes,
+                    Positions = PositionColumns.Of(sample.Points),
+                    Transform = sample.Transform,
+                    Count = sample.Count,
+                    Points = m_queries,
+                    Loaded = loaded,
+                }.Schedule();
+                try
+                {
+                    yield return loading;
+                }
+                finally
+                {
+                    loading.Complete();
+                }
+                m_queryCount = loaded.Value;
+            }
+
+            progress?.Begin("reference");
+            m_cloud = new CellOccupancy(Allocator.Persistent);
+            using (var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx))
+            {
+                using (var sizes = pass.ChooseSizes(sample.Points, m_pointCount))
+                    while (sizes.MoveNext())
+                        yield return sizes.Current;
+                using (var scan = pass.Run(progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+                using (var resolving = pass.Resolve(sample.Points, m_options.Background))
+                    while (resolving.MoveNext())
+                        yield return resolving.Current;
+                FullViews = pass.Images;
+            }
+        }
+
+        /// <summary>Work for a pump: measures a sample, which must be a part of the source; fills
+        /// <paramref name="error"/>.</summary>
+        /// <param name="points">As the source stores them; positions that are not finite are passed over. Stays the
+        /// caller's, and must not change meanwhile.</param>
+        /// <param name="count">The sample is the first so many points of the batch.</param>
+        /// <param name="viewsAtSameCount">The views of a uniform sample of as many points, to compare with; null for
+        /// none.</param>
+        public IEnumerator<JobHandle> Measure(PointBatch points, int count, PositionTransform transform,
+            RgbaImage[] viewsAtSameCount, SampleError error)
+        {
+            error.Points = count;
+            error.Share = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
+            using (var distances = MeasureDistances(points, count, transform, error))
+                while (distances.MoveNext())
+                    yield return distances.Current;
+            using (var cells = MeasureCells(points, count, transform, error))
+                while (cells.MoveNext())
+                    yield return cells.Current;
+
+            int countBefore = points.Count;
+            points.Count = count;
+            try
+            {
+                error.Views = new RgbaImage[s_views.Length];
+                for (int view = 0; view < s_views.Length; view++)
+                    using (var drawing = Draw(points, view, error))
+                        while (drawing.MoveNext())
+                            yield return drawing.Current;
+            }
+            finally
+            {
+                points.Count = countBefore;
+            }
+            error.Picture = SampleError.Mean(error.Views, FullViews, m_options.Background);
+            yield return default;
+            if (viewsAtSameCount != null)
+                error.PictureAtSameCount = SampleError.Mean(error.Views, viewsAtSameCount, m_options.Background);
+            m_measured.Add(error);
+        }
+
+        IEnumerator<JobHandle> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
+        {
+            JobHandle measured = default;
+            var distancesSq = new NativeArray<double>(Math.Max(1, m_queryCount), Allocator.Persistent);
+            var found = new NativeReference<DistanceError>(Allocator.Persistent);
+            using (var tree = new PointTree())
+            {
+                try
+                {
+                    using (var building = tree.Build(points, count, transform))
+                        while (building.MoveNext())
+                            yield return building.Current;
+                    measured = new NearestDistancesJob
+                    {
+                        Queries = m_queries,
+                        QueryCount = m_queryCount,
+                        Points = tree.Points,
+                        Nodes = tree.Nodes,
+                        Count = tree.Count,
+                        Levels = tree.Levels,
+                        DistancesSq = distancesSq,
+                    }.ScheduleParallel(NearestDistancesJob.PieceCount(m_queryCount), 1, default);
+                    measured = new RankDistancesJob
+                    {
+                        DistancesSq = distancesSq,
+                        Count = m_queryCount,
+                        Unit = math.length(Bounds.Size),
+                        Error = found,
+                    }.Schedule(measured);
+                    yield return measured;
+                    measured.Complete();
+                    error.Distance = found.Value;
+                    error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
+                    for (int i = 0; i < error.LookedUp; i++)
+                        m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
+                }
+                finally
+                {
+                    measured.Complete();
+                    distancesSq.Dispose();
+                    found.Dispose();
+                }
+            }
+        }
+
+        IEnumerator<JobHandle> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)
+        {
+            JobHandle measured = default;
+            var found = new NativeReference<CellError>(Allocator.Persistent);
+            using (var cells = new CellOccupancy(Allocator.Persistent))
+            {
+                try
+                {
+                    for (int first = 0; first < count; first += PointsPerSlice)
+                        measured = new CountSampledCellsJob
+                        {
+                            Sample = points.Bytes,
+                            Positions = PositionColumns.Of(points),
+                            Transform = transform,
+                            First = first,
+                            Count = Math.Min(PointsPerSlice, count - first),
+                            Grid = m_grid,
+                            CellsOf128th = cells.CellsOf128th,
+                            PointsOfBlock = cells.PointsOfBlock,
+                        }.Schedule(measured);
+                    measured = new CompareOccupancyJob
+                    {
+                        CellsOfCloud = m_cloud.CellsOf128th,
+                        PointsOfCloud = m_cloud.PointsOfBlock,
+                        CellsOfSample = cells.CellsOf128th,
+                        PointsOfSample = cells.PointsOfBlock,
+                        Error = found,
+                    }.Schedule(measured);
+                    yield return measured;
+                    measured.Complete();
+                    error.Cells = found.Value;
+                }
+                finally
+                {
+                    measured.Complete();
+                    found.Dispose();
+                }
+            }
+        }
+
+        IEnumerator<JobHandle> Draw(PointBatch points, int view, SampleError error)
+        {
+            var plan = m_plans[view];
+            if (plan.WantsAutoSize)
+                plan.SizePx = PointSizing.MinPx;
+            using (var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent))
+            {
+                using (var size = SamplePicture.ChooseSize(canvas, points, plan, points.Count))
+                    while (size.MoveNext())
+                        yield return size.Current;
+                using (var drawing = SamplePicture.Draw(canvas, points, plan, null))
+                    while (drawing.MoveNext())
+                        yield return drawing.Current;
+                using (var resolving = SamplePicture.Resolve(canvas, points, plan, m_options.Background))
+                    while (resolving.MoveNext())
+                        yield return resolving.Current;
+                error.Views[view] = canvas.ToImage();
+            }
+        }
+
+        /// <summary>Work for a pump, with the stage <c>look up</c>: looks for <see cref="LookedUpPerSample"/> points of
+        /// each sample that was measured in the full cloud, and fills their <see cref="SampleError.Found"/>.</summary>
+        public IEnumerator<JobHandle> LookUp(StageProgress progress)
+        {
+            progress?.Begin("look up");
+            using (var table = new PositionTable(m_lookedUp.ToArray(), Allocator.Persistent))
+            {
+                using (var seeing = SeeAll(table, progress))
+                    while (seeing.MoveNext())
+                        yield return seeing.Current;
+                int next = 0;
+                foreach (var error in m_measured)
+                {
+                    error.Found = 0;
+                    for (int i = 0; i < error.LookedUp; i++)
+                        error.Found += table.WasSeen(m_lookedUp[next++]) ? 1 : 0;
+                }
+            }
+            progress?.End();
+        }
+
+        IEnumerator<JobHandle> SeeAll(PositionTable table, StageProgress progress)
+        {
+            var filled = new FillPositionTableJob
+            {
+                Positions = table.Positions,
+                Count = table.Count,
+                Slots = table.Slots,
+                States = table.States,
+            }.Schedule();
+            try
+            {
+                yield return filled;
+            }
+            finally
+            {
+                filled.Complete();
+            }
+            var wanted = m_reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
+            var pass = new LookUpPass(m_reader.Info.Transform, table);
+            using (var scan = SourceScan.Run(m_reader, wanted, pass, SourceScan.SlotsFor(m_reader, wanted), progress))
+                while (scan.MoveNext())
+                    yield return scan.Current;
+        }
+
+        PictureOptions OptionsFor(ViewDirection view) => new PictureOptions
+        {
+            WidthPx = WidthPx,
+            HeightPx = HeightPx,
+            View = view,
+            FovDegrees = m_options.FovDegrees,
+            UpAxis = m_options.UpAxis,
+            Color = m_options.Color,
+            PointSizePx = m_options.PointSizePx,
+            RoundPoints = m_options.RoundPoints,
+            DomedPoints = m_options.DomedPoints,
+            FillsHoles = m_options.FillsHoles,
+            Background = m_options.Background,
+            EdlStrength = m_options.EdlStrength,
+        };
+
+        public void Dispose()
+        {
+            m_cloud?.Dispose();
+            if (m_queries.IsCreated)
+                m_queries.Dispose();
+        }
+
+        /// <summary>Sees which positions of a table are in the source.</summary>
+        sealed class LookUpPass : IBlockConsumer
+        {
+            readonly PositionTransform m_transform;
+            readonly PositionTable m_table;
+
+            public LookUpPass(PositionTransform transform, PositionTable table)
+            {
+                m_transform = transform;
+                m_table = table;
+            }
+
+            public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded) => new SeePositionsJob
+            {
+                Block = read.Points.Bytes,
+                Result = read.Result,
+                Columns = PositionColumns.Of(read.Points),
+                Transform = m_transform,
+                Slots = m_table.Slots,
+                States = m_table.States,
+            }.Schedule(decoded);
+
+            public void Completed(BlockRead read, int slot)
+            {
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Evaluation
+{
+    /// <summary>
+    /// A k-d tree (Bentley 1975) over the finite positions of a batch, to find the nearest of them: median splits of the
+    /// longest edge, so that node i of level l holds places i * n / 2^l to (i + 1) * n / 2^l and no child needs a pointer;
+    /// a tight box for each node. 24 bytes a point and about 12 for the nodes, in native memory.
+    /// </summary>
+    /// <remarks>A tool of measurements: the first splits of a large sample take longer than a frame should wait (about 10 ms a
+    /// million points).</remarks>
+    public sealed class PointTree : IDisposable
+    {
+        /// <summary>Points that are rather looked at one by one.</summary>
+        const int PointsPerLeaf = 8;
+
+        const int PointsPerSlice = 1 << 17;
+
+        NativeArray<double3> m_points;
+        NativeArray<PointTreeNode> m_nodes;
+
+        /// <summary>Finite positions.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Levels below the root.</summary>
+        public int Levels { get; private set; }
+
+        /// <summary>The positions, georeferenced, in the tree's order: <see cref="Count"/> of them.</summary>
+        public NativeArray<double3> Points => m_points;
+
+        /// <summary>The root at 1, the children of i at 2i and 2i + 1.</summary>
+        public NativeArray<PointTreeNode> Nodes => m_nodes;
+
+        /// <summary>Work for a pump: the tree of a batch's first points.</summary>
+        public IEnumerator<JobHandle> Build(PointBatch batch, int count, PositionTransform transform)
+        {
+            m_points = new NativeArray<double3>(Math.Max(1, count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            JobHandle built = default;
+            using (var loaded = new NativeReference<int>(Allocator.Persistent))
+            {
+                try
+                {
+                    for (int first = 0; first < count; first += PointsPerSlice)
+                    {
+                        built = new LoadPositionsJob
+                        {
+                            Bytes = batch.Bytes,
+                            Positions = PositionColumns.Of(batch),
+                            Transform = transform,
+                            First = first,
+                            Count = Math.Min(PointsPerSlice, count - first),
+                            Points = m_points,
+                            Loaded = loaded,
+                        }.Schedule(built);
+                    }
+                    yield return built;
+                }
+                finally
+                {
+                    built.Complete();
+                }
+                Count = loaded.Value;
+            }
+            while (Count >> Levels > PointsPerLeaf)
+                Levels++;
+            m_nodes = new NativeArray<PointTreeNode>(2 << Levels, Allocator.Persistent);
+            try
+            {
+                for (int level = 0; level <= Levels && Count > 0; level++)
+                    built = new SplitPointsJob
+                    {
+                        Level = level,
+                        IsLeaf = level == Levels,
+                        Count = Count,
+                        Points = m_points,
+                        Nodes = m_nodes,
+                    }.ScheduleParallel(1 << level, Math.Max(1, (1 << level) / 256), built);
+                yield return built;
+            }
+            finally
+            {
+                built.Complete();
+            }
+        }
+
+        public void Dispose()
+        {
+            if (m_points.IsCreated)
+                m_points.Dispose();
+            if (m_nodes.IsCreated)
+                m_nodes.Dispose();
+        }
+
+        /// <summary>The square of the distance to the nearest point; infinite where there is none.</summary>
+        internal static unsafe double NearestSq(double3* points, PointTreeNode* nodes, int count, int levels, double3 query)
+        {
+            double nearestSq = double.PositiveInfinity;
+            if (count == 0)
+                return nearestSq;
+            // Each level leaves one node behind.
+            int* waiting = stackalloc int[32];
+            double* distanceSqOfWaiting = stackalloc double[32];
+            int depth = 1;
+            waiting[0] = 1;
+            distanceSqOfWaiting[0] = nodes[1].DistanceSq(query);
+            while (depth > 0)
+            {
+                depth--;
+                if (distanceSqOfWaiting[depth] >= nearestSq)
+                    continue;
+                int node = waiting[depth];
+                int level = 31 - math.lzcnt((uint)node);
+                if (level == levels)
+                {
+                    long end = FirstOf(node + 1 - (1 << level), level, count);
+                    for (long i = FirstOf(node - (1 << level), level, count); i < end; i++)
+                        nearestSq = math.min(nearestSq, math.distancesq(points[i], query));
+                    continue;
+                }
+                int near = 2 * node, far = near + 1;
+                double nearSq = nodes[near].DistanceSq(query), farSq = nodes[far].DistanceSq(query);
+                if (farSq < nearSq)
+                {
+                    int swap = near;
+                    near = far;
+                    far = swap;
+                    double swapSq = nearSq;
+                    nearSq = farSq;
+                    farSq = swapSq;
+                }
+                waiting[depth] = far;
+                distanceSqOfWaiting[depth++] = farSq;
+                waiting[depth] = near;
+                distanceSqOfWaiting[depth++] = nearSq;
+            }
+            return nearestSq;
+        }
+
+        /// <summary>First place of a level's i-th node.</summary>
+        internal static long FirstOf(int index, int level, int count) => (long)index * count >> level;
+    }
+}

@@ -1,0 +1,135 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Draw;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Evaluation
+{
+    /// <summary>One scan of a source that draws all its points in several views and counts them into cells.</summary>
+    sealed class ReferencePass : IBlockConsumer, IDisposable
+    {
+        readonly PointReader m_reader;
+        readonly PointSchema m_wanted;
+        readonly ErrorGrid m_grid;
+        readonly PicturePlan[] m_plans;
+        readonly PictureCanvas[] m_canvases;
+        readonly CellOccupancy m_cloud;
+        readonly CellOccupancy[] m_cellsOfSlot;
+
+        /// <param name="plans">Of each view; all of one size.</param>
+        /// <param name="cloud">What is counted into.</param>
+        public ReferencePass(PointReader reader, ErrorGrid grid, PicturePlan[] plans, CellOccupancy cloud, int widthPx,
+            int heightPx)
+        {
+            m_reader = reader;
+            m_wanted = SampleSchema.Of(reader.Info);
+            m_grid = grid;
+            m_plans = plans;
+            m_cloud = cloud;
+            m_cellsOfSlot = new CellOccupancy[SourceScan.SlotsFor(reader, m_wanted)];
+            m_canvases = new PictureCanvas[plans.Length];
+            for (int view = 0; view < plans.Length; view++)
+            {
+                m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
+            }
+        }
+
+        /// <summary>Of each view, when all is done.</summary>
+        public RgbaImage[] Images { get; private set; }
+
+        /// <summary>Work for a pump: the sizes of points for a picture of all, from a sample.</summary>
+        public IEnumerator<JobHandle> ChooseSizes(PointBatch sample, long pointsInSource)
+        {
+            for (int view = 0; view < m_plans.Length; view++)
+                using (var size = SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource))
+                    while (size.MoveNext())
+                        yield return size.Current;
+        }
+
+        /// <summary>Work for a pump: the scan.</summary>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            using (var scan = SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress))
+                while (scan.MoveNext())
+                    yield return scan.Current;
+            foreach (var cells in m_cellsOfSlot)
+            {
+                if (cells == null)
+                    continue;
+                var added = new AddOccupancyJob
+                {
+                    CellsOf128th = cells.CellsOf128th,
+                    PointsOfBlock = cells.PointsOfBlock,
+                    SumOfCells = m_cloud.CellsOf128th,
+                    SumOfPoints = m_cloud.PointsOfBlock,
+                }.Schedule();
+                try
+                {
+                    yield return added;
+                }
+                finally
+                {
+                    added.Complete();
+                }
+            }
+        }
+
+        /// <summary>Work for a pump: the colours.</summary>
+        public IEnumerator<JobHandle> Resolve(PointBatch sample, uint background)
+        {
+            var images = new RgbaImage[m_plans.Length];
+            for (int view = 0; view < m_plans.Length; view++)
+            {
+                using (var resolving = SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background))
+                    while (resolving.MoveNext())
+                        yield return resolving.Current;
+                images[view] = m_canvases[view].ToImage();
+            }
+            Images = images;
+        }
+
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            m_cellsOfSlot[slot] ??= new CellOccupancy(Allocator.Persistent);
+            var done = new CountOccupancyJob
+            {
+                Block = read.Points.Bytes,
+                Result = read.Result,
+                Positions = PositionColumns.Of(read.Points),
+                Transform = m_reader.Info.Transform,
+                Grid = m_grid,
+                CellsOf128th = m_cellsOfSlot[slot].CellsOf128th,
+                PointsOfBlock = m_cellsOfSlot[slot].PointsOfBlock,
+            }.Schedule(decoded);
+            for (int view = 0; view < m_plans.Length; view++)
+                done = JobHandle.CombineDependencies(done, new DrawBlockJob
+                {
+                    Block = read.Points.Bytes,
+                    Result = read.Result,
+                    Palettes = m_canvases[view].Palettes,
+                    SizeOfTile = m_canvases[view].SizeOfTile,
+                    Drawing = m_plans[view].DrawingOf(read.Points, m_canvases[view]),
+                    Pixels = m_canvases[view].Pixels,
+                }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded));
+            return done;
+        }
+
+        public void Completed(BlockRead read, int slot)
+        {
+        }
+
+        public void Dispose()
+        {
+            foreach (var canvas in m_canvases)
+                canvas.Dispose();
+            foreach (var cells in m_cellsOfSlot)
+                cells?.Dispose();
+        }
+    }
+}

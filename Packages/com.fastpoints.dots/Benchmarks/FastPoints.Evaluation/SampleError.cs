@@ -1,0 +1,53 @@
+using System;
+using FastPoints.Picture;
+
+namespace FastPoints.Evaluation
+{
+    /// <summary>How far a sample is from the full cloud: see <see cref="CompareSamples"/>.</summary>
+    public sealed class SampleError
+    {
+        /// <summary>Points of the sample.</summary>
+        public int Points;
+
+        /// <summary>Of the full cloud's points, 0 to 1.</summary>
+        public double Share;
+
+        /// <summary>In units of the diagonal of the full cloud's robust bounds.</summary>
+        public DistanceError Distance;
+
+        public CellError Cells;
+
+        /// <summary>The three views (top, front, iso) together, against those of the full cloud.</summary>
+        public ImageError Picture;
+
+        /// <summary>The same against the views of a uniform sample of as many points; null where there was none.</summary>
+        public ImageError? PictureAtSameCount;
+
+        /// <summary>The views: top, front, iso.</summary>
+        public RgbaImage[] Views;
+
+        /// <summary>Points of the sample that were looked for in the full cloud, and those that were found there. Known after
+        /// <see cref="CompareSamples.LookUp"/>.</summary>
+        public int LookedUp;
+        public int Found;
+
+        /// <summary>
+        /// One error for several pictures: their squared errors averaged for the PSNR, the mean for SSIM, the mean share of the
+        /// pixels left uncovered.
+        /// </summary>
+        internal static ImageError Mean(RgbaImage[] pictures, RgbaImage[] references, uint background)
+        {
+            var mean = new ImageError();
+            double squares = 0;
+            for (int i = 0; i < pictures.Length; i++)
+            {
+                var error = ImageError.Compare(pictures[i], references[i], background);
+                squares += Math.Pow(10, -error.Psnr / 10) / pictures.Length;
+                mean.Ssim += error.Ssim / pictures.Length;
+                mean.Uncovered += error.Uncovered / pictures.Length;
+            }
+            mean.Psnr = squares == 0 ? double.PositiveInfinity : -10 * Math.Log10(squares);
+            return mean;
+        }
+    }
+}

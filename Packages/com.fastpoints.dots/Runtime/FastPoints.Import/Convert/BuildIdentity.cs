@@ -1,0 +1,41 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using FastPoints.Files;
+using FastPoints.Partition;
+using FastPoints.Points;
+using FastPoints.Records;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Convert
+{
+    /// <summary>Tells whether a build that was killed is this one.</summary>
+    public static class BuildIdentity
+    {
+        /// <summary>What the stored bytes and the temporary files depend on.</summary>
+        public static unsafe ulong Of(IReadOnlyList<PointReader> readers, PointSchema attributes, GridChoice grid,
+            MemoryPlan plan, PartitionMap map, ConvertSettings settings)
+        {
+            var text = new StringBuilder();
+            foreach (var reader in readers)
+            {
+                string path = reader.Info.Path;
+                text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
+                    .Append(reader.PointCount)
+                    .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
+            }
+            foreach (var attribute in attributes)
+                text.Append(attribute).Append('\n');
+            text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(grid.Records.StrideBytes).Append('|')
+                .Append(map.Chunks.Length).Append('|').Append(map.Cube).Append('|').Append(settings.Sampler)
+                .Append('|').Append(settings.CellsLog2).Append('|').Append(settings.MaxPointsPerLeaf);
+            string all = text.ToString();
+            fixed (char* first = all)
+                return ContentHash.Of(first, all.Length * sizeof(char)) ^
+                    ContentHash.Of(map.ChunkOfCell.GetUnsafeReadOnlyPtr(), map.ChunkOfCell.Length * sizeof(int));
+        }
+    }
+}

@@ -1,0 +1,181 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Partition;
+using FastPoints.Points;
+
+namespace FastPoints.Convert
+{
+    /// <summary>
+    /// How far a build has come, as far as it lies on disk: what a build that was killed is continued from. Text in, text out,
+    /// no I/O.
+    /// </summary>
+    public sealed class BuildJournal
+    {
+        /// <summary>The stages that a build can be taken up in.</summary>
+        public enum Stage
+        {
+            /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
+            Read,
+            /// <summary>All points are in chunks, which are split where they are too large.</summary>
+            Split,
+            /// <summary>The chunks are final, and made into nodes one by one.</summary>
+            Index,
+            /// <summary>Everything is there but the folder's name.</summary>
+            Done,
+        }
+
+        /// <summary>A chunk's cube and its records.</summary>
+        public struct Chunk
+        {
+            public GridCube Cube;
+            public RecordRun[] Runs;
+        }
+
+        const int Version = 1;
+
+        /// <summary>Of the sources, the settings and the partition: another one is another build.</summary>
+        public ulong Identity;
+        public Stage At;
+
+        /// <summary>The first source that is not read to its end, and the first of its blocks that is not read.</summary>
+        public int Source;
+        public int Block;
+
+        /// <summary>By source that was begun: what it showed.</summary>
+        public readonly List<PointFindings> Findings = new List<PointFindings>();
+        public AttributeFindings[] Attributes = new AttributeFindings[0];
+
+        /// <summary>By file: its records.</summary>
+        public readonly List<long> Records = new List<long>();
+
+        /// <summary>From <see cref="Stage.Split"/> on.</summary>
+        public readonly List<Chunk> Chunks = new List<Chunk>();
+        public GridCube Root;
+
+        /// <summary>Bytes by plane, when done: what is told of the build at its end.</summary>
+        public long[] BytesOfPlane = new long[0];
+        public long PeakBytes;
+        public int LevelCount;
+
+        public string ToJson()
+        {
+            var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
+                At.ToString())
+                .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
+                .Add("levelCount", LevelCount)
+                .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
+            json.BeginArray("findings");
+            foreach (var found in Findings)
+            {
+                json.BeginObject().Add("count", found.Count).Add("leftOut", found.LeftOut)
+                    .Add("min", found.Min.X, found.Min.Y, found.Min.Z).Add("max", found.Max.X, found.Max.Y, found.Max.Z)
+                    .AddHex("checksum", found.Checksum).Add("worstLossSteps", found.WorstLossSteps).EndObject();
+            }
+            json.EndArray().BeginArray("attributes");
+            foreach (var found in Attributes)
+            {
+                json.BeginObject().AddHex("min", found.Min).AddHex("max", found.Max).AddHex("or", found.Or)
+                    .Add("notDoubled", found.NotDoubled).EndObject();
+            }
+            json.EndArray().BeginArray("records");
+            foreach (long count in Records)
+                json.Add(null, count);
+            json.EndArray().BeginArray("chunks");
+            foreach (var chunk in Chunks)
+            {
+                json.BeginObject().Add("corner", chunk.Cube.Corner.X, chunk.Cube.Corner.Y, chunk.Cube.Corner.Z)
+                    .Add("sideLog2", chunk.Cube.SideLog2).BeginArray("runs");
+                foreach (var run in chunk.Runs)
+                    json.Add(null, run.File, run.First, run.Count);
+                json.EndArray().EndObject();
+            }
+            json.EndArray().BeginArray("bytesOfPlane");
+            foreach (long bytes in BytesOfPlane)
+                json.Add(null, bytes);
+            return json.EndArray().EndObject().ToString();
+        }
+
+        /// <returns>Null where the text is no journal of this version: the build begins anew.</returns>
+        public static BuildJournal FromJson(string text)
+        {
+            try
+            {
+                return Read((Dictionary<string, object>)JsonReader.Parse(text));
+            }
+            catch (Exception e) when (e is FormatException || e is InvalidCastException || e is KeyNotFoundException ||
+                e is OverflowException || e is NullReferenceException || e is ArgumentException)
+            {
+                return null;
+            }
+        }
+
+        static BuildJournal Read(Dictionary<string, object> json)
+        {
+            if (JsonReader.ToLong(json["version"]) != Version)
+                return null;
+            var journal = new BuildJournal
+            {
+                Identity = JsonReader.ToHex(json["identity"]),
+                At = (Stage)Enum.Parse(typeof(Stage), (string)json["stage"]),
+                Source = checked((int)JsonReader.ToLong(json["source"])),
+                Block = checked((int)JsonReader.ToLong(json["block"])),
+                PeakBytes = JsonReader.ToLong(json["peakBytes"]),
+                LevelCount = checked((int)JsonReader.ToLong(json["levelCount"])),
+                Root = new GridCube(Place(json["rootCorner"]), checked((int)JsonReader.ToLong(json["rootSideLog2"]))),
+            };
+            foreach (Dictionary<string, object> item in (List<object>)json["findings"])
+            {
+                journal.Findings.Add(new PointFindings
+                {
+                    Count = JsonReader.ToLong(item["count"]),
+                    LeftOut = JsonReader.ToLong(item["leftOut"]),
+                    Min = Place(item["min"]),
+                    Max = Place(item["max"]),
+                    Checksum = JsonReader.ToHex(item["checksum"]),
+                    WorstLossSteps = JsonReader.ToDouble(item["worstLossSteps"]),
+                });
+            }
+            var attributes = (List<object>)json["attributes"];
+            journal.Attributes = new AttributeFindings[attributes.Count];
+            for (int a = 0; a < attributes.Count; a++)
+            {
+                var item = (Dictionary<string, object>)attributes[a];
+                journal.Attributes[a] = new AttributeFindings
+                {
+                    Min = JsonReader.ToHex(item["min"]),
+                    Max = JsonReader.ToHex(item["max"]),
+                    Or = JsonReader.ToHex(item["or"]),
+                    NotDoubled = checked((uint)JsonReader.ToLong(item["notDoubled"])),
+                };
+            }
+            foreach (var count in (List<object>)json["records"])
+                journal.Records.Add(JsonReader.ToLong(count));
+            foreach (Dictionary<string, object> item in (List<object>)json["chunks"])
+            {
+                var runs = new List<RecordRun>();
+                foreach (var run in (List<object>)item["runs"])
+                {
+                    var three = Place(run);
+                    runs.Add(new RecordRun { File = checked((int)three.X), First = three.Y, Count = three.Z });
+                }
+                journal.Chunks.Add(new Chunk
+                {
+                    Cube = new GridCube(Place(item["corner"]), checked((int)JsonReader.ToLong(item["sideLog2"]))),
+                    Runs = runs.ToArray(),
+                });
+            }
+            var planes = (List<object>)json["bytesOfPlane"];
+            journal.BytesOfPlane = new long[planes.Count];
+            for (int p = 0; p < planes.Count; p++)
+                journal.BytesOfPlane[p] = JsonReader.ToLong(planes[p]);
+            return journal;
+        }
+
+        static Grid3 Place(object value)
+        {
+            var three = (List<object>)value;
+            return new Grid3(JsonReader.ToLong(three[0]), JsonReader.ToLong(three[1]), JsonReader.ToLong(three[2]));
+        }
+    }
+}

@@ -1,0 +1,144 @@
+using System;
+using FastPoints.Nodes;
+using FastPoints.Points;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Convert
+{
+    /// <summary>
+    /// What is left of a chunk when its nodes are written: its top node's points and what the merge and the hierarchy need to
+    /// know.
+    /// Between chunk and merge it is kept in memory, or in a file that also shows, after a kill, which chunks are done.
+    /// </summary>
+    public sealed unsafe class ChunkResult
+    {
+        struct Header
+        {
+            /// <summary>Of everything after it.</summary>
+            public ulong Hash;
+            public ulong CloudId;
+            public ulong Checksum;
+            public ChunkRecord Record;
+            public ChunkTop Top;
+            public int LowestSideLog2;
+            public int TopPoints;
+            public int PlaneCount;
+        }
+
+        /// <summary>The chunk's cube, its number and its file, where it has one.</summary>
+        public ChunkRecord Record;
+        public ChunkTop Top;
+
+        /// <summary>Points of the top node.</summary>
+        public int TopPoints;
+
+        /// <summary>Sum of the hashes of all of the chunk's points.</summary>
+        public ulong Checksum;
+
+        /// <summary>Side of the smallest node.</summary>
+        public int LowestSideLog2;
+        public long[] BytesOfPlane;
+
+        /// <summary>Of a chunk whose job is done.</summary>
+        public static ChunkResult Of(ChunkIndexer indexer)
+        {
+            var result = OfTop(indexer);
+            result.Checksum = indexer.Checksum;
+            result.BytesOfPlane = indexer.BytesOfPlane.ToArray();
+            result.Top.HasNodes = indexer.File.Length > 0;
+            foreach (var draft in indexer.Drafts.AsArray())
+                result.LowestSideLog2 = Math.Min(result.LowestSideLog2, draft.SideLog2);
+            if (!result.Top.HasNodes)
+                return result;
+            var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
+            result.Record.NodeCount = header.NodeCount;
+            result.Record.PointCount = header.PointCount;
+            result.Record.FileBytes = header.FileBytes;
+            result.Record.TableOffset = header.TableOffset;
+            result.Record.TableHash = header.TableHash;
+            return result;
+        }
+
+        /// <summary>The same of its top alone, as if there were nothing below; the checksum is the caller's to fill in.</summary>
+        public static ChunkResult OfTop(ChunkIndexer indexer)
+        {
+            var top = indexer.Drafts[0];
+            return new ChunkResult
+            {
+                TopPoints = top.Count,
+                LowestSideLog2 = top.SideLog2,
+                BytesOfPlane = new long[indexer.BytesOfPlane.Length],
+                Top = new ChunkTop
+                {
+                    SideLog2 = top.SideLog2,
+                    CellLog2 = top.CellLog2,
+                    IsLeaf = top.IsLeaf,
+                    AttachNode = -1,
+                },
+                Record = new ChunkRecord
+                {
+                    Corner = indexer.Cube.Corner,
+                    SideLog2 = indexer.Cube.SideLog2,
+                    Number = indexer.Number,
+                },
+            };
+        }
+
+        /// <summary>The file of <see cref="ToBytes"/>: the caller disposes it.</summary>
+        public NativeArray<byte> ToBytes(NativeArray<byte> topRecords, ulong cloudId)
+        {
+            int planeBytes = BytesOfPlane.Length * sizeof(long);
+            var file = new NativeArray<byte>(sizeof(Header) + planeBytes + topRecords.Length, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            var start = (byte*)file.GetUnsafePtr();
+            var header = (Header*)start;
+            *header = new Header
+            {
+                CloudId = cloudId,
+                Checksum = Checksum,
+                Record = Record,
+                Top = Top,
+                LowestSideLog2 = LowestSideLog2,
+                TopPoints = TopPoints,
+                PlaneCount = BytesOfPlane.Length,
+            };
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                ((long*)(start + sizeof(Header)))[p] = BytesOfPlane[p];
+            UnsafeUtility.MemCpy(start + sizeof(Header) + planeBytes, topRecords.GetUnsafeReadOnlyPtr(), topRecords.Length);
+            header->Hash = ContentHash.Of(start + sizeof(ulong), file.Length - sizeof(ulong));
+            return file;
+        }
+
+        /// <summary>Reads the file of a chunk that is done.</summary>
+        /// <param name="strideBytes">Of a record.</param>
+        /// <returns>Null where the bytes are no such file, or of another cloud.</returns>
+        public static ChunkResult FromBytes(NativeArray<byte> file, ulong cloudId, int planeCount, int strideBytes)
+        {
+            var start = (byte*)file.GetUnsafeReadOnlyPtr();
+            var header = (Header*)start;
+            if (file.Length < sizeof(Header) || header->Hash != ContentHash.Of(start + sizeof(ulong),
+                file.Length - sizeof(ulong)) ||
+                header->CloudId != cloudId || header->PlaneCount != planeCount || header->TopPoints < 0 ||
+                file.Length != RecordsOffset(planeCount) + (long)header->TopPoints * strideBytes)
+                return null;
+            var result = new ChunkResult
+            {
+                Record = header->Record,
+                Top = header->Top,
+                TopPoints = header->TopPoints,
+                Checksum = header->Checksum,
+                LowestSideLog2 = header->LowestSideLog2,
+                BytesOfPlane = new long[planeCount],
+            };
+            for (int p = 0; p < planeCount; p++)
+                result.BytesOfPlane[p] = ((long*)(start + sizeof(Header)))[p];
+            return result;
+        }
+
+        /// <summary>Where the top's records begin in the file.</summary>
+        public static int RecordsOffset(int planeCount) => sizeof(Header) + planeCount * sizeof(long);
+    }
+}

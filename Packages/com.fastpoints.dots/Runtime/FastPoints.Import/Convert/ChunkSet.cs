@@ -1,0 +1,450 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Partition;
+using FastPoints.Points;
+using FastPoints.Records;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Convert
+{
+    /// <summary>All points of the cloud, by chunk: disjoint cubes of the octree, in memory or in temporary files.</summary>
+    public sealed class ChunkSet : IDisposable
+    {
+        const int SplitLevels = 3;
+        const int PagesPerBatch = 64;
+
+        /// <summary>One chunk.</summary>
+        public sealed class Chunk
+        {
+            public GridCube Cube;
+
+            /// <summary>Its records in memory.</summary>
+            public RecordPages Pages;
+
+            /// <summary>Its records in files; either these or the pages are empty.</summary>
+            public readonly List<RecordRun> Runs = new List<RecordRun>();
+
+            public long Count { get; private set; }
+
+            public void Add(ref RecordPages pages)
+            {
+                Count += pages.Count;
+                Pages.Join(ref pages);
+            }
+
+            public void Add(RecordRun run)
+            {
+                Count += run.Count;
+                Runs.Add(run);
+            }
+        }
+
+        readonly RecordLayout m_layout;
+        readonly NativeReference<PagePool> m_pool;
+        readonly RecordFiles m_files;
+        readonly long m_mostPages;
+        readonly RecordLoad m_load;
+        readonly SliceTimes m_slices;
+        readonly List<Chunk> m_chunks = new List<Chunk>();
+
+        /// <param name="pool">Of all pages; whoever owns it frees them.</param>
+        /// <param name="files">Of what does not stay in memory; null where everything does.</param>
+        /// <param name="mostPages">That parts of chunks may take until they go to files.</param>
+        /// <param name="slices">Takes in how long the jobs ran.</param>
+        public ChunkSet(RecordLayout layout, NativeReference<PagePool> pool, RecordFiles files, long mostPages, SliceTimes slices)
+        {
+            m_slices = slices;
+            m_layout = layout;
+            m_pool = pool;
+            m_files = files;
+            m_mostPages = mostPages;
+            m_load = new RecordLoad(files, layout.StrideBytes);
+        }
+
+        public IReadOnlyList<Chunk> Chunks => m_chunks;
+
+        /// <summary>Makes the work that is done after each change that is whole: every record is where the chunks say. Files that
+        /// are needed no more are there until it has ended.</summary>
+        public Func<IEnumerator<JobHandle>> Settled { get; set; }
+
+        /// <summary>Takes over a chunk's records.</summary>
+        public void Add(GridCube cube, ref RecordPages pages)
+        {
+            if (pages.Count > 0)
+            {
+                var chunk = new Chunk { Cube = cube };
+                chunk.Add(ref pages);
+                m_chunks.Add(chunk);
+            }
+            pages = default;
+        }
+
+        /// <summary>Takes over a chunk's file.</summary>
+        public void Add(GridCube cube, int file)
+        {
+            if (m_files.RecordsOf(file) > 0)
+                Add(cube, new RecordRun { File = file, Count = m_files.RecordsOf(file) });
+        }
+
+        /// <summary>Takes over a chunk's records in files.</summary>
+        public void Add(GridCube cube, params RecordRun[] runs)
+        {
+            var chunk = new Chunk { Cube = cube };
+            foreach (var run in runs)
+                chunk.Add(run);
+            m_chunks.Add(chunk);
+        }
+
+        /// <summary>Work for a pump: distributes the records outside the cube that the root has grown from.</summary>
+        /// <param name="shells">The root's doublings, the smallest first.</param>
+        /// <param name="outside">All of them; one of the chunks until then, which it is in place of.</param>
+        public IEnumerator<JobHandle> SplitOutside(GridCube[] shells, Chunk outside)
+        {
+            var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
+            var parts = new GridCube[shells.Length * 8];
+            for (int i = 0; i < parts.Length; i++)
+                parts[i] = shells[i / 8].Child(i % 8);
+            try
+            {
+                using (var work = Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
+                {
+                    Slices = m_slices,
+                    Pages = pages,
+                    Layout = m_layout,
+                    Shells = cubes,
+                    Chunks = lists,
+                    Pool = m_pool,
+                }.Schedule(before)))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            }
+            finally
+            {
+                cubes.Dispose();
+            }
+        }
+
+        /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
+        /// that. Points at one place are split by their number, in the order in which they came.</summary>
+        /// <param name="target">Points of the parts, at most.</param>
+        public IEnumerator<JobHandle> SplitLarge(long limit, long target)
+        {
+            // Parts come to the end, where they are looked at in their turn.
+            for (int i = 0; i < m_chunks.Count;)
+            {
+                var chunk = m_chunks[i];
+                if (chunk.Count <= limit)
+                {
+                    i++;
+                    continue;
+                }
+                using (var work = Split(chunk, target))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            }
+        }
+
+        /// <summary>Joins chunks that have no more than <paramref name="target"/> points together in a cube, and puts all in
+        /// Morton order.</summary>
+        public void MergeSmall(GridCube root, long target)
+        {
+            // A stable order: several chunks at one place come in the order of their points.
+            var order = new int[m_chunks.Count];
+            for (int i = 0; i < order.Length; i++)
+                order[i] = i;
+            Array.Sort(order, (a, b) =>
+            {
+                int byPlace = MortonOrder.Compare(m_chunks[a].Cube.Corner - root.Corner, m_chunks[b].Cube.Corner - root.Corner);
+                return byPlace != 0 ? byPlace : a.CompareTo(b);
+            });
+            var sorted = new List<Chunk>();
+            foreach (int i in order)
+                sorted.Add(m_chunks[i]);
+            var groups = CubeGroups.Of(root, sorted, c => c.Cube, c => c.Count, target);
+            m_chunks.Clear();
+            foreach (var group in groups)
+            {
+                var first = sorted[group.First];
+                if (group.Count > 1)
+                {
+                    first.Cube = group.Cube;
+                    for (int i = group.First + 1; i < group.First + group.Count; i++)
+                    {
+                        first.Add(ref sorted[i].Pages);
+                        foreach (var run in sorted[i].Runs)
+                            first.Add(run);
+                    }
+                }
+                m_chunks.Add(first);
+            }
+        }
+
+        public void Dispose() => m_load.Dispose();
+
+        IEnumerator<JobHandle> Split(Chunk chunk, long target)
+        {
+            var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
+            var counts = default(NativeArray<long>);
+            PartitionMap map = null;
+            try
+            {
+                bounds[0] = PointFindings.None.Min;
+                bounds[1] = PointFindings.None.Max;
+                using (var work = ForEachBatch(chunk, (pages, before) => new MeasurePagesJob
+                {
+                    Slices = m_slices,
+                    Pages = pages,
+                    Layout = m_layout,
+                    Bounds = bounds,
+                }.Schedule(before)))
+                    while (work.MoveNext())
+                        yield return work.Current;
+                var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
+                chunk.Cube = cube;
+                if (cube.SideLog2 == 0)
+                {
+                    SplitByCount(chunk, target);
+                    using (var work = Settle())
+                        while (work.MoveNext())
+                            yield return work.Current;
+                    yield break;
+                }
+
+                int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
+                counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
+                var cells = new CellFinder(cube, levels);
+                using (var work = ForEachBatch(chunk, (pages, before) => new CountCellsJob
+                {
+                    Slices = m_slices,
+                    Pages = pages,
+                    Layout = m_layout,
+                    Cells = cells,
+                    PointsOfCell = counts,
+                }.Schedule(before)))
+                    while (work.MoveNext())
+                        yield return work.Current;
+                map = PartitionMap.Plan(cube, levels, counts, target);
+                var chunkOfCell = map.ChunkOfCell;
+                using (var work = Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupPagesJob
+                {
+                    Slices = m_slices,
+                    Pages = pages,
+                    Layout = m_layout,
+                    Cells = cells,
+                    ChunkOfCell = chunkOfCell,
+                    Chunks = lists,
+                    Pool = m_pool,
+                }.Schedule(before)))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            }
+            finally
+            {
+                map?.Dispose();
+                if (counts.IsCreated)
+                    counts.Dispose();
+                bounds.Dispose();
+            }
+        }
+
+        /// <summary>Parts of whole pages, so that they are the same in memory and in files.</summary>
+        void SplitByCount(Chunk chunk, long target)
+        {
+            int partPages = (int)Math.Max(1, target / RecordPages.RecordsPerPage);
+            m_chunks.Remove(chunk);
+            while (chunk.Pages.Count > 0)
+            {
+                var part = chunk.Pages.Cut(partPages);
+                Add(chunk.Cube, ref part);
+            }
+            long partRecords = (long)partPages * RecordPages.RecordsPerPage, room = 0;
+            foreach (var run in chunk.Runs)
+            {
+                for (long done = 0; done < run.Count;)
+                {
+                    if (room == 0)
+                    {
+                        m_chunks.Add(new Chunk { Cube = chunk.Cube });
+                        room = partRecords;
+                    }
+                    long count = Math.Min(room, run.Count - done);
+                    m_chunks[m_chunks.Count - 1].Add(new RecordRun { File = run.File, First = run.First + done, Count = count });
+                    m_files.Share(run.File);
+                    done += count;
+                    room -= count;
+                }
+                m_files.Release(run.File);
+            }
+        }
+
+        IEnumerator<JobHandle> Settle()
+        {
+            if (Settled == null)
+                yield break;
+            using (var work = Settled())
+                while (work.MoveNext())
+                    yield return work.Current;
+        }
+
+        /// <summary>Distributes a chunk's records over parts, which take its place.</summary>
+        IEnumerator<JobHandle> Regroup(Chunk chunk, GridCube[] cubes,
+            Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
+        {
+            var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
+            var fileOfPart = new int[cubes.Length];
+            bool isStored = chunk.Runs.Count > 0;
+            var job = default(JobHandle);
+            try
+            {
+                for (int i = 0; i < fileOfPart.Length && isStored; i++)
+                    fileOfPart[i] = m_files.Add();
+                if (!isStored)
+                {
+                    var batches = CutBatches(chunk.Pages);
+                    chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, lists, job);
+                    yield return job;
+                    job.Complete();
+                }
+                for (long first = 0; isStored && first < chunk.Count; first += PagesPerBatch * RecordPages.RecordsPerPage)
+                {
+                    BeginBatch(chunk, first);
+                    yield return m_load.Done;
+                    job = schedule(m_load.Complete(), lists, default);
+                    yield return job;
+                    job.Complete();
+                    if (m_pool.Value.PagesInUse > m_mostPages)
+                        HandOver(lists, fileOfPart, false);
+                    while (m_files.PagesWaiting > m_mostPages)
+                    {
+                        m_files.Poll(1);
+                        yield return default;
+                    }
+                    TakeWritten();
+                }
+                if (isStored)
+                    HandOver(lists, fileOfPart, true);
+                while (isStored && m_files.PagesWaiting > 0)
+                {
+                    m_files.Poll(1);
+                    yield return default;
+                }
+
+                m_chunks.Remove(chunk);
+                for (int i = 0; i < cubes.Length; i++)
+                {
+                    var pages = lists[i];
+                    lists[i] = default;
+                    if (isStored)
+                        Add(cubes[i], fileOfPart[i]);
+                    else
+                        Add(cubes[i], ref pages);
+                }
+                TakeWritten();
+                using (var work = Settle())
+                    while (work.MoveNext())
+                        yield return work.Current;
+                foreach (var run in chunk.Runs)
+                    m_files.Release(run.File);
+            }
+            finally
+            {
+                job.Complete();
+                lists.Dispose();
+            }
+        }
+
+        /// <summary>Work on all records of a chunk, which stay where they are.</summary>
+        IEnumerator<JobHandle> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
+        {
+            var job = default(JobHandle);
+            var batches = new List<RecordPages>();
+            try
+            {
+                if (chunk.Runs.Count == 0)
+                {
+                    batches = CutBatches(chunk.Pages);
+                    chunk.Pages = default;
+                    foreach (var batch in batches)
+                        job = schedule(batch, job);
+                    yield return job;
+                    yield break;
+                }
+                for (long first = 0; first < chunk.Count; first += PagesPerBatch * RecordPages.RecordsPerPage)
+                {
+                    BeginBatch(chunk, first);
+                    yield return m_load.Done;
+                    var pages = m_load.Complete();
+                    job = schedule(pages, default);
+                    yield return job;
+                    job.Complete();
+                    Return(ref pages);
+                }
+            }
+            finally
+            {
+                job.Complete();
+                if (batches.Count > 0)
+                    chunk.Pages = Join(batches);
+            }
+        }
+
+        /// <summary>The list that was cut.</summary>
+        public static RecordPages Join(List<RecordPages> batches)
+        {
+            var all = default(RecordPages);
+            foreach (var batch in batches)
+            {
+                var pages = batch;
+                all.Join(ref pages);
+            }
+            return all;
+        }
+
+        /// <summary>A list in parts that one run of a job takes.</summary>
+        public static List<RecordPages> CutBatches(RecordPages pages)
+        {
+            var batches = new List<RecordPages>();
+            while (pages.PageCount > 0)
+                batches.Add(pages.Cut(PagesPerBatch));
+            return batches;
+        }
+
+        void BeginBatch(Chunk chunk, long first)
+        {
+            var pool = m_pool.Value;
+            m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first), ref pool);
+            var poolReference = m_pool;
+            poolReference.Value = pool;
+        }
+
+        void HandOver(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
+        {
+            for (int i = 0; i < lists.Length; i++)
+            {
+                var list = lists[i];
+                m_files.Append(fileOfPart[i], all ? list.Cut(list.PageCount) : list.CutFull());
+                lists[i] = list;
+            }
+        }
+
+        void TakeWritten()
+        {
+            if (m_files == null)
+                return;
+            m_files.Poll(0);
+            var written = m_files.TakeWritten();
+            Return(ref written);
+        }
+
+        void Return(ref RecordPages pages)
+        {
+            var poolReference = m_pool;
+            var pool = poolReference.Value;
+            pool.Return(ref pages);
+            poolReference.Value = pool;
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Store;
+
+namespace FastPoints.Convert
+{
+    /// <summary>What a conversion has made.</summary>
+    public sealed class ConvertResult
+    {
+        public CloudManifest Manifest;
+        public int LevelCount;
+        public long BytesOnDisk;
+
+        /// <summary>Most bytes that temporary files had; 0 where all points were in memory.</summary>
+        public long TemporaryBytesPeak;
+
+        /// <summary>What chunks were made for: the stored bytes depend on it.</summary>
+        public long PointsPerChunk;
+
+        /// <summary>How long single runs of the octree's own jobs took: median, 99th percentile, longest; in steps of 0.1
+        /// ms.</summary>
+        public double[] SliceMs;
+
+        /// <summary>About a build of this target that was broken off before, or null.</summary>
+        public string Note;
+
+        /// <summary>The planes' names and bytes, position first.</summary>
+        public string[] PlaneNames;
+        public long[] BytesOfPlane;
+
+        /// <summary>What was odd about the sources' points, beside what their readers say.</summary>
+        public readonly List<CloudWarning> Warnings = new List<CloudWarning>();
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Density;
+using FastPoints.Partition;
+using FastPoints.Points;
+using FastPoints.Preview;
+using FastPoints.Records;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Convert
+{
+    /// <summary>The first partition of a cloud, by how dense samples of its sources say it is where.</summary>
+    public static class PartitionPlan
+    {
+        /// <summary>Pages for each planned chunk: its last one, which is not full, others of it, and of chunks that no sample
+        /// knew of.</summary>
+        const int PagesPerChunk = 4;
+
+        /// <summary>Work for a pump.</summary>
+        /// <param name="samples">Of the sources, in the order of the grid's.</param>
+        /// <param name="points">Of all sources.</param>
+        /// <param name="take">Gets the partition, which the caller disposes.</param>
+        public static IEnumerator<JobHandle> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
+            MemoryPlan plan, Action<PartitionMap> take)
+        {
+            int sampled = 0;
+            foreach (var sample in samples)
+                sampled += sample.Stored.Length;
+            var codes = new NativeArray<uint>(Math.Max(1, sampled), Allocator.Persistent);
+            var runs = new NativeList<SampleRun>(Allocator.Persistent);
+            JobHandle coded = default;
+            try
+            {
+                int first = 0;
+                for (int i = 0; i < samples.Count; i++)
+                {
+                    coded = new CodeSampleJob
+                    {
+                        Stored = samples[i].Stored,
+                        Grid = grid.Sources[i],
+                        Cube = cube,
+                        CodeOfPoint = codes,
+                        First = first,
+                    }.Schedule();
+                    yield return coded;
+                    coded.Complete();
+                    foreach (var run in samples[i].Runs)
+                        runs.Add(new SampleRun
+                        {
+                            Stretch = runs.Length,
+                            First = first + run.First,
+                            Count = run.Count,
+                            Weight = run.Weight,
+                        });
+                    first += samples[i].Stored.Length;
+                }
+                // No runs would say that each point stands for itself.
+                if (runs.Length == 0)
+                    runs.Add(default);
+                double share = Math.Min(1, sampled / (double)Math.Max(1, points));
+                using (var counting = DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
+                    density => take(Partition(cube, density, plan))))
+                    while (counting.MoveNext())
+                        yield return counting.Current;
+            }
+            finally
+            {
+                coded.Complete();
+                codes.Dispose();
+                runs.Dispose();
+            }
+        }
+
+        /// <summary>Chunks of their final size where they are so few that each can have its pages, larger ones
+        /// otherwise.</summary>
+        static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan)
+        {
+            using (density)
+            {
+                long target = plan.PointsPerChunk;
+                while (target < plan.PointsPerPartition && PartitionMap.CountChunks(density, target) > plan.MostPages / PagesPerChunk)
+                    target *= 2;
+                return PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+using FastPoints.Partition;
+using FastPoints.Points;
+using FastPoints.Records;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Convert
+{
+    /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they stand for what is not
+    /// built yet. Owns its records.</summary>
+    public sealed class ProvisionalSample : IDisposable
+    {
+        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
+        /// cover.</summary>
+        const int RunPoints = 16;
+        const int SlotsInFlight = 8;
+
+        readonly IReadOnlyList<PointReader> m_readers;
+        readonly PointSchema m_attributes;
+        readonly GridChoice m_grid;
+        readonly PartitionMap m_map;
+        readonly long m_mostPoints;
+        readonly NativeReference<PagePool> m_pool;
+        RecordPages m_pages;
+
+        /// <param name="readers">Their blocks are known.</param>
+        /// <param name="map">Points outside its cube are left out.</param>
+        /// <param name="mostPoints">About.</param>
+        public ProvisionalSample(IReadOnlyList<PointReader> readers, PointSchema attributes, GridChoice grid, PartitionMap map,
+            long mostPoints)
+        {
+            m_readers = readers;
+            m_attributes = attributes;
+            m_grid = grid;
+            m_map = map;
+            m_mostPoints = mostPoints;
+            m_pool = new NativeReference<PagePool>(new PagePool(grid.Records.StrideBytes,
+                2 * mostPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
+            Attributes = new AttributeFindings[attributes.Count];
+            for (int a = 0; a < Attributes.Length; a++)
+                Attributes[a] = AttributeFindings.None;
+        }
+
+        public bool IsRead { get; private set; }
+
+        /// <summary>Of the points that were read.</summary>
+        public PointFindings Findings { get; private set; } = PointFindings.None;
+        public AttributeFindings[] Attributes { get; }
+
+        /// <summary>Work for a pump: reads the sample.</summary>
+        public IEnumerator<JobHandle> Read()
+        {
+            long all = 0;
+            foreach (var reader in m_readers)
+                all += reader.PointCount;
+            for (int i = 0; i < m_readers.Count; i++)
+            {
+                double share = m_readers[i].PointCount / (double)Math.Max(1, all);
+                var runs = SampleRuns.Choose(m_readers[i], (long)(m_mostPoints * share) / RunPoints, RunPoints);
+                using (var work = Read(m_readers[i], m_grid.Sources[i], runs))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            }
+            IsRead = true;
+        }
+
+        /// <summary>Schedules the sample's distribution over cubes.</summary>
+        /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
+        /// <param name="corner">The octree's.</param>
+        /// <param name="parts">By cube: gets copies of the records, which <see cref="Return"/> takes back.</param>
+        public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts) =>
+            new RegroupCubesJob
+            {
+                Pages = m_pages,
+                Layout = m_grid.Records,
+                Cubes = cubes,
+                Corner = corner,
+                Chunks = parts,
+                Pool = m_pool,
+            }.Schedule();
+
+        /// <summary>Takes back a part.</summary>
+        public void Return(RecordPages part)
+        {
+            var reference = m_pool;
+            var pool = reference.Value;
+            pool.Return(ref part);
+            reference.Value = pool;
+        }
+
+        public void Dispose()
+        {
+            if (!m_pool.IsCreated)
+                return;
+            var pool = m_pool.Value;
+            pool.FreeAll();
+            m_pool.Dispose();
+        }
+
+        IEnumerator<JobHandle> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
+        {
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in m_attributes)
+                names.Add(attribute.Name);
+            var wanted = reader.Info.Schema.Select(names.ToArray());
+            int longest = 1;
+            foreach (var run in runs)
+                longest = Math.Max(longest, run.Count);
+            int slots = Math.Min(runs.Count, SlotsInFlight);
+            var reads = new BlockRead[slots];
+            var records = new RecordSlot[slots];
+            var jobs = new JobHandle[slots];
+            try
+            {
+                for (int s = 0; s < slots; s++)
+                {
+                    reads[s] = reader.CreateRead(wanted, longest, Allocator.Persistent);
+                    records[s] = new RecordSlot(longest, m_attributes, m_grid.Records, m_map, reads[s].Points);
+                }
+                for (int r = 0; r < runs.Count + slots; r++)
+                {
+                    int s = slots == 0 ? 0 : r % slots;
+                    if (r >= slots && r - slots < runs.Count)
+                    {
+                        yield return jobs[s];
+                        jobs[s].Complete();
+                        reads[s].Complete();
+                        Take(records[s]);
+                    }
+                    if (r >= runs.Count)
+                        continue;
+                    reads[s].Begin(runs[r]);
+                    jobs[s] = records[s].ScheduleGrouping(reads[s], grid, reads[s].Decoded);
+                    JobHandle.ScheduleBatchedJobs();
+                }
+            }
+            finally
+            {
+                for (int s = 0; s < slots; s++)
+                {
+                    jobs[s].Complete();
+                    reads[s]?.Dispose();
+                    records[s]?.Dispose();
+                }
+            }
+        }
+
+        /// <summary>A run is few records: they are copied here and now.</summary>
+        unsafe void Take(RecordSlot slot)
+        {
+            var reference = m_pool;
+            var pool = reference.Value;
+            m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
+                slot.FirstOfChunk[m_map.Outside], ref pool);
+            reference.Value = pool;
+            var findings = Findings;
+            findings.Include(slot.TakeFindings(Attributes));
+            Findings = findings;
+        }
+    }
+}

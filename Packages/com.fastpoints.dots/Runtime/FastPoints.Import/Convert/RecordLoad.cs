@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Records;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Convert
+{
+    /// <summary>Reads records of temporary files back into pages, in the background.</summary>
+    public sealed unsafe class RecordLoad : IDisposable
+    {
+        readonly RecordFiles m_files;
+        readonly int m_strideBytes;
+        readonly List<ReadHandle> m_reads = new List<ReadHandle>();
+        readonly List<string> m_paths = new List<string>();
+
+        // The read manager keeps the pointer to its commands until the read has ended.
+        NativeArray<ReadCommand> m_commands;
+        RecordPages m_pages;
+
+        public RecordLoad(RecordFiles files, int strideBytes)
+        {
+            m_files = files;
+            m_strideBytes = strideBytes;
+        }
+
+        /// <summary>Finished when everything is read; then comes <see cref="Complete"/>.</summary>
+        public JobHandle Done { get; private set; }
+
+        /// <summary>Starts; the load before is complete. What is to be read has been written.</summary>
+        /// <param name="runs">One after the other, as one sequence of records.</param>
+        /// <param name="first">Of that sequence.</param>
+        /// <param name="count">No more than there are.</param>
+        public void Begin(IReadOnlyList<RecordRun> runs, long first, long count, ref PagePool pool)
+        {
+            Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
+            var commands = (ReadCommand*)m_commands.GetUnsafePtr();
+            int commandCount = 0;
+            Done = default;
+            foreach (var run in runs)
+            {
+                long skipped = Math.Min(first, run.Count);
+                first -= skipped;
+                long left = Math.Min(count, run.Count - skipped), offset = (run.First + skipped) * m_strideBytes;
+                if (left <= 0)
+                    continue;
+                count -= left;
+                int firstCommand = commandCount;
+                while (left > 0)
+                {
+                    var page = pool.Take();
+                    page->Count = (int)Math.Min(left, RecordPages.RecordsPerPage);
+                    long bytes = (long)page->Count * m_strideBytes;
+                    commands[commandCount++] = new ReadCommand
+                    {
+                        Buffer = RecordPages.RecordsOf(page),
+                        Offset = offset,
+                        Size = bytes
+                    };
+                    m_pages.AddPage(page);
+                    left -= page->Count;
+                    offset += bytes;
+                }
+                string path = m_files.PathOf(run.File);
+                var read = AsyncReadManager.Read(path, commands + firstCommand, (uint)(commandCount - firstCommand));
+                m_reads.Add(read);
+                m_paths.Add(path);
+                Done = JobHandle.CombineDependencies(Done, read.JobHandle);
+            }
+        }
+
+        /// <summary>Ends it. The pages are the caller's.</summary>
+        /// <exception cref="PointCloudException">Not all of it could be read.</exception>
+        public RecordPages Complete()
+        {
+            Done.Complete();
+            PointCloudException failure = null;
+            for (int i = 0; i < m_reads.Count; i++)
+            {
+                var status = m_reads[i].Status;
+                m_reads[i].Dispose();
+                if (status != ReadStatus.Complete && failure == null)
+                    failure = new PointCloudException(FailureCode.ReadFailed, m_paths[i], -1, "the points that were set aside " +
+                        "there cannot be read back: the read ended as " + status);
+            }
+            m_reads.Clear();
+            m_paths.Clear();
+            if (failure != null)
+                throw failure;
+            var pages = m_pages;
+            m_pages = default;
+            return pages;
+        }
+
+        /// <summary>Pages that nobody took are their pool's.</summary>
+        public void Dispose()
+        {
+            foreach (var read in m_reads)
+                read.Cancel();
+            Done.Complete();
+            foreach (var read in m_reads)
+                read.Dispose();
+            m_reads.Clear();
+            if (m_commands.IsCreated)
+                m_commands.Dispose();
+        }
+
+        void Reserve(int commands)
+        {
+            if (m_commands.IsCreated && m_commands.Length >= commands)
+                return;
+            if (m_commands.IsCreated)
+                m_commands.Dispose();
+            m_commands = new NativeArray<ReadCommand>(commands, Allocator.Persistent);
+        }
+    }
+}

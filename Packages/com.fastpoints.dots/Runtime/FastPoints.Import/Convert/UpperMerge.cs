@@ -1,0 +1,320 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Nodes;
+using FastPoints.Points;
+using FastPoints.Records;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using FastPoints.Writing;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Convert
+{
+    /// <summary>
+    /// From the chunks' tops to the upper levels. Where there are more tops than one go should take, those of neighbours become
+    /// regions with tops of their own, and so on: memory is that of one region, whatever the number of chunks.
+    /// </summary>
+    public sealed unsafe class UpperMerge : IDisposable
+    {
+        /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>
+        const int LeastPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
+
+        readonly RecordLayout m_records;
+        readonly NativeStoreLayout m_store;
+        readonly GridCube m_root;
+        readonly ulong m_cloudId;
+        readonly CloudFolderWriter m_folder;
+        readonly Sampler m_sampler;
+        readonly NodeSizes m_sizes;
+        readonly SliceTimes m_slices;
+        readonly List<UpperRegion> m_regions = new List<UpperRegion>();
+        readonly List<UpperItem> m_items = new List<UpperItem>();
+        ChunkIndexer m_indexer;
+        UpperRegion[] m_regionOfChunk;
+        int[] m_draftOfChunk;
+        long m_upperBytes;
+        long m_upperPoints;
+
+        public UpperMerge(RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
+            Sampler sampler, NodeSizes sizes, SliceTimes slices)
+        {
+            m_records = records;
+            m_store = store;
+            m_root = root;
+            m_cloudId = cloudId;
+            m_folder = folder;
+            m_sampler = sampler;
+            m_sizes = sizes;
+            m_slices = slices;
+            BytesOfPlane = new long[store.Layout.Planes.Count];
+        }
+
+        /// <summary>Tops' points that one go takes: more are merged in regions first.</summary>
+        public static long MostPointsAtOnce(long pointsPerRegion) => 2 * Math.Max(pointsPerRegion, LeastPointsPerRegion);
+
+        /// <summary>Side of the smallest node.</summary>
+        public int LowestSideLog2 { get; private set; } = int.MaxValue;
+        public long[] BytesOfPlane { get; }
+
+        /// <summary>Work for a pump: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
+        /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
+        /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
+        /// <param name="pointsPerRegion">That one go takes, about.</param>
+        public IEnumerator<JobHandle> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
+            CloudManifest manifest, StageProgress progress)
+        {
+            m_indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
+            int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
+            m_regionOfChunk = new UpperRegion[last + 1];
+            m_draftOfChunk = new int[last + 1];
+            long left = 0;
+            for (int i = 0; i < chunks.Count; i++)
+            {
+                left += chunks[i].TopPoints;
+                m_items.Add(new UpperItem
+                {
+                    Cube = chunks[i].Record.Cube,
+                    Top = chunks[i].Top,
+                    TopPoints = chunks[i].TopPoints,
+                    Chunk = chunks[i].Record.Number,
+                    Records = topRecords[chunks[i].Record.Number],
+                });
+            }
+
+            pointsPerRegion = Math.Max(pointsPerRegion, LeastPointsPerRegion);
+            m_upperBytes = FileHeader.SizeBytes;
+            while (left > MostPointsAtOnce(pointsPerRegion))
+            {
+                var groups = CubeGroups.Of(m_root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
+                if (groups.Count == m_items.Count)
+                    break;
+                var below = m_items.ToArray();
+                m_items.Clear();
+                left = 0;
+                foreach (var group in groups)
+                {
+                    if (group.Count == 1)
+                    {
+                        m_items.Add(below[group.First]);
+                    }
+                    else
+                    {
+                        var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
+                        using (var work = MergeRegion(members, group.Cube, false, manifest))
+                            while (work.MoveNext())
+                                yield return work.Current;
+                    }
+                    left += m_items[m_items.Count - 1].TopPoints;
+                    progress?.Report(0.5 * (group.First + group.Count) / below.Length, 0, 0);
+                }
+            }
+            if (m_items.Count > 0)
+                using (var work = MergeRegion(new List<UpperItem>(m_items), m_root, true, manifest))
+                    while (work.MoveNext())
+                        yield return work.Current;
+            using (var work = WriteHierarchy(chunks, manifest))
+                while (work.MoveNext())
+                    yield return work.Current;
+            progress?.Report(1, m_upperPoints, m_upperBytes);
+        }
+
+        public void Dispose()
+        {
+            m_indexer?.Dispose();
+            foreach (var region in m_regions)
+                region.Dispose();
+            foreach (var item in m_items)
+                if (item.Region != null && item.Records.IsCreated)
+                    item.Records.Dispose();
+            m_items.Clear();
+        }
+
+        /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
+        IEnumerator<JobHandle> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot, CloudManifest manifest)
+        {
+            long points = 0;
+            foreach (var member in members)
+                points += member.TopPoints;
+            int stride = m_records.ForTops(m_store.HasAverages).StrideBytes;
+            var records = new NativeArray<byte>(checked((int)(points * stride)), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);
+            var read = new StoreRead();
+            WriteTicket ticket = null;
+            try
+            {
+                int at = 0;
+                for (int i = 0; i < members.Count; i++)
+                {
+                    var member = members[i];
+                    int bytes = member.TopPoints * stride;
+                    if (member.Records.IsCreated)
+                    {
+                        NativeArray<byte>.Copy(member.Records, 0, records, at, bytes);
+                        if (member.Region != null)
+                            member.Records.Dispose();
+                        member.Records = default;
+                    }
+                    else
+                    {
+                        read.Begin(m_folder.PathOf(BuildFiles.TopPath(member.Chunk)),
+                            ChunkResult.RecordsOffset(BytesOfPlane.Length),
+                            bytes);
+                        yield return read.Done;
+                        read.Complete();
+                        NativeArray<byte>.Copy(read.Bytes, 0, records, at, bytes);
+                    }
+                    var top = member.Top;
+                    top.First = at / stride;
+                    at += bytes;
+                    top.End = at / stride;
+                    tops[i] = top;
+                    yield return default;
+                }
+                m_indexer.BeginUpper(records, tops, cube, isRoot);
+                yield return m_indexer.Job;
+                m_indexer.Job.Complete();
+                m_slices.Take(m_indexer.Slices);
+
+                var region = TakeRegion();
+                bool hasNodes = region.NodeCount > 0;
+                for (int i = 0; i < members.Count; i++)
+                {
+                    hasNodes |= tops[i].HasNodes;
+                    if (members[i].Region != null)
+                    {
+                        members[i].Region.Above = region;
+                        members[i].Region.AttachDraft = tops[i].AttachNode;
+                    }
+                    else
+                    {
+                        m_regionOfChunk[members[i].Chunk] = region;
+                        m_draftOfChunk[members[i].Chunk] = tops[i].AttachNode;
+                    }
+                }
+                if (!isRoot)
+                    m_items.Add(TopOf(region, cube, hasNodes));
+
+                var file = m_indexer.File.AsArray();
+                if (isRoot && m_upperPoints == 0)
+                {
+                    m_upperBytes = file.Length;
+                    ticket = m_folder.Write(manifest.UpperName, file);
+                }
+                else if (file.Length > 0)
+                {
+                    region.PlaneShift = m_upperBytes - FileHeader.SizeBytes;
+                    var planes = file.GetSubArray(FileHeader.SizeBytes, file.Length - FileHeader.SizeBytes);
+                    ticket = m_folder.WritePiece(manifest.UpperName, planes, m_upperBytes);
+                    m_upperBytes += planes.Length;
+                }
+                if (file.Length > 0)
+                    m_upperPoints += PointsOf(file);
+                while (ticket != null && !ticket.IsDone(1))
+                    yield return default;
+                if (!isRoot || region.PlaneShift == 0)
+                    yield break;
+                DescribeAll(file);
+                ticket = m_folder.Seal(manifest.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
+                while (!ticket.IsDone(1))
+                    yield return default;
+            }
+            finally
+            {
+                m_indexer.Job.Complete();
+                ticket?.Wait();
+                read.Dispose();
+                tops.Dispose();
+                records.Dispose();
+            }
+        }
+
+        static long PointsOf(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
+
+        /// <summary>Of one region's header makes that of the file of all.</summary>
+        void DescribeAll(NativeArray<byte> file)
+        {
+            var header = (FileHeader*)file.GetUnsafePtr();
+            header->PointCount = m_upperPoints;
+            header->TableOffset = header->FileBytes = m_upperBytes;
+            header->HeaderHash = ContentHash.Of(header, FileHeader.SizeBytes - sizeof(ulong));
+        }
+
+        UpperRegion TakeRegion()
+        {
+            var region = new UpperRegion
+            {
+                Table = new NativeArray<byte>(m_indexer.Table.AsArray(), Allocator.Persistent),
+                NodeOfDraft = m_indexer.NodeOfDraft.AsArray().ToArray(),
+            };
+            foreach (int node in region.NodeOfDraft)
+                region.NodeCount += node >= 0 ? 1 : 0;
+            foreach (var draft in m_indexer.Drafts.AsArray())
+                LowestSideLog2 = Math.Min(LowestSideLog2, draft.SideLog2);
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] += m_indexer.BytesOfPlane[p];
+            m_regions.Add(region);
+            return region;
+        }
+
+        UpperItem TopOf(UpperRegion region, GridCube cube, bool hasNodes)
+        {
+            var top = m_indexer.Drafts[0];
+            return new UpperItem
+            {
+                Cube = cube,
+                Region = region,
+                TopPoints = top.Count,
+                Records = new NativeArray<byte>(m_indexer.Top.AsArray(), Allocator.Persistent),
+                Top = new ChunkTop
+                {
+                    SideLog2 = top.SideLog2,
+                    CellLog2 = top.CellLog2,
+                    IsLeaf = top.IsLeaf,
+                    HasNodes = hasNodes,
+                    AttachNode = -1,
+                },
+            };
+        }
+
+        IEnumerator<JobHandle> WriteHierarchy(IReadOnlyList<ChunkResult> chunks, CloudManifest manifest)
+        {
+            // The last one is the root: others come after what is above them.
+            m_regions.Reverse();
+            int planeCount = BytesOfPlane.Length;
+            var table = UpperTable.Join(m_regions, planeCount, out int[] placeOfNode);
+            var hierarchy = default(NativeArray<byte>);
+            WriteTicket ticket = null;
+            try
+            {
+                manifest.NodeCount = placeOfNode.Length;
+                manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
+                var records = new List<ChunkRecord>();
+                foreach (var chunk in chunks)
+                {
+                    if (!chunk.Top.HasNodes)
+                        continue;
+                    var record = chunk.Record;
+                    record.AttachNode = placeOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
+                    manifest.NodeCount += record.NodeCount;
+                    records.Add(record);
+                }
+                manifest.ChunkCount = records.Count;
+                hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, manifest);
+                ticket = m_folder.Write(manifest.HierarchyName, hierarchy);
+                while (!ticket.IsDone(1))
+                    yield return default;
+            }
+            finally
+            {
+                ticket?.Wait();
+                if (hierarchy.IsCreated)
+                    hierarchy.Dispose();
+                table.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using FastPoints.Samplers;
+using Unity.Collections;
+
+namespace FastPoints.Convert
+{
+    /// <summary>
+    /// Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a region,
+    /// as a
+    /// chunk's, belongs to the region above; the root's has none above. Owns its table.
+    /// </summary>
+    public sealed class UpperRegion : IDisposable
+    {
+        /// <summary>Records and planes of the nodes, as the writer made them.</summary>
+        public NativeArray<byte> Table;
+
+        /// <summary>By draft: its node in the table, or -1 for the top that belongs to the region above.</summary>
+        public int[] NodeOfDraft;
+        public int NodeCount;
+
+        /// <summary>What is added to the planes' offsets.</summary>
+        public long PlaneShift;
+
+        /// <summary>The region above, and the draft there that this region's parentless nodes hang on. Null for the
+        /// root.</summary>
+        public UpperRegion Above;
+        public int AttachDraft;
+
+        /// <summary>Number of the region's first node when all regions' tables are put one after the other.</summary>
+        public int FirstNode;
+
+        /// <summary>The number of the node that a draft became, perhaps in a region above.</summary>
+        public int NodeOf(int draft)
+        {
+            var region = this;
+            while (region.NodeOfDraft[draft] < 0)
+            {
+                draft = region.AttachDraft;
+                region = region.Above;
+            }
+            return region.FirstNode + region.NodeOfDraft[draft];
+        }
+
+        public void Dispose()
+        {
+            if (Table.IsCreated)
+                Table.Dispose();
+            Table = default;
+        }
+    }
+
+    /// <summary>What the merge takes next: a chunk's top, or a region's.</summary>
+    public sealed class UpperItem
+    {
+        public FastPoints.Points.GridCube Cube;
+        public ChunkTop Top;
+        public int TopPoints;
+
+        /// <summary>The chunk whose top it is, or -1.</summary>
+        public int Chunk = -1;
+
+        /// <summary>The region whose top it is, or null.</summary>
+        public UpperRegion Region;
+
+        /// <summary>The top's records, where they are in memory.</summary>
+        public NativeArray<byte> Records;
+    }
+}

@@ -1,0 +1,94 @@
+using FastPoints.Preview;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Density
+{
+    /// <summary>Counts some stretches of a sample into the bricks of one depth: see <see cref="DensityTree"/>.</summary>
+    [BurstCompile]
+    unsafe struct CountDensityJob : IJob
+    {
+        [ReadOnly] public NativeArray<uint> CodeOfPoint;
+
+        /// <summary>The brick that each point was counted in at the depth before; becomes that of this depth, -1 without
+        /// one.</summary>
+        public NativeArray<int> BrickOfPoint;
+
+        /// <summary>Empty where each point is a stretch of its own and stands for <see cref="WeightOfEach"/>.</summary>
+        [ReadOnly] public NativeArray<SampleRun> Runs;
+        public double WeightOfEach;
+
+        /// <summary>Entries of <see cref="Runs"/>, or points; whole stretches.</summary>
+        public int First;
+        public int End;
+
+        public int Depth;
+
+        [ReadOnly] public NativeArray<int> ChildBricks;
+        public NativeArray<DensitySum> Sums;
+
+        /// <summary>Cells that the stretch in hand has points in.</summary>
+        public NativeList<int> Touched;
+
+        public void Execute()
+        {
+            var sums = (DensitySum*)Sums.GetUnsafePtr();
+            if (Runs.Length == 0)
+            {
+                for (int i = First; i < End; i++)
+                {
+                    Count(sums, i, WeightOfEach);
+                    Close(sums, i);
+                }
+                return;
+            }
+            for (int r = First; r < End; r++)
+            {
+                var run = Runs[r];
+                for (int i = 0; i < run.Count; i++)
+                    Count(sums, run.First + i, run.Weight);
+                if (r + 1 == End || Runs[r + 1].Stretch != run.Stretch)
+                    Close(sums, run.Stretch);
+            }
+        }
+
+        void Count(DensitySum* sums, int point, double weight)
+        {
+            uint code = CodeOfPoint[point];
+            if (Depth == 0)
+            {
+                BrickOfPoint[point] = code == DensityTree.OutsideCode ? -1 : 0;
+                Add(sums, code == DensityTree.OutsideCode ? DensityTree.Outside : DensityTree.Root, weight);
+            }
+            int brick = BrickOfPoint[point];
+            if (brick < 0)
+                return;
+            if (Depth > 0)
+            {
+                brick = ChildBricks[brick * DensityTree.FineCells + DensityTree.FineOf(code, Depth - 1)];
+                BrickOfPoint[point] = brick;
+                if (brick < 0)
+                    return;
+            }
+            int fine = DensityTree.FineOf(code, Depth);
+            Add(sums, DensityTree.CoarseCell(brick, fine >> 3), weight);
+            Add(sums, DensityTree.FineCell(brick, fine), weight);
+        }
+
+        void Add(DensitySum* sums, int cell, double weight)
+        {
+            if (sums[cell].InStretch == 0)
+                Touched.Add(cell);
+            sums[cell].InStretch += weight;
+        }
+
+        void Close(DensitySum* sums, int stretch)
+        {
+            for (int i = 0; i < Touched.Length; i++)
+                sums[Touched[i]].Close(stretch);
+            Touched.Clear();
+        }
+    }
+}

@@ -1,0 +1,142 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Density
+{
+    /// <summary>
+    /// How many points of a cloud lie where, by a sample of it: the cells of an adaptive grid, each with its standard error, and
+    /// those that no sampled point lies in, of which nothing is known.
+    /// </summary>
+    /// <remarks>
+    /// The error is that of the choice of stretches. It holds where these lie at chance places of their parts of the file, as
+    /// runs and text do; beginnings of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
+    /// no sample of beginnings knows.
+    /// </remarks>
+    public sealed class DensityEstimate : IDisposable
+    {
+        /// <summary>A cell that fewer stretches have points in is not divided: half of its parts would have two or
+        /// three.</summary>
+        const int LeastStretches = 32;
+
+        /// <summary>Cells of more stretches where there are many, so that there are some thousands of cells.</summary>
+        const int StretchesPerLeast = 1 << 14;
+
+        const int PointsPerSlice = 1 << 16;
+
+        readonly DensityTree m_tree;
+        readonly double3 m_corner;
+        readonly double m_edge;
+        readonly int m_leastStretches;
+        readonly double m_share;
+        readonly bool m_isOfBlockBeginnings;
+
+        DensityEstimate(DensityTree tree, PreviewSample sample, double share, int leastStretches, double3 corner, double edge)
+        {
+            m_tree = tree;
+            m_share = share;
+            m_isOfBlockBeginnings = sample.IsOfBlockBeginnings;
+            m_leastStretches = leastStretches;
+            m_corner = corner;
+            m_edge = edge;
+        }
+
+        /// <summary>All within the grid's cube.</summary>
+        public DensityCell Inside => m_tree[DensityTree.Root];
+
+        /// <summary>What lies farther out: strays.</summary>
+        public DensityCell Outside => m_tree[DensityTree.Outside];
+
+        /// <summary>Work for a pump: the estimate from a sample as it stands. What stands in for other points is left
+        /// out.</summary>
+        /// <param name="bounds">That the grid divides: where nearly all points are.</param>
+        /// <param name="take">Gets the estimate, which the caller disposes; null where the sample does not say what its points
+        /// stand for.</param>
+        public static IEnumerator<JobHandle> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
+        {
+            int count = sample.Count - sample.Substitutes;
+            if (!sample.StandsForStretches || count == 0 || bounds.IsEmpty)
+            {
+                take(null);
+                yield break;
+            }
+            double edge = math.cmax(bounds.Size);
+            edge = edge > 0 ? edge * (1 + 1e-9) : 1;
+            var codes = new NativeArray<uint>(count, Allocator.Persistent);
+            JobHandle coded = default;
+            try
+            {
+                for (int first = 0; first < count; first += PointsPerSlice)
+                {
+                    coded = new CodePositionsJob
+                    {
+                        Sample = sample.Points.Bytes,
+                        Positions = PositionColumns.Of(sample.Points),
+                        Transform = sample.Transform,
+                        First = first,
+                        End = Math.Min(count, first + PointsPerSlice),
+                        Corner = bounds.Min,
+                        CellsPerUnit = (1 << DensityTree.Levels) / edge,
+                        CodeOfPoint = codes,
+                    }.Schedule();
+                    yield return coded;
+                    coded.Complete();
+                }
+                long all = Math.Max(sample.PointsInSource, sample.Count);
+                double inSample = count + sample.NonFinite;
+                int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
+                int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
+                using (var counting = DensityTree.Count(codes, sample.Runs, all / inSample, inSample / all, least, 0,
+                    tree => take(new DensityEstimate(tree, sample, inSample / all, least, bounds.Min, edge))))
+                    while (counting.MoveNext())
+                        yield return counting.Current;
+            }
+            finally
+            {
+                coded.Complete();
+                codes.Dispose();
+            }
+        }
+
+        /// <summary>All cells that are not divided, in Morton order; they fill the cube.</summary>
+        public IEnumerable<DensityLeaf> Leaves()
+        {
+            var open = new Stack<(int Cell, double3 Min, double Edge)>();
+            open.Push((DensityTree.Root, m_corner, m_edge));
+            while (open.Count > 0)
+            {
+                var (cell, min, edge) = open.Pop();
+                int parts = m_tree.FirstPartOf(cell);
+                if (parts < 0 || m_tree[cell].Stretches < m_leastStretches)
+                {
+                    yield return new DensityLeaf(min, edge, m_tree[cell]);
+                    continue;
+                }
+                for (int octant = 7; octant >= 0; octant--)
+                    open.Push((parts + octant, min + edge / 2 * new double3(octant & 1, octant >> 1 & 1, octant >> 2), edge / 2));
+            }
+        }
+
+        /// <summary>
+        /// How many points of the cloud, by estimate, lie in cells that no sampled point lies in: as many as lie in cells that a
+        /// single stretch has points in (I. J. Good, "The population frequencies of species", 1953). NaN of beginnings of
+        /// blocks: what their ends hold cannot be told from them.
+        /// </summary>
+        public double EstimateUnseen()
+        {
+            if (m_isOfBlockBeginnings)
+                return double.NaN;
+            double single = 0;
+            foreach (var leaf in Leaves())
+                if (leaf.Cell.Stretches == 1)
+                    single += leaf.Cell.Points;
+            return single * Math.Max(0, 1 - m_share);
+        }
+
+        public void Dispose() => m_tree.Dispose();
+    }
+}

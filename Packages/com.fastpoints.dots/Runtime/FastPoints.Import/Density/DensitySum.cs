@@ -1,0 +1,59 @@
+using System;
+
+namespace FastPoints.Density
+{
+    /// <summary>What the stretches of a sample, one after the other in the file's order, have in one cell. Blittable.</summary>
+    public struct DensitySum
+    {
+        public double Points;
+        public double SquaresOfDifferences;
+
+        /// <summary>Of the stretch that is being counted.</summary>
+        public double InStretch;
+
+        /// <summary>Of <see cref="LastStretch"/>, the last one that has points here.</summary>
+        public double InLast;
+        public int LastStretch;
+        public int Stretches;
+
+        /// <summary>Takes in <see cref="InStretch"/>, whose stretch is counted; a stretch without points in the cell need not be
+        /// told of.</summary>
+        public void Close(int stretch)
+        {
+            if (Stretches > 0 && LastStretch == stretch - 1)
+            {
+                SquaresOfDifferences += (InStretch - InLast) * (InStretch - InLast);
+            }
+            else
+            {
+                SquaresOfDifferences += stretch > 0 ? InStretch * InStretch : 0;
+                SquaresOfDifferences += InLast * InLast;
+            }
+            Points += InStretch;
+            InLast = InStretch;
+            InStretch = 0;
+            LastStretch = stretch;
+            Stretches++;
+        }
+
+        /// <summary>The estimate when all are counted.</summary>
+        /// <param name="stretches">Of the sample, with or without points here.</param>
+        /// <param name="share">Of the file's points that the sample has.</param>
+        /// <remarks>
+        /// Points of one stretch are neighbours in space as well: they say hardly more than one of them, and a binomial error
+        /// would be far too small. Each part of the file has one stretch, so the variance is estimated by the differences of
+        /// neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a finite
+        /// population.
+        /// </remarks>
+        public DensityCell ToCell(int stretches, double share)
+        {
+            if (Stretches == 0)
+                return new DensityCell(0, double.NaN, 0);
+            double left = Math.Max(0, 1 - share);
+            if (stretches < 2)
+                return new DensityCell(Points, left > 0 ? Points : 0, Stretches);
+            double squares = SquaresOfDifferences + (LastStretch < stretches - 1 ? InLast * InLast : 0);
+            return new DensityCell(Points, Math.Sqrt(left * squares * stretches / (2.0 * (stretches - 1))), Stretches);
+        }
+    }
+}

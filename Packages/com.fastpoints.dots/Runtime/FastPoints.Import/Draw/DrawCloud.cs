@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Draw
+{
+    /// <summary>
+    /// A picture of every point of a source, block by block in bounded memory: a small sample decides on camera, colours and
+    /// size, then each block is drawn as it is decoded. Or of a budget of points, which are sampled.
+    /// </summary>
+    public sealed class DrawCloud : IBlockConsumer
+    {
+        /// <summary>Points that the choices are made from.</summary>
+        const int PointsToPlanWith = 500_000;
+
+        readonly PointReader m_reader;
+        readonly PictureOptions m_options;
+        readonly long m_budget;
+        PictureCanvas m_canvas;
+
+        /// <param name="budget">Points to draw at most; 0 for all. One beyond <see cref="PreviewSample.MaxPoints"/>, and less
+        /// than all, is lowered to it.</param>
+        public DrawCloud(PointReader reader, PictureOptions options, long budget = 0)
+        {
+            m_reader = reader;
+            m_options = options;
+            m_budget = budget;
+        }
+
+        /// <summary>Points that were drawn, those out of the picture included.</summary>
+        public long PointsDrawn { get; private set; }
+
+        public DisplayRanges Ranges { get; private set; }
+        public PicturePlan Plan { get; private set; }
+
+        /// <summary>Null before the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
+            using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options }))
+            {
+                using (var sampling = preview.TakeSample(progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                using (var planning = preview.PlanPicture())
+                    while (planning.MoveNext())
+                        yield return planning.Current;
+                var sample = preview.Sample;
+                Ranges = preview.Ranges;
+                Plan = preview.Plan;
+                bool drawSample = sample.IsWhole || m_budget > 0 && m_budget < m_reader.PointCount;
+
+                progress?.Begin("draw");
+                using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
+                {
+                    long points = drawSample ? sample.Count : m_reader.PointCount;
+                    using (var size = SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points))
+                        while (size.MoveNext())
+                            yield return size.Current;
+                    using (var drawing = drawSample
+                        ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
+                        : DrawAll(progress))
+                        while (drawing.MoveNext())
+                            yield return drawing.Current;
+                    if (drawSample)
+                        PointsDrawn = sample.Count;
+                    using (var resolving = SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background))
+                        while (resolving.MoveNext())
+                            yield return resolving.Current;
+                    Image = m_canvas.ToImage();
+                }
+                progress?.End();
+            }
+        }
+
+        IEnumerator<JobHandle> DrawAll(StageProgress progress)
+        {
+            var wanted = WantedFor(Plan.Mode);
+            return SourceScan.Run(m_reader, wanted, this, SourceScan.SlotsFor(m_reader, wanted), progress);
+        }
+
+        /// <summary>Only what the colours need is decoded.</summary>
+        PointSchema WantedFor(ColorMode mode)
+        {
+            var schema = m_reader.Info.Schema;
+            if (mode == ColorMode.Rgb)
+                return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green,
+                    AttributeNames.Blue);
+            return ColorModes.AttributeOf(mode) is string attribute
+                ? schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, attribute)
+                : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
+        }
+
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            return new DrawBlockJob
+            {
+                Block = read.Points.Bytes,
+                Result = read.Result,
+                Palettes = m_canvas.Palettes,
+                SizeOfTile = m_canvas.SizeOfTile,
+                Drawing = Plan.DrawingOf(read.Points, m_canvas),
+                Pixels = m_canvas.Pixels,
+            }.ScheduleParallel(RasterizePointsJob.PieceCount(read.Range.Count), 1, decoded);
+        }
+
+        public void Completed(BlockRead read, int slot) => PointsDrawn += read.Points.Count;
+    }
+}

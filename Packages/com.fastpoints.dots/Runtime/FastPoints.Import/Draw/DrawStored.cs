@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Draw
+{
+    /// <summary>A picture of a stored cloud under a budget of points: the top of the octree decides on camera, colours and size,
+    /// then the nodes that the camera needs most are drawn.</summary>
+    public sealed class DrawStored
+    {
+        public const long DefaultBudget = 2000000;
+
+        /// <summary>Points that the choices are made from.</summary>
+        public const int PointsToPlanWith = 200000;
+
+        readonly CloudFolder m_folder;
+        readonly PictureOptions m_options;
+        readonly long m_budget;
+
+        /// <param name="budget">Points to draw at most; 0 for <see cref="DefaultBudget"/>.</param>
+        public DrawStored(CloudFolder folder, PictureOptions options, long budget = 0)
+        {
+            m_folder = folder;
+            m_options = options;
+            m_budget = budget > 0 ? budget : DefaultBudget;
+        }
+
+        /// <summary>Camera and colours follow from the ranges that the manifest has, and no point is looked at: nothing takes the
+        /// main thread long. Degrees are drawn as they are then, and where the manifest does not tell what to show, points that
+        /// lie far out make the rest small.</summary>
+        public bool PlansByManifest { get; set; }
+
+        /// <summary>Points that were drawn, those out of the picture included.</summary>
+        public long PointsDrawn { get; private set; }
+        public int NodesDrawn { get; private set; }
+        public PicturePlan Plan { get; private set; }
+
+        /// <summary>Null before the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            progress?.Begin("select");
+            var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
+            var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
+            var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest) : new DisplayRanges();
+            using (var selection = new NodeSelection(m_folder))
+            {
+                if (!PlansByManifest)
+                    using (var measuring = StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges))
+                        while (measuring.MoveNext())
+                            yield return measuring.Current;
+                Plan = new PicturePlan(m_options, ranges, transform);
+
+                selection.Choose(Plan.Camera, m_options.WidthPx, m_options.HeightPx, m_budget);
+                int points = StoredRanges.CheckedCount(m_folder, selection.Points);
+                using (var batch = new PointBatch(schema, points, Allocator.Persistent))
+                using (var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
+                {
+                    using (var loading = LoadNodes.Run(m_folder, selection, batch, progress))
+                        while (loading.MoveNext())
+                            yield return loading.Current;
+                    NodesDrawn = selection.NodeCount;
+                    PointsDrawn = batch.Count;
+                    progress?.Begin("draw");
+                    using (var size = SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count))
+                        while (size.MoveNext())
+                            yield return size.Current;
+                    using (var drawing = SamplePicture.Draw(canvas, batch, Plan, progress))
+                        while (drawing.MoveNext())
+                            yield return drawing.Current;
+                    using (var resolving = SamplePicture.Resolve(canvas, batch, Plan, m_options.Background))
+                        while (resolving.MoveNext())
+                            yield return resolving.Current;
+                    Image = canvas.ToImage();
+                }
+            }
+            progress?.End();
+        }
+    }
+}

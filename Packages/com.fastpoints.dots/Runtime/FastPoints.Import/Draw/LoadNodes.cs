@@ -1,0 +1,191 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Draw
+{
+    /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
+    public static class LoadNodes
+    {
+        /// <summary>What the batch will have: positions, and those of the wanted attributes that the cloud has.</summary>
+        public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
+        {
+            var attributes = new List<PointAttribute>
+            {
+                new PointAttribute(AttributeNames.X, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
+                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
+            };
+            attributes.AddRange(folder.Manifest.Attributes.Select(wanted));
+            return new PointSchema(attributes);
+        }
+
+        /// <summary>Work for a pump. Positions come as grid steps from the root's corner: see
+        /// <see cref="CloudGrid.FromCorner"/>.</summary>
+        /// <param name="batch">Of <see cref="SchemaFor"/>, with room for all points of the selection.</param>
+        /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
+        public static IEnumerator<JobHandle> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+            StageProgress progress)
+        {
+            using (var read = new StoreRead())
+            {
+                int done = 0;
+                foreach (int file in selection.Files)
+                {
+                    using (var load = new FileLoad(folder, selection, file, batch, done))
+                    {
+                        read.Begin(selection.PathOf(file), load.FirstByte, load.ByteCount);
+                        yield return read.Done;
+                        read.Complete();
+                        yield return load.Schedule(read.Bytes);
+                        load.Complete();
+                        done += load.Points;
+                    }
+                    progress?.Report(done / (double)Math.Max(1, selection.Points), done, 0);
+                }
+                batch.Count = done;
+            }
+        }
+
+        /// <summary>The nodes of one file: one read around all their planes, one job.</summary>
+        sealed class FileLoad : IDisposable
+        {
+            readonly NodeSelection m_selection;
+            readonly int m_file;
+            readonly PointBatch m_batch;
+            NativeArray<ChosenNode> m_nodes;
+            NativeArray<PlaneRange> m_ranges;
+            NativeArray<PlaneShape> m_shapes;
+            NativeArray<StoredColumn> m_columns;
+            NativeArray<PointColumn> m_targets;
+            NativeArray<bool> m_isDamaged;
+            JobHandle m_job;
+
+            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint)
+            {
+                m_selection = selection;
+                m_file = file;
+                m_batch = batch;
+                var planes = new List<int> { StoreLayout.PositionPlane };
+                var shapes = new List<PlaneShape>();
+                var columns = new List<StoredColumn>();
+                var targets = new List<PointColumn>();
+                for (int p = 1; p < folder.Layout.Planes.Count; p++)
+                {
+                    var plane = folder.Layout.Planes[p];
+                    if (plane.AverageOf >= 0)
+                        continue;
+                    // A plane is wanted where all its attributes are.
+                    int first = targets.Count;
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                    {
+                        int column = batch.Schema.IndexOf(folder.Layout.Attributes[folder.Layout.AttributeOfColumn[c]].Name);
+                        if (column >= 0)
+                            targets.Add(batch.Column(column));
+                    }
+                    if (targets.Count - first < plane.ColumnCount)
+                    {
+                        targets.RemoveRange(first, targets.Count - first);
+                        continue;
+                    }
+                    planes.Add(p);
+                    shapes.Add(plane.Shape);
+                    for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
+                        columns.Add(folder.Layout.Columns[c]);
+                }
+
+                var table = selection.TableOf(file);
+                var chosen = selection.NodesOf(file);
+                var nodes = new ChosenNode[chosen.Count];
+                var ranges = new PlaneRange[chosen.Count * planes.Count];
+                long begin = long.MaxValue, end = 0;
+                for (int i = 0; i < nodes.Length; i++)
+                {
+                    var node = table.Nodes[chosen[i]];
+                    var host = table.Nodes[node.Host];
+                    nodes[i] = new ChosenNode
+                    {
+                        FirstBlock = node.FirstBlock,
+                        BlockCount = node.BlockCount,
+                        HostedBlocks = host.HostedBlocks,
+                        IsWide = host.IsWide,
+                        Corner = host.Corner - folder.Manifest.Root.Corner,
+                        FirstPoint = firstPoint + Points,
+                        FirstRange = i * planes.Count,
+                    };
+                    Points += node.PointCount;
+                    // Points that stand for more than themselves show its average: of the same shape and types.
+                    bool isRefined = selection.IsRefined(file, chosen[i]);
+                    for (int p = 0; p < planes.Count; p++)
+                    {
+                        int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
+                        var range = table.Planes[node.Host * table.PlaneCount + (average >= 0 ? average : planes[p])];
+                        ranges[i * planes.Count + p] = range;
+                        begin = Math.Min(begin, range.OffsetBytes);
+                        end = Math.Max(end, range.OffsetBytes + range.LengthBytes);
+                    }
+                }
+                FirstByte = begin;
+                ByteCount = end - begin;
+                m_nodes = new NativeArray<ChosenNode>(nodes, Allocator.Persistent);
+                m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
+                m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
+                m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
+                m_targets = new NativeArray<PointColumn>(targets.ToArray(), Allocator.Persistent);
+                m_isDamaged = new NativeArray<bool>(nodes.Length, Allocator.Persistent);
+            }
+
+            public long FirstByte { get; }
+            public long ByteCount { get; }
+            public int Points { get; }
+
+            public JobHandle Schedule(NativeArray<byte> file)
+            {
+                var schema = m_batch.Schema;
+                m_job = new DecodeNodesJob
+                {
+                    File = file,
+                    FileOffset = FirstByte,
+                    Nodes = m_nodes,
+                    Ranges = m_ranges,
+                    Shapes = m_shapes,
+                    Columns = m_columns,
+                    Targets = m_targets,
+                    X = m_batch.Column(schema.IndexOf(AttributeNames.X)),
+                    Y = m_batch.Column(schema.IndexOf(AttributeNames.Y)),
+                    Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
+                    Batch = m_batch.Bytes,
+                    IsDamaged = m_isDamaged,
+                }.Schedule(m_nodes.Length, 1);
+                return m_job;
+            }
+
+            public void Complete()
+            {
+                m_job.Complete();
+                for (int i = 0; i < m_isDamaged.Length; i++)
+                    if (m_isDamaged[i])
+                        throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
+                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[i] +
+                                " is damaged");
+            }
+
+            public void Dispose()
+            {
+                m_job.Complete();
+                if (!m_nodes.IsCreated)
+                    return;
+                m_nodes.Dispose();
+                m_ranges.Dispose();
+                m_shapes.Dispose();
+                m_columns.Dispose();
+                m_targets.Dispose();
+                m_isDamaged.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,302 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Density;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Preview;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Draw
+{
+    /// <summary>
+    /// From an open source to a first picture: find the blocks where need be, take a sample, see what it holds, draw it. Owns the
+    /// sample. Where blocks are found only by looking through all of the file, waves of its beginning come before that.
+    /// </summary>
+    public sealed class PreviewCloud : IDisposable
+    {
+        /// <summary>Stages that read all of a source: what else would read it may as well go first.</summary>
+        public const string FindBlocksStage = "find blocks", RefineStage = "refine";
+
+        /// <summary>From this size of points on surfaces are closed by the density: samples whose points are smaller are blurred
+        /// more than they gain.</summary>
+        const float LeastThinPx = 2;
+
+        readonly PointReader m_reader;
+        readonly PreviewOptions m_options;
+        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly Stopwatch m_watch = new Stopwatch();
+        readonly (long Bytes, DateTime WrittenUtc) m_fileBefore;
+
+        public PreviewCloud(PointReader reader, PreviewOptions options)
+        {
+            m_reader = reader;
+            m_options = options;
+            m_fileBefore = FileNow();
+        }
+
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is
+        /// that of the wave until the work's next step.</summary>
+        public event Action<PreviewSample, SampleWave> WaveReady;
+
+        public PreviewSample Sample { get; private set; }
+
+        /// <summary>When which sample was there, coarse to fine; the last one is <see cref="Sample"/>.</summary>
+        public IReadOnlyList<SampleWave> Waves => m_waves;
+
+        public DisplayRanges Ranges { get; private set; }
+
+        /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of
+        /// sources whose sample does not tell. Goes by the sample as it was then.</summary>
+        public DensityEstimate Density { get; private set; }
+
+        /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
+        public PicturePlan Plan { get; private set; }
+
+        /// <summary>Null before the work has ended.</summary>
+        public RgbaImage Image { get; private set; }
+
+        /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/>, <see cref="RefineStage"/> and
+        /// <c>draw</c>.</summary>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress)
+        {
+            using (var sampling = TakeSample(progress))
+                while (sampling.MoveNext())
+                    yield return sampling.Current;
+            using (var planning = PlanPicture())
+                while (planning.MoveNext())
+                    yield return planning.Current;
+
+            progress?.Begin("draw");
+            using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
+            {
+                using (var size = SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count))
+                    while (size.MoveNext())
+                        yield return size.Current;
+                // Degrees are no lengths of a cube's edge.
+                if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
+                {
+                    using (var estimating = EstimateDensity())
+                        while (estimating.MoveNext())
+                            yield return estimating.Current;
+                    if (Density != null)
+                        using (var closing = SamplePicture.CloseSurfaces(canvas, Density,
+                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan))
+                            while (closing.MoveNext())
+                                yield return closing.Current;
+                }
+                using (var drawing = SamplePicture.Draw(canvas, Sample.Points, Plan, progress))
+                    while (drawing.MoveNext())
+                        yield return drawing.Current;
+                using (var resolving = SamplePicture.Resolve(canvas, Sample.Points, Plan, m_options.Picture.Background))
+                    while (resolving.MoveNext())
+                        yield return resolving.Current;
+                Image = canvas.ToImage();
+            }
+            progress?.End();
+        }
+
+        /// <summary>Work for a pump: the sample alone.</summary>
+        public IEnumerator<JobHandle> TakeSample(StageProgress progress)
+        {
+            m_watch.Restart();
+            if (m_reader.HasBeginnings && !m_options.Exact)
+            {
+                using (var sampling = TakeBeginnings(progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                if (!m_options.Quick && Sample.IsOfBeginning)
+                    Drop();
+            }
+            if (Sample == null || !m_options.Quick && !Sample.IsWhole)
+            {
+                using (var finding = FindBlocks(progress))
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                progress?.Begin("sample");
+                using (var sampling = m_options.Exact ? Scan(progress) : TakeWaves(progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+            }
+
+            TellChanges();
+            progress?.End();
+        }
+
+        /// <summary>Work for a pump, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
+        public IEnumerator<JobHandle> PlanPicture()
+        {
+            using (var measuring = MeasureSample())
+                while (measuring.MoveNext())
+                    yield return measuring.Current;
+            Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
+            int most = PreviewSample.MaxPoints(Sample.Points.Schema);
+            if (m_options.Points > most && Sample.PointsInSource > most)
+                Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " + most);
+            if (Sample.NonFinite > 0)
+                Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
+        }
+
+        /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>
+        public IEnumerator<JobHandle> EstimateDensity()
+        {
+            Density?.Dispose();
+            Density = null;
+            return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
+        }
+
+        /// <summary>Of the source's own file; nothing where there is none.</summary>
+        (long Bytes, DateTime WrittenUtc) FileNow()
+        {
+            var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
+            return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
+        }
+
+        /// <summary>A header of one file and points of another give anything.</summary>
+        void TellChanges()
+        {
+            var now = FileNow();
+            if (now.Equals(m_fileBefore))
+                return;
+            m_reader.Info.Warn(0, "the file was changed while it was read (" + m_fileBefore.Bytes.ToString("N0",
+                CultureInfo.InvariantCulture) + " bytes before, " + now.Bytes.ToString("N0", CultureInfo.InvariantCulture)
+                + " now): the sample may be of neither state");
+        }
+
+        /// <summary>Whether a first sample is of the beginnings of blocks alone, which are there soon and leave most of the cloud
+        /// bare: the whole blocks take their place.</summary>
+        public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
+
+        IEnumerator<JobHandle> MeasureSample()
+        {
+            Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+            return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
+        }
+
+        IEnumerator<JobHandle> Scan(StageProgress progress)
+        {
+            using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+            {
+                using (var sampling = uniform.Run(0, progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                Sample = uniform.TakeSample();
+            }
+            var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
+            Add(Sample, wave, m_watch.Elapsed.TotalSeconds, 0);
+            yield return default;
+        }
+
+        IEnumerator<JobHandle> TakeWaves(StageProgress progress)
+        {
+            bool refines = !m_options.Quick && Refines(m_reader);
+            int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
+            if (Sample == null)
+                using (var taking = Take(wanted, progress))
+                    while (taking.MoveNext())
+                        yield return taking.Current;
+            if (!refines || Sample.IsWhole)
+                yield break;
+            using (var measuring = MeasureSample())
+                while (measuring.MoveNext())
+                    yield return measuring.Current;
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
+            progress?.Begin(RefineStage);
+            using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust))
+            {
+                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+                using (var refining = sampler.Run(0, progress))
+                    while (refining.MoveNext())
+                        yield return refining.Current;
+                Sample.Dispose();
+                Sample = sampler.TakeSample();
+            }
+        }
+
+        /// <summary>A sample of the blocks that are known.</summary>
+        IEnumerator<JobHandle> Take(int wanted, StageProgress progress)
+        {
+            double before = m_watch.Elapsed.TotalSeconds;
+            long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
+            using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
+            {
+                sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
+                using (var sampling = sampler.Run(0, progress))
+                    while (sampling.MoveNext())
+                        yield return sampling.Current;
+                Sample = sampler.TakeSample();
+            }
+        }
+
+        void Add(PreviewSample sample, SampleWave wave, double secondsBefore, long bytesBefore)
+        {
+            wave.Seconds += secondsBefore;
+            wave.BytesRead += bytesBefore;
+            m_waves.Add(wave);
+            WaveReady?.Invoke(sample, wave);
+        }
+
+        /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the file: of its
+        /// beginning, or all over it.</summary>
+        IEnumerator<JobHandle> TakeBeginnings(StageProgress progress)
+        {
+            progress?.Begin("sample");
+            // Of those that are spread a sampler looks for as many as a wave needs.
+            using (var finding = m_reader.BeginningsAreSpread ? m_reader.FindBeginnings(1) : m_reader.FindBeginnings())
+                while (finding.MoveNext())
+                    yield return finding.Current;
+            using (var taking = Take(m_options.Points, progress))
+                while (taking.MoveNext())
+                    yield return taking.Current;
+            var estimate = m_reader.EstimatedPoints;
+            Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
+            Sample.IsOfBeginning = !Sample.IsWhole && !m_reader.BeginningsAreSpread;
+            Sample.StandsForStretches &= !Sample.IsOfBeginning;
+            if (m_reader.BeginningsAreSpread)
+            {
+                Sample.Method = "lines of stretches all over the file";
+                if (m_options.Quick && estimate.StandardError > 0)
+                    m_reader.Info.Warn(0, "the lines were not counted: " + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
+                        + " is an estimate with a standard error of "
+                        + estimate.StandardError.ToString("N0", CultureInfo.InvariantCulture));
+            }
+            if (!Sample.IsOfBeginning)
+                yield break;
+            Sample.Method = "the file's beginning alone";
+            if (m_options.Quick)
+                m_reader.Info.Warn(0, "where the points lie is not known before all are decoded: the sample is of the file's "
+                    + "beginning alone, " + (100 * Sample.Share).ToString("0.##", CultureInfo.InvariantCulture)
+                    + " % of the points, and shows nothing of the rest");
+        }
+
+        IEnumerator<JobHandle> FindBlocks(StageProgress progress)
+        {
+            if (m_reader.BlocksAreKnown)
+                yield break;
+            progress?.Begin(FindBlocksStage);
+            using (var finding = m_reader.FindBlocks())
+                while (finding.MoveNext())
+                    yield return finding.Current;
+        }
+
+        void Drop()
+        {
+            Sample?.Dispose();
+            Sample = null;
+        }
+
+        public void Dispose()
+        {
+            Drop();
+            Density?.Dispose();
+            Density = null;
+        }
+    }
+}

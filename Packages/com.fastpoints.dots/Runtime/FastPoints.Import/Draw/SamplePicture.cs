@@ -1,0 +1,114 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Density;
+using FastPoints.Picture;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Draw
+{
+    /// <summary>A sample drawn in slices.</summary>
+    static class SamplePicture
+    {
+        /// <summary>Points of one slice: about 4 ms of managed code.</summary>
+        const int PointsPerSlice = 1 << 17;
+
+        /// <summary>Work for a pump: draws the points, on top of what the canvas has.</summary>
+        public static IEnumerator<JobHandle> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            StageProgress progress)
+        {
+            var drawing = plan.DrawingOf(points, canvas);
+            for (int first = 0; first < points.Count; first += PointsPerSlice)
+            {
+                int count = Math.Min(PointsPerSlice, points.Count - first);
+                var drawn = canvas.ScheduleDraw(points, first, count, drawing, default);
+                try
+                {
+                    yield return drawn;
+                }
+                finally
+                {
+                    drawn.Complete();
+                }
+                progress?.Report((first + count) / (double)points.Count, first + count, 0);
+            }
+        }
+
+        /// <summary>Work for a pump: finds the size of points where that is left to us, from the sample drawn with single
+        /// pixels; leaves the canvas empty.</summary>
+        /// <param name="pointsToDraw">Points that the picture will have.</param>
+        public static IEnumerator<JobHandle> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+            long pointsToDraw)
+        {
+            canvas.Clear();
+            canvas.UseSize(plan.SizePx);
+            if (!plan.WantsAutoSize || points.Count == 0)
+                yield break;
+            using (var drawing = Draw(canvas, points, plan, null))
+                while (drawing.MoveNext())
+                    yield return drawing.Current;
+            var measured = canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, default);
+            try
+            {
+                yield return measured;
+            }
+            finally
+            {
+                measured.Complete();
+            }
+            plan.SizePx = canvas.TypicalSizePx;
+            canvas.Clear();
+        }
+
+        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: lets points grow where they leave a surface open.</summary>
+        /// <param name="density">Of the cloud.</param>
+        /// <param name="share">Of the cloud's points that are drawn.</param>
+        public static IEnumerator<JobHandle> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
+            PicturePlan plan)
+        {
+            var cells = new NativeList<ThinCell>(Allocator.Persistent);
+            JobHandle closed = default;
+            try
+            {
+                foreach (var leaf in density.Leaves())
+                    if (leaf.Cell.IsKnown)
+                        cells.Add(new ThinCell
+                        {
+                            Center = leaf.Min + leaf.Edge / 2,
+                            Edge = leaf.Edge,
+                            PointsDrawn = leaf.Cell.Points * share,
+                        });
+                closed = new CloseSurfacesJob
+                {
+                    Cells = cells.AsArray(),
+                    Projection = new PointProjection(plan.Camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
+                    TypicalPx = canvas.TypicalSizePx,
+                    SizeOfTile = canvas.SizeOfTile,
+                }.Schedule();
+                yield return closed;
+            }
+            finally
+            {
+                closed.Complete();
+                cells.Dispose();
+            }
+        }
+
+        /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
+        public static IEnumerator<JobHandle> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        {
+            var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
+                plan.FillsHoles);
+            try
+            {
+                yield return resolved;
+            }
+            finally
+            {
+                resolved.Complete();
+            }
+        }
+    }
+}

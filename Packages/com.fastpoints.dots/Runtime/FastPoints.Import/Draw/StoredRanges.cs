@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Draw
+{
+    /// <summary>What a display needs to know of a stored cloud, from the points of its upper levels.</summary>
+    static class StoredRanges
+    {
+        /// <summary>Work for a pump.</summary>
+        /// <param name="selection">Of the folder; gets another choice.</param>
+        /// <param name="schema">See <see cref="LoadNodes.SchemaFor"/>.</param>
+        /// <param name="ranges">Are filled.</param>
+        /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
+        public static IEnumerator<JobHandle> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
+            UpAxis upAxis, DisplayRanges ranges)
+        {
+            selection.Choose(null, 0, 0, DrawStored.PointsToPlanWith);
+            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            using (var batch = new PointBatch(schema, CheckedCount(folder, selection.Points), Allocator.Persistent))
+            {
+                using (var loading = LoadNodes.Run(folder, selection, batch, null))
+                    while (loading.MoveNext())
+                        yield return loading.Current;
+                using (var measuring = ranges.Measure(batch, transform, upAxis))
+                    while (measuring.MoveNext())
+                        yield return measuring.Current;
+            }
+        }
+
+        /// <exception cref="PointCloudException">These are more points than a batch takes.</exception>
+        public static int CheckedCount(CloudFolder folder, long points) =>
+            points <= int.MaxValue / 64
+                ? (int)points
+                : throw PointCloudException.Wanted(FailureCode.Unsupported, folder.FolderPath, -1, "points of one picture",
+                    "at most " + int.MaxValue / 64, points);
+    }
+}

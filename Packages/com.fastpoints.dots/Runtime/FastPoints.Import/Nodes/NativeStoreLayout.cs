@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Records;
+using FastPoints.Store;
+using Unity.Collections;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>A cloud's planes and columns as jobs read them.</summary>
+    public sealed class NativeStoreLayout : IDisposable
+    {
+        public NativeStoreLayout(StoreLayout layout)
+        {
+            Layout = layout;
+            Columns = new NativeArray<StoredColumn>(layout.Columns, Allocator.Persistent);
+            int planes = layout.Planes.Count - 1;
+            AverageOf = new NativeArray<int>(planes, Allocator.Persistent);
+            var averaged = new List<StoredColumn>();
+            FirstColumnOfPlane = new NativeArray<int>(planes + 1, Allocator.Persistent);
+            Shapes = new NativeArray<PlaneShape>(planes, Allocator.Persistent);
+            for (int p = 0; p < planes; p++)
+            {
+                var first = FirstColumnOfPlane;
+                first[p] = layout.Planes[p + 1].FirstColumn;
+                var shapes = Shapes;
+                shapes[p] = layout.Planes[p + 1].Shape;
+                var averageOf = AverageOf;
+                averageOf[p] = layout.Planes[p + 1].AverageOf - 1;
+                if (averageOf[p] >= 0)
+                    for (int c = 0; c < layout.Planes[p + 1].ColumnCount; c++)
+                        averaged.Add(layout.Columns[first[p] + c]);
+            }
+            AveragedColumns = new NativeArray<StoredColumn>(averaged.ToArray(), Allocator.Persistent);
+            var last = FirstColumnOfPlane;
+            last[planes] = layout.Columns.Length;
+        }
+
+        public StoreLayout Layout { get; }
+        public NativeArray<StoredColumn> Columns { get; private set; }
+
+        /// <summary>By attribute plane, and one more.</summary>
+        public NativeArray<int> FirstColumnOfPlane { get; private set; }
+
+        /// <summary>By attribute plane.</summary>
+        public NativeArray<PlaneShape> Shapes { get; private set; }
+
+        /// <summary>By attribute plane: the attribute plane whose values are averaged in it, or negative.</summary>
+        public NativeArray<int> AverageOf { get; private set; }
+
+        /// <summary>The columns of the planes with averages.</summary>
+        public NativeArray<StoredColumn> AveragedColumns { get; private set; }
+
+        public bool HasAverages => AveragedColumns.Length > 0;
+
+        public void Dispose()
+        {
+            if (!Columns.IsCreated)
+                return;
+            Columns.Dispose();
+            FirstColumnOfPlane.Dispose();
+            Shapes.Dispose();
+            AverageOf.Dispose();
+            AveragedColumns.Dispose();
+            Columns = default;
+        }
+    }
+}

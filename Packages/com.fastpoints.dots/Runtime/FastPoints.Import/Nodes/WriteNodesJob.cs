@@ -1,0 +1,409 @@
+using FastPoints.Points;
+using FastPoints.Records;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>
+    /// Writes a chunk's file, or the upper levels', in memory: every node's planes, then the table. A chunk's top node is not
+    /// written: its points go to the merge of the upper levels.
+    /// </summary>
+    /// <remarks>One run of the job is a slice: it is run until it is done. A node is written at once.</remarks>
+    [BurstCompile]
+    public unsafe struct WriteNodesJob : IJob
+    {
+        /// <summary>What the next slice goes on with.</summary>
+        public enum Stage
+        {
+            Start,
+            SortPoints,
+            Plan,
+            Write,
+            Done,
+        }
+
+        /// <summary>Takes about 4 ms with a handful of attributes.</summary>
+        public const int PointsOfSlice = 20000;
+
+        /// <summary>That many points cost as much to sort as one to write.</summary>
+        public const int PointsSortedForOne = 8;
+
+        /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
+        public const int TinyPoints = PlaneShape.MaxPointsPerBlock;
+
+        public int Count;
+        public RecordLayout Layout;
+
+        /// <summary>The corner of any cube of the octree that has all the points.</summary>
+        public Grid3 Corner;
+        public ulong CloudId;
+        public int Number;
+
+        /// <summary>A chunk: the table goes into the file.</summary>
+        public bool IsChunk;
+
+        /// <summary>The first node goes to <see cref="Top"/> in place of the file.</summary>
+        public bool KeepsTopOut;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<int> NodeOfPoint;
+        [ReadOnly] public NativeList<NodeDraft> Drafts;
+        [ReadOnly] public NativeArray<StoredColumn> Columns;
+
+        /// <summary>By attribute plane: the first of its columns, and one more.</summary>
+        [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
+
+        /// <summary>By attribute plane.</summary>
+        [ReadOnly] public NativeArray<PlaneShape> Shapes;
+
+        /// <summary>By attribute plane: the attribute plane whose values are averaged in it, or negative.</summary>
+        [ReadOnly] public NativeArray<int> AverageOf;
+
+        /// <summary>As the sampler left them.</summary>
+        [ReadOnly] public AveragedColumns Averaged;
+
+        /// <summary>Scratch: points, those of one draft together.</summary>
+        public NativeArray<uint> Points;
+
+        /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
+        public WriteScratch Scratch;
+
+        /// <summary>About so many points are written in one run.</summary>
+        public int PointsPerSlice;
+
+        /// <summary>Out: the file. Empty where a chunk has no node but its top.</summary>
+        public NativeList<byte> File;
+
+        /// <summary>Out: the upper levels' table.</summary>
+        public NativeList<byte> Table;
+
+        /// <summary>Out: the top's points as records, in order.</summary>
+        public NativeList<byte> Top;
+
+        /// <summary>Out, by draft: its place in the table, or -1.</summary>
+        public NativeList<int> NodeOfDraft;
+
+        /// <summary>Out, by plane, position first: bytes.</summary>
+        public NativeArray<long> BytesOfPlane;
+
+        [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
+        [NativeDisableUnsafePtrRestriction] uint* m_points;
+        PlanePacker m_packer;
+        WriteScratch.State m_now;
+        long m_budget;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            if (Scratch.IsDone)
+                return;
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            m_now = Scratch.Now.Value;
+            m_budget = PointsPerSlice;
+            m_drafts = (NodeDraft*)Drafts.GetUnsafeReadOnlyPtr();
+            m_points = (uint*)Points.GetUnsafePtr();
+            m_packer = new PlanePacker
+            {
+                Records = (byte*)Records.GetUnsafeReadOnlyPtr(),
+                Layout = Layout,
+                Columns = (StoredColumn*)Columns.GetUnsafeReadOnlyPtr(),
+            };
+            if (m_now.Stage == Stage.Start)
+                Start();
+            if (m_now.Stage == Stage.SortPoints)
+                SortPoints();
+            if (m_now.Stage == Stage.Plan)
+                Plan();
+            if (m_now.Stage == Stage.Write)
+                WriteHosts();
+            Scratch.Now.Value = m_now;
+        }
+
+        void Start()
+        {
+            File.Clear();
+            Table.Clear();
+            Top.Clear();
+            for (int p = 0; p < BytesOfPlane.Length; p++)
+                BytesOfPlane[p] = 0;
+            var firstPoint = Scratch.FirstPointOfDraft;
+            firstPoint.ResizeUninitialized(Drafts.Length);
+            int sum = 0;
+            for (int d = 0; d < Drafts.Length; d++)
+            {
+                firstPoint[d] = sum;
+                sum += m_drafts[d].Count;
+            }
+            m_now = new WriteScratch.State { Stage = Stage.SortPoints };
+        }
+
+        /// <summary>Points of one node together, in their order along the curve.</summary>
+        void SortPoints()
+        {
+            int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
+            var nodeOfPoint = (int*)NodeOfPoint.GetUnsafeReadOnlyPtr();
+            int end = (int)math.min(Count, m_now.At + m_budget * PointsSortedForOne);
+            for (int i = m_now.At; i < end; i++)
+                m_points[next[nodeOfPoint[i]]++] = (uint)i;
+            m_budget -= (end - m_now.At) / PointsSortedForOne;
+            m_now.At = end;
+            if (end < Count)
+                return;
+            for (int d = 0; d < Drafts.Length; d++)
+                next[d] -= m_drafts[d].Count;
+            m_now.Stage = Stage.Plan;
+        }
+
+        /// <summary>Everything but the points: which nodes there are, and the table without what is known when they are
+        /// written.</summary>
+        void Plan()
+        {
+            NodeOfDraft.ResizeUninitialized(Drafts.Length);
+            Scratch.DraftOfNode.ResizeUninitialized(Drafts.Length);
+            Scratch.FirstChild.ResizeUninitialized(Drafts.Length);
+            Scratch.ChildCount.ResizeUninitialized(Drafts.Length);
+            NumberNodes();
+            if (KeepsTopOut && Drafts.Length > 0)
+                CopyTop();
+            m_now.At = 0;
+            m_now.Stage = Stage.Done;
+            if (m_now.NodeCount == 0)
+                return;
+            Scratch.Nodes.ResizeUninitialized(m_now.NodeCount);
+            for (int node = 0; node < m_now.NodeCount; node++)
+                Scratch.Nodes[node] = Describe(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
+            Scratch.Ranges.ResizeUninitialized(m_now.NodeCount * (Shapes.Length + 1));
+            UnsafeUtility.MemClear(Scratch.Ranges.GetUnsafePtr(), (long)Scratch.Ranges.Length * sizeof(PlaneRange));
+            File.ResizeUninitialized(FileHeader.SizeBytes);
+            m_now.Stage = Stage.Write;
+        }
+
+        /// <summary>Breadth first by the parents that exist, so that children follow one another.</summary>
+        void NumberNodes()
+        {
+            // Chains of children in the drafts' order.
+            int drafts = Drafts.Length;
+            int* firstOf = Allocate<int>(drafts);
+            int* nextOf = Allocate<int>(drafts);
+            for (int d = 0; d < drafts; d++)
+                firstOf[d] = -1;
+            for (int d = drafts - 1; d > 0; d--)
+            {
+                int parent = m_drafts[d].Parent;
+                nextOf[d] = firstOf[parent];
+                firstOf[parent] = d;
+            }
+
+            var nodeOfDraft = NodeOfDraft;
+            int count = 0;
+            if (drafts > 0)
+            {
+                nodeOfDraft[0] = -1;
+                if (KeepsTopOut)
+                    Append(firstOf[0], nextOf, ref count);
+                else
+                    Scratch.DraftOfNode[count++] = 0;
+            }
+            for (int node = 0; node < count; node++)
+            {
+                int draft = Scratch.DraftOfNode[node];
+                nodeOfDraft[draft] = node;
+                Scratch.FirstChild[node] = count;
+                Append(firstOf[draft], nextOf, ref count);
+                Scratch.ChildCount[node] = count - Scratch.FirstChild[node];
+            }
+            m_now.NodeCount = count;
+            UnsafeUtility.Free(nextOf, Allocator.Temp);
+            UnsafeUtility.Free(firstOf, Allocator.Temp);
+        }
+
+        static T* Allocate<T>(int count) where T : unmanaged =>
+            (T*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(T), 16, Allocator.Temp);
+
+        void Append(int draft, int* nextOf, ref int count)
+        {
+            for (; draft >= 0; draft = nextOf[draft])
+                Scratch.DraftOfNode[count++] = draft;
+        }
+
+        void CopyTop()
+        {
+            var layout = Layout.ForTops(Averaged.IsOn);
+            int stride = layout.StrideBytes, count = m_drafts[0].Count;
+            Top.ResizeUninitialized(count * stride);
+            byte* to = Top.GetUnsafePtr();
+            for (int i = 0; i < count; i++, to += stride)
+            {
+                int point = (int)m_points[Scratch.FirstPointOfDraft[0] + i];
+                byte* record = m_packer.Records + (long)point * Layout.StrideBytes;
+                UnsafeUtility.MemCpy(to, record, stride - layout.AverageBytes);
+                if (!Averaged.IsOn)
+                    continue;
+                var average = Averaged.Of(point, record, Layout);
+                UnsafeUtility.MemCpy(to + stride - layout.AverageBytes, &average, layout.AverageBytes);
+            }
+        }
+
+        void WriteHosts()
+        {
+            int planes = Shapes.Length + 1;
+            var nodes = Scratch.Nodes.GetUnsafePtr();
+            var ranges = Scratch.Ranges.GetUnsafePtr();
+            for (; m_now.At < m_now.NodeCount; m_now.At++)
+            {
+                if (m_budget <= 0)
+                    return;
+                if (nodes[m_now.At].Host == m_now.At)
+                    WriteHost(m_now.At, nodes, ranges + (long)m_now.At * planes);
+                m_budget -= nodes[m_now.At].PointCount;
+            }
+            WriteTable(planes, nodes, ranges);
+            m_now.Stage = Stage.Done;
+        }
+
+        void WriteTable(int planes, NodeRecord* nodes, PlaneRange* ranges)
+        {
+            long points = 0;
+            for (int node = 0; node < m_now.NodeCount; node++)
+                points += nodes[node].PointCount;
+            var header = new FileHeader
+            {
+                Magic = IsChunk ? StoreFormat.ChunkMagic : StoreFormat.UpperMagic,
+                Version = StoreFormat.Version,
+                Number = Number,
+                PlaneCount = planes,
+                NodeCount = IsChunk ? m_now.NodeCount : 0,
+                PointCount = points,
+                TableOffset = File.Length,
+                CloudId = CloudId,
+            };
+            var table = IsChunk ? File : Table;
+            int tableStart = table.Length;
+            table.AddRange(nodes, m_now.NodeCount * sizeof(NodeRecord));
+            table.AddRange(ranges, m_now.NodeCount * planes * sizeof(PlaneRange));
+            if (IsChunk)
+                header.TableHash = ContentHash.Of(table.GetUnsafePtr() + tableStart, table.Length - tableStart);
+            header.FileBytes = File.Length;
+            header.HeaderHash = ContentHash.Of(&header, FileHeader.SizeBytes - sizeof(ulong));
+            *(FileHeader*)File.GetUnsafePtr() = header;
+        }
+
+        NodeRecord Describe(int node, int firstChild, int childCount)
+        {
+            var draft = m_drafts[Scratch.DraftOfNode[node]];
+            int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
+            bool isGuest = draft.IsLeaf && draft.Count < TinyPoints && parent >= 0;
+            var place = Layout.PlaceOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
+            long whole = -1L << draft.SideLog2;
+            return new NodeRecord
+            {
+                Corner = Corner + new Grid3(place.X & whole, place.Y & whole, place.Z & whole),
+                SideLog2 = draft.SideLog2,
+                CellLog2 = draft.CellLog2,
+                Flags = (byte)((draft.IsLeaf ? NodeRecord.IsLeaf : 0) | (draft.IsTop ? NodeRecord.IsTop : 0)),
+                Parent = parent,
+                FirstChild = childCount > 0 ? firstChild : 0,
+                ChildCount = childCount,
+                PointCount = draft.Count,
+                BlockCount = PlaneShape.BlocksOf(draft.Count),
+                Host = isGuest ? parent : node,
+            };
+        }
+
+        void WriteHost(int host, NodeRecord* nodes, PlaneRange* ranges)
+        {
+            // The node's own points, then each guest's.
+            int first = nodes[host].FirstChild, end = first + nodes[host].ChildCount;
+            var runs = Allocate<PackedRun>(1 + nodes[host].ChildCount);
+            int* nodeOfRun = Allocate<int>(1 + nodes[host].ChildCount);
+            int runCount = 0, blocks = 0;
+            AddRun(host, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            for (int child = first; child < end; child++)
+                if (nodes[child].Host == host)
+                    AddRun(child, nodes, runs, nodeOfRun, ref runCount, ref blocks);
+            nodes[host].HostedBlocks = blocks;
+
+            ulong* min = Allocate<ulong>(3 * runCount);
+            ulong* max = Allocate<ulong>(3 * runCount);
+            ranges[0] = m_packer.WritePositions(File, runs, runCount, nodes[host].Corner, nodes[host].IsWide, min, max);
+            BytesOfPlane[0] += ranges[0].LengthBytes;
+            bool hasAverages = HasAverages(runs, runCount);
+            int averagedColumn = 0;
+            for (int p = 0; p < Shapes.Length; p++)
+            {
+                if (AverageOf[p] >= 0)
+                {
+                    // Where every point stands for itself alone the averages are the values: the same bytes.
+                    if (!hasAverages)
+                    {
+                        ranges[p + 1] = ranges[AverageOf[p] + 1];
+                        continue;
+                    }
+                    ranges[p + 1] = m_packer.WriteAverages(File, runs, runCount, Shapes[p], Averaged, averagedColumn);
+                    averagedColumn += Shapes[p].ColumnCount;
+                    BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+                    continue;
+                }
+                ranges[p + 1] = m_packer.WriteAttributes(File, runs, runCount, Shapes[p], FirstColumnOfPlane[p]);
+                BytesOfPlane[p + 1] += ranges[p + 1].LengthBytes;
+            }
+            for (int r = 0; r < runCount; r++)
+                SetBounds(ref nodes[nodeOfRun[r]], nodes[host].Corner, min + 3 * r, max + 3 * r);
+            UnsafeUtility.Free(max, Allocator.Temp);
+            UnsafeUtility.Free(min, Allocator.Temp);
+            UnsafeUtility.Free(nodeOfRun, Allocator.Temp);
+            UnsafeUtility.Free(runs, Allocator.Temp);
+        }
+
+        bool HasAverages(PackedRun* runs, int runCount)
+        {
+            for (int r = 0; r < runCount && Averaged.IsOn; r++)
+            {
+                for (int i = 0; i < runs[r].Count; i++)
+                {
+                    int point = (int)runs[r].Points[i];
+                    if (Averaged.Of(point, m_packer.Records + (long)point * Layout.StrideBytes, Layout).Points > 1)
+                        return true;
+                }
+            }
+            return false;
+        }
+
+        void AddRun(int node, NodeRecord* nodes, PackedRun* runs, int* nodeOfRun, ref int runCount, ref int blocks)
+        {
+            nodes[node].FirstBlock = blocks;
+            blocks += nodes[node].BlockCount;
+            nodeOfRun[runCount] = node;
+            runs[runCount++] = new PackedRun
+            {
+                Points = m_points + Scratch.FirstPointOfDraft[Scratch.DraftOfNode[node]],
+                Count = nodes[node].PointCount,
+            };
+        }
+
+        /// <summary>Offsets are from the host's corner, bounds from the node's own.</summary>
+        static void SetBounds(ref NodeRecord node, Grid3 hostCorner, ulong* min, ulong* max)
+        {
+            var corner = node.Corner - hostCorner;
+            int shift = node.BoundsShift;
+            node.MinX = (uint)(min[0] - (ulong)corner.X >> shift);
+            node.MinY = (uint)(min[1] - (ulong)corner.Y >> shift);
+            node.MinZ = (uint)(min[2] - (ulong)corner.Z >> shift);
+            node.MaxX = (uint)(max[0] - (ulong)corner.X >> shift);
+            node.MaxY = (uint)(max[1] - (ulong)corner.Y >> shift);
+            node.MaxZ = (uint)(max[2] - (ulong)corner.Z >> shift);
+        }
+    }
+}

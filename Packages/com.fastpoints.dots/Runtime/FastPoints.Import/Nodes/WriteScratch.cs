@@ -1,0 +1,60 @@
+using System;
+using FastPoints.Store;
+using Unity.Collections;
+
+namespace FastPoints.Nodes
+{
+    /// <summary>Where a <see cref="WriteNodesJob"/> stands between two slices, and the memory it works in.</summary>
+    public struct WriteScratch : IDisposable
+    {
+        /// <summary>Where the job stands.</summary>
+        public struct State
+        {
+            public WriteNodesJob.Stage Stage;
+
+            /// <summary>The point, or the node, that is next.</summary>
+            public int At;
+            public int NodeCount;
+        }
+
+        public NativeReference<State> Now;
+
+        /// <summary>By draft: where its points are among those in the order of drafts.</summary>
+        public NativeList<int> FirstPointOfDraft;
+
+        /// <summary>By node of the file: its draft, and its children.</summary>
+        public NativeList<int> DraftOfNode;
+        public NativeList<int> FirstChild;
+        public NativeList<int> ChildCount;
+
+        /// <summary>The table: by node, and by node and plane.</summary>
+        public NativeList<NodeRecord> Nodes;
+        public NativeList<PlaneRange> Ranges;
+
+        public WriteScratch(Allocator allocator)
+        {
+            Now = new NativeReference<State>(allocator);
+            FirstPointOfDraft = new NativeList<int>(64, allocator);
+            DraftOfNode = new NativeList<int>(64, allocator);
+            FirstChild = new NativeList<int>(64, allocator);
+            ChildCount = new NativeList<int>(64, allocator);
+            Nodes = new NativeList<NodeRecord>(64, allocator);
+            Ranges = new NativeList<PlaneRange>(64, allocator);
+        }
+
+        public bool IsDone => Now.Value.Stage == WriteNodesJob.Stage.Done;
+
+        public void Dispose()
+        {
+            if (!Now.IsCreated)
+                return;
+            Now.Dispose();
+            FirstPointOfDraft.Dispose();
+            DraftOfNode.Dispose();
+            FirstChild.Dispose();
+            ChildCount.Dispose();
+            Nodes.Dispose();
+            Ranges.Dispose();
+        }
+    }
+}

@@ -1,0 +1,44 @@
+using FastPoints.Density;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Partition
+{
+    /// <summary>The Morton codes of the cells of a <see cref="DensityTree"/> that a source's sample lies in.</summary>
+    [BurstCompile]
+    public struct CodeSampleJob : IJob
+    {
+        [ReadOnly] public NativeArray<double3> Stored;
+        public SourceGrid Grid;
+        public GridCube Cube;
+
+        /// <summary>Of all sources' samples; this one's begin at <see cref="First"/>.</summary>
+        public NativeArray<uint> CodeOfPoint;
+        public int First;
+
+        public void Execute()
+        {
+            for (int i = 0; i < Stored.Length; i++)
+            {
+                long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);
+                long y = SourceGrid.ToGrid(Grid.Y, Stored[i].y);
+                long z = SourceGrid.ToGrid(Grid.Z, Stored[i].z);
+                bool isInside = x != SourceGrid.Nowhere && y != SourceGrid.Nowhere && z != SourceGrid.Nowhere
+                    && Cube.Contains(new Grid3(x, y, z));
+                CodeOfPoint[First + i] = isInside
+                    ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))
+                    : DensityTree.OutsideCode;
+            }
+        }
+
+        /// <summary>Cells of a small cube are parts of a grid step: its places are in the first of them.</summary>
+        uint CellOf(long offset)
+        {
+            int below = Cube.SideLog2 - DensityTree.Levels;
+            return (uint)(below < 0 ? offset << -below : offset >> below);
+        }
+    }
+}

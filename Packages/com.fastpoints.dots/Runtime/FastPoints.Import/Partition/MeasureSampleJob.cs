@@ -1,0 +1,48 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Partition
+{
+    /// <summary>Measures a sample: where it lies, and how fine its numbers are.</summary>
+    [BurstCompile]
+    public struct MeasureSampleJob : IJob
+    {
+        [ReadOnly] public NativeArray<double3> Stored;
+        public NativeReference<SampleFindings> Findings;
+
+        public void Execute()
+        {
+            var found = new SampleFindings
+            {
+                Min = new double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
+                Max = new double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
+                LowestDigit = new int3(int.MaxValue, int.MaxValue, int.MaxValue),
+            };
+            for (int i = 0; i < Stored.Length; i++)
+            {
+                var p = Stored[i];
+                if (!math.all(math.isfinite(p)))
+                    continue;
+                found.Min = math.min(found.Min, p);
+                found.Max = math.max(found.Max, p);
+                found.LowestDigit = math.min(found.LowestDigit,
+                    new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
+            }
+            Findings.Value = found;
+        }
+
+        static int LowestDigit(double value)
+        {
+            ulong bits = math.asulong(value);
+            int exponent = (int)(bits >> 52 & 0x7FF);
+            ulong mantissa = bits & (1UL << 52) - 1;
+            if (exponent > 0)
+                mantissa |= 1UL << 52;
+            else
+                exponent = 1;
+            return mantissa == 0 ? int.MaxValue : exponent - 1075 + math.tzcnt(mantissa);
+        }
+    }
+}

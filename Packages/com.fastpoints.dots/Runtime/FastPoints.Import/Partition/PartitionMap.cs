@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.CompilerServices;
+using FastPoints.Density;
+using FastPoints.Points;
+using Unity.Collections;
+
+namespace FastPoints.Partition
+{
+    /// <summary>
+    /// Which chunk a place belongs to: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of each
+    /// of its parts where many points lie in one cell. Chunks are cubes of the octree; places outside the cube have a chunk of
+    /// their own, the last.
+    /// </summary>
+    public sealed class PartitionMap : IDisposable
+    {
+        /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
+        public const int MaxLevels = 6;
+
+        /// <summary>Levels of parts of a cell: of those that need it.</summary>
+        const int MostPartLevels = DensityTree.Levels - MaxLevels;
+
+        /// <summary>Standard errors by which a chunk may have more points than is thought before it must be split.</summary>
+        const double ErrorsAllowed = 2;
+
+        NativeArray<int> m_chunkOfCell;
+        readonly int m_partLevels;
+
+        PartitionMap(GridCube cube, int levels, int partLevels, NativeArray<int> chunkOfCell, GridCube[] chunks)
+        {
+            Cube = cube;
+            Levels = levels;
+            m_partLevels = partLevels;
+            Chunks = chunks;
+            m_chunkOfCell = chunkOfCell;
+        }
+
+        public GridCube Cube { get; }
+        public int Levels { get; }
+
+        /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
+        public GridCube[] Chunks { get; }
+
+        /// <summary>The number of the chunk that has all places outside.</summary>
+        public int Outside => Chunks.Length;
+
+        /// <summary>By Morton number of the cell; ~i where its parts' chunks are at i and behind, by Morton number.</summary>
+        public NativeArray<int> ChunkOfCell => m_chunkOfCell;
+
+        /// <summary>Finds the chunk of a place by <see cref="ChunkOfCell"/>.</summary>
+        public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_partLevels, Outside);
+
+        /// <summary>Levels of cells that a cube of this side can have.</summary>
+        public static int LevelsFor(int sideLog2, int wanted) => Math.Min(wanted, sideLog2);
+
+        /// <summary>
+        /// Cubes with at most <paramref name="target"/> points by the counts, as large as they can be, down to single cells.
+        /// </summary>
+        /// <param name="pointsOfCell">By Morton number of the cell: counted, or estimated from a sample.</param>
+        public static PartitionMap Plan(GridCube cube, int levels, NativeArray<long> pointsOfCell, long target)
+        {
+            var chunkOfCell = new NativeArray<int>(pointsOfCell.Length, Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            var before = new long[pointsOfCell.Length + 1];
+            for (int i = 0; i < pointsOfCell.Length; i++)
+                before[i + 1] = before[i] + pointsOfCell[i];
+            var chunks = new List<GridCube>();
+            Descend(cube, 0, pointsOfCell.Length, before, target, chunkOfCell, chunks);
+            return new PartitionMap(cube, levels, 0, chunkOfCell, chunks.ToArray());
+        }
+
+        /// <summary>
+        /// Cubes with at most <paramref name="target"/> points by an estimate, as large as they can be, down to its cells;
+        /// smaller ones where it is so uncertain that they might have twice as many.
+        /// </summary>
+        /// <param name="density">Of the same cube.</param>
+        public static PartitionMap Plan(GridCube cube, DensityTree density, long target)
+        {
+            int levels = LevelsFor(cube.SideLog2, MaxLevels);
+            int partLevels = LevelsFor(cube.SideLog2 - levels, MostPartLevels);
+            var chunkOfCell = new List<int>(new int[1 << 3 * levels]);
+            var chunks = new List<GridCube>();
+            Descend(cube, 0, 0, DensityTree.Root);
+            return new PartitionMap(cube, levels, partLevels, new NativeArray<int>(chunkOfCell.ToArray(), Allocator.Persistent),
+                chunks.ToArray());
+
+            // The cube's cells, or parts of a cell, begin at first.
+            void Descend(GridCube part, int level, int first, int cell)
+            {
+                bool isOfCells = level <= levels;
+                int count = 1 << 3 * (isOfCells ? levels - level : levels + partLevels - level);
+                int below = density.FirstPartOf(cell);
+                if (below < 0 || level == levels + partLevels || Fits(density[cell], target))
+                {
+                    for (int i = first; i < first + count; i++)
+                        chunkOfCell[i] = chunks.Count;
+                    chunks.Add(part);
+                    return;
+                }
+                if (level == levels)
+                {
+                    chunkOfCell[first] = ~chunkOfCell.Count;
+                    first = chunkOfCell.Count;
+                    count = 1 << 3 * partLevels;
+                    chunkOfCell.AddRange(new int[count]);
+                }
+                for (int octant = 0; octant < 8; octant++)
+                    Descend(part.Child(octant), level + 1, first + octant * (count / 8), below + octant);
+            }
+        }
+
+        /// <summary>How many chunks with points such a plan would have.</summary>
+        public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityTree.Root);
+
+        static int CountChunks(DensityTree density, long target, int cell)
+        {
+            int below = density.FirstPartOf(cell);
+            if (below < 0 || Fits(density[cell], target))
+                return density[cell].IsKnown ? 1 : 0;
+            int chunks = 0;
+            for (int octant = 0; octant < 8; octant++)
+                chunks += CountChunks(density, target, below + octant);
+            return chunks;
+        }
+
+        static bool Fits(DensityCell cell, long target) => !cell.IsKnown || cell.Points <= target
+            && cell.Points + ErrorsAllowed * cell.StandardError <= 2.0 * target;
+
+        public void Dispose()
+        {
+            if (m_chunkOfCell.IsCreated)
+                m_chunkOfCell.Dispose();
+        }
+
+        static void Descend(GridCube cube, int first, int count, long[] before, long target, NativeArray<int> chunkOfCell,
+            List<GridCube> chunks)
+        {
+            if (count == 1 || before[first + count] - before[first] <= target)
+            {
+                for (int i = first; i < first + count; i++)
+                    chunkOfCell[i] = chunks.Count;
+                chunks.Add(cube);
+                return;
+            }
+            for (int octant = 0; octant < 8; octant++)
+                Descend(cube.Child(octant), first + octant * (count / 8), count / 8, before, target, chunkOfCell, chunks);
+        }
+    }
+
+    /// <summary>From a place to its cell, of a cube in 8^n. Blittable.</summary>
+    public struct CellFinder
+    {
+        public Grid3 Corner;
+        public int SideLog2;
+        public int CellLog2;
+
+        public CellFinder(GridCube cube, int levels)
+        {
+            Corner = cube.Corner;
+            SideLog2 = cube.SideLog2;
+            CellLog2 = cube.SideLog2 - levels;
+        }
+
+        /// <returns>The cell's Morton number, or -1 outside.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int CellOf(long x, long y, long z)
+        {
+            ulong dx = (ulong)(x - Corner.X), dy = (ulong)(y - Corner.Y), dz = (ulong)(z - Corner.Z);
+            if ((dx | dy | dz) >> SideLog2 != 0)
+                return -1;
+            return (int)Morton.Encode((uint)(dx >> CellLog2), (uint)(dy >> CellLog2), (uint)(dz >> CellLog2));
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Partition
+{
+    /// <summary>Stored positions of a few points, as doubles: exact for what is stored as 32-bit integers or floats.</summary>
+    [BurstCompile]
+    public unsafe struct SampleRunJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+
+        /// <summary>Room for the run's points.</summary>
+        public NativeArray<double3> Stored;
+
+        public void Execute()
+        {
+            var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            int count = math.min(Decoded.Value.Points, Stored.Length);
+            for (int i = 0; i < count; i++)
+                Stored[i] = new double3(Load(bytes, X, i), Load(bytes, Y, i), Load(bytes, Z, i));
+        }
+
+        static double Load(byte* bytes, PointColumn column, int index)
+        {
+            byte* values = bytes + column.OffsetBytes;
+            switch (column.Type)
+            {
+                case AttributeType.UInt8: return values[index];
+                case AttributeType.Int8: return ((sbyte*)values)[index];
+                case AttributeType.UInt16: return ((ushort*)values)[index];
+                case AttributeType.Int16: return ((short*)values)[index];
+                case AttributeType.UInt32: return ((uint*)values)[index];
+                case AttributeType.Int32: return ((int*)values)[index];
+                case AttributeType.UInt64: return ((ulong*)values)[index];
+                case AttributeType.Int64: return ((long*)values)[index];
+                case AttributeType.Float32: return ((float*)values)[index];
+                default: return ((double*)values)[index];
+            }
+        }
+    }
+}

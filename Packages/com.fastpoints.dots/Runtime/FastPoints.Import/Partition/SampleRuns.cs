@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+
+namespace FastPoints.Partition
+{
+    /// <summary>Runs of records spread evenly over a source: what a sample of it reads.</summary>
+    public static class SampleRuns
+    {
+        const int MinRuns = 16;
+
+        /// <summary>A larger source has at most one point in so many in its sample.</summary>
+        const int PointsPerSampled = 8;
+
+        /// <param name="reader">Its blocks are known.</param>
+        /// <param name="mostRuns">Runs, at most; where only beginnings of blocks are cheap, fewer and longer ones.</param>
+        /// <param name="runPoints">Records of a run.</param>
+        /// <returns>In the order of the source. None is empty.</returns>
+        public static List<BlockRange> Choose(PointReader reader, long mostRuns, int runPoints)
+        {
+            var runs = new List<BlockRange>();
+            long points = reader.PointCount;
+            int blocks = reader.BlockCount;
+            if (points == 0)
+                return runs;
+            // Small clouds whole: their grid is chosen from all their digits.
+            long wanted = Math.Max(MinRuns, Math.Min(mostRuns, points / (PointsPerSampled * runPoints)));
+            long length = Math.Max(1, Math.Min(runPoints, (points + wanted - 1) / wanted));
+            if (!reader.HasFixedStride)
+            {
+                // Only the beginnings of blocks are cheap: longer ones where there are fewer.
+                long chosen = Math.Min(wanted, blocks);
+                length = wanted * length / chosen;
+                for (long i = 0; i < chosen; i++)
+                {
+                    int block = (int)(i * blocks / chosen);
+                    int count = (int)Math.Min(length, reader.PointsInBlock(block));
+                    if (count > 0)
+                        runs.Add(new BlockRange(block, 0, count));
+                }
+                return runs;
+            }
+            int at = 0;
+            for (long i = 0; i < wanted && i * length < points; i++)
+            {
+                long first = Math.Max(points / wanted, length) * i;
+                while (first >= reader.FirstPointOfBlock(at) + reader.PointsInBlock(at))
+                    at++;
+                int inBlock = (int)(first - reader.FirstPointOfBlock(at));
+                runs.Add(new BlockRange(at, inBlock, (int)Math.Min(length, reader.PointsInBlock(at) - inBlock)));
+            }
+            return runs;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>
+    /// Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source: they are
+    /// mere copies, and so neither locks nor the order of completion matter. Where the chunks hold more pages than they may, the
+    /// largest are relieved of theirs.
+    /// </summary>
+    [BurstCompile]
+    public unsafe struct AppendRecordsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<int> FirstOfChunk;
+        public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
+
+        /// <summary>Pages that may be used again.</summary>
+        public RecordPages Returned;
+
+        /// <summary>Pages that the chunks may hold.</summary>
+        public long MostPages;
+
+        /// <summary>Pages that are held elsewhere: on their way to a disk.</summary>
+        public NativeReference<long> PagesDetached;
+
+        /// <summary>Out: full pages to be written, none twice.</summary>
+        public NativeList<DetachedPages> Detached;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            var records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            var pool = Pool.Value;
+            long detached = PagesDetached.Value - Returned.PageCount;
+            pool.Return(ref Returned);
+            Detached.Clear();
+            for (int c = 0; c < Chunks.Length; c++)
+            {
+                int first = FirstOfChunk[c], count = FirstOfChunk[c + 1] - first;
+                if (count > 0)
+                    chunks[c].Append(records + (long)first * pool.StrideBytes, count, ref pool);
+            }
+            if (pool.PagesInUse - detached > MostPages)
+                detached += Detach(chunks, pool.PagesInUse - detached - MostPages / 4 * 3);
+            Pool.Value = pool;
+            PagesDetached.Value = detached;
+        }
+
+        /// <returns>How many pages were detached.</returns>
+        long Detach(RecordPages* chunks, long wanted)
+        {
+            long done = 0;
+            while (done < wanted)
+            {
+                int largest = 0;
+                for (int c = 1; c < Chunks.Length; c++)
+                    if (chunks[c].PageCount > chunks[largest].PageCount)
+                        largest = c;
+                var pages = chunks[largest].CutFull();
+                if (pages.PageCount == 0)
+                    break;
+                done += pages.PageCount;
+                Detached.Add(new DetachedPages { Chunk = largest, Pages = pages });
+            }
+            return done;
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using FastPoints.Partition;
+using FastPoints.Points;
+using FastPoints.Store;
+using Unity.Mathematics;
+
+namespace FastPoints.Records
+{
+    /// <summary>From what a cloud's attributes showed to what its manifest says of them.</summary>
+    public static unsafe class AttributeSummary
+    {
+        /// <summary>Sets divisors and ranges.</summary>
+        public static void Describe(PointSchema attributes, AttributeFindings[] found, CloudManifest manifest)
+        {
+            manifest.Divisors = new int[attributes.Count];
+            manifest.Ranges = new CloudManifest.Range[attributes.Count];
+            for (int a = 0; a < attributes.Count; a++)
+            {
+                var attribute = attributes[a];
+                manifest.Divisors[a] = attribute.Type == AttributeType.UInt16 ? DivisorOf(found[a]) : 1;
+                manifest.Ranges[a] = found[a].IsEmpty
+                    ? new CloudManifest.Range { Min = double.NaN, Max = double.NaN }
+                    : new CloudManifest.Range
+                    {
+                        Min = ValueOf(found[a].Min, attribute.Type) * attribute.Scale + attribute.Offset,
+                        Max = ValueOf(found[a].Max, attribute.Type) * attribute.Scale + attribute.Offset,
+                    };
+            }
+        }
+
+        /// <summary>8-bit colours fill 16-bit fields in two ways: shifted up, or doubled.</summary>
+        static int DivisorOf(in AttributeFindings found)
+        {
+            if (found.Or == 0)
+                return 1;
+            return found.NotDoubled == 0 ? 257 : 1 << math.tzcnt((uint)found.Or);
+        }
+
+        static double ValueOf(ulong ordered, AttributeType type)
+        {
+            ulong bits = 0;
+            OrderedBits.Store(ordered, type, (byte*)&bits);
+            switch (type)
+            {
+                case AttributeType.Int8: return (sbyte)bits;
+                case AttributeType.Int16: return (short)bits;
+                case AttributeType.Int32: return (int)bits;
+                case AttributeType.Int64: return (long)bits;
+                case AttributeType.Float32: return math.asfloat((uint)bits);
+                case AttributeType.Float64: return math.asdouble(bits);
+                default: return bits;
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using FastPoints.Partition;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>How many of a chunk's records lie in each cell: exact, where the first partition had but a sample.</summary>
+    [BurstCompile]
+    public unsafe struct CountCellsJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+        public CellFinder Cells;
+
+        /// <summary>By Morton number of the cell; starts at zero. All records lie inside.</summary>
+        public NativeArray<long> PointsOfCell;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            int stride = Layout.StrideBytes;
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    PointsOfCell[Cells.CellOf(place.X, place.Y, place.Z)]++;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,229 @@
+using FastPoints.Files;
+using FastPoints.Partition;
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Records
+{
+    /// <summary>
+    /// Turns one batch of columns into records, those of one chunk together, and takes in what the points show: bounds, attribute
+    /// ranges, checksum, how many have no place.
+    /// </summary>
+    [BurstCompile]
+    public unsafe struct GroupRecordsJob : IJob
+    {
+        const int RunPoints = 256;
+
+        [ReadOnly] public NativeArray<byte> Columns;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
+        public PointColumn X;
+        public PointColumn Y;
+        public PointColumn Z;
+        [ReadOnly] public NativeArray<RecordField> Fields;
+        public SourceGrid Grid;
+        public RecordLayout Layout;
+        public ChunkFinder Chunks;
+        [ReadOnly] public NativeArray<int> ChunkOfCell;
+
+        /// <summary>Room for the batch's records.</summary>
+        public NativeArray<byte> Records;
+
+        /// <summary>By chunk, and one more: where its records start. Outside is the chunk before the last entry.</summary>
+        public NativeArray<int> FirstOfChunk;
+
+        /// <summary>By point: scratch.</summary>
+        public NativeArray<int> ChunkOfPoint;
+        public NativeReference<PointFindings> Findings;
+        public NativeArray<AttributeFindings> Attributes;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            int count = Decoded.Value.Points;
+            var findings = Findings.Value;
+            var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
+            var records = (byte*)Records.GetUnsafePtr();
+            var chunkOfPoint = (int*)ChunkOfPoint.GetUnsafePtr();
+            var first = (int*)FirstOfChunk.GetUnsafePtr();
+            int stride = Layout.StrideBytes;
+
+            FindChunks(bytes, count, chunkOfPoint, first, ref findings);
+            int kept = Order(count, chunkOfPoint, first);
+            findings.Count += kept;
+
+            // From here on a point's entry is the place of its record, or -1.
+            WritePlaces(bytes, count, chunkOfPoint, records);
+            byte* attributes = records + Layout.PositionBytes;
+            // What fills the last word up is zero.
+            byte* lastWord = attributes + Layout.AttributeBytes - sizeof(uint);
+            for (int i = 0; i < kept && Fields.Length > 0; i++)
+                *(uint*)(lastWord + (long)i * stride) = 0;
+            for (int f = 0; f < Fields.Length; f++)
+            {
+                var field = Fields[f];
+                var found = Attributes[field.Attribute];
+                CopyColumn(bytes + field.Column.OffsetBytes, field.Column.Type, count, chunkOfPoint, attributes +
+                    field.RecordOffset,
+                    stride, ref found);
+                Attributes[field.Attribute] = found;
+            }
+
+            ulong sum = 0;
+            for (int i = 0; i < kept; i++)
+                sum += Layout.HashOf(records + (long)i * stride, Store.RecordHash.ChecksumSeed);
+            findings.Checksum += sum;
+            Findings.Value = findings;
+        }
+
+        void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointFindings findings)
+        {
+            UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
+            var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
+            Grid3 min = findings.Min, max = findings.Max;
+            for (int done = 0; done < count; done += RunPoints)
+            {
+                int run = math.min(RunPoints, count - done);
+                LoadRun(bytes, done, run, x, y, z, ref findings.WorstLossSteps);
+                for (int i = 0; i < run; i++)
+                {
+                    if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
+                    {
+                        chunkOfPoint[done + i] = -1;
+                        findings.LeftOut++;
+                        continue;
+                    }
+                    min.X = math.min(min.X, x[i]);
+                    min.Y = math.min(min.Y, y[i]);
+                    min.Z = math.min(min.Z, z[i]);
+                    max.X = math.max(max.X, x[i]);
+                    max.Y = math.max(max.Y, y[i]);
+                    max.Z = math.max(max.Z, z[i]);
+                    int chunk = Chunks.ChunkOf(chunkOfCell, x[i], y[i], z[i]);
+                    chunkOfPoint[done + i] = chunk;
+                    countOfChunk[chunk]++;
+                }
+            }
+            findings.Min = min;
+            findings.Max = max;
+        }
+
+        /// <summary>Counts become starts, each point's chunk the place of its record.</summary>
+        int Order(int count, int* chunkOfPoint, int* first)
+        {
+            int chunks = FirstOfChunk.Length - 1;
+            int sum = 0;
+            for (int c = 0; c < chunks; c++)
+            {
+                int with = first[c];
+                first[c] = sum;
+                sum += with;
+            }
+            for (int i = 0; i < count; i++)
+                if (chunkOfPoint[i] >= 0)
+                    chunkOfPoint[i] = first[chunkOfPoint[i]]++;
+            // Each start has moved to its end, which is the next one's start.
+            for (int c = chunks; c > 0; c--)
+                first[c] = first[c - 1];
+            first[0] = 0;
+            return sum;
+        }
+
+        void WritePlaces(byte* bytes, int count, int* placeOfPoint, byte* records)
+        {
+            long* x = stackalloc long[RunPoints];
+            long* y = stackalloc long[RunPoints];
+            long* z = stackalloc long[RunPoints];
+            double ignored = 0;
+            long stride = Layout.StrideBytes;
+            for (int done = 0; done < count; done += RunPoints)
+            {
+                int run = math.min(RunPoints, count - done);
+                LoadRun(bytes, done, run, x, y, z, ref ignored);
+                for (int i = 0; i < run; i++)
+                    if (placeOfPoint[done + i] >= 0)
+                        Layout.SetPlace(records + placeOfPoint[done + i] * stride, x[i], y[i], z[i]);
+            }
+        }
+
+        void LoadRun(byte* bytes, int first, int count, long* x, long* y, long* z, ref double worstLoss)
+        {
+            SourceGrid.ToGrid(Grid.X, bytes, X, first, count, x, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Y, bytes, Y, first, count, y, ref worstLoss);
+            SourceGrid.ToGrid(Grid.Z, bytes, Z, first, count, z, ref worstLoss);
+        }
+
+        static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, long stride,
+            ref AttributeFindings findings)
+        {
+            if (type == AttributeType.UInt16)
+            {
+                CopyShorts((ushort*)from, count, placeOfPoint, to, stride, ref findings);
+                return;
+            }
+            ulong min = findings.Min, max = findings.Max, or = findings.Or;
+            int size = type.SizeOf();
+            for (int i = 0; i < count; i++)
+            {
+                if (placeOfPoint[i] < 0)
+                    continue;
+                byte* value = from + (long)i * size;
+                byte* target = to + placeOfPoint[i] * stride;
+                switch (size)
+                {
+                    case 1: *target = *value; break;
+                    case 2: *(ushort*)target = *(ushort*)value; break;
+                    case 4: *(uint*)target = *(uint*)value; break;
+                    default: *(ulong*)target = *(ulong*)value; break;
+                }
+                ulong ordered = Store.OrderedBits.Load(value, type);
+                min = math.min(min, ordered);
+                max = math.max(max, ordered);
+                or |= ordered;
+            }
+            findings.Min = min;
+            findings.Max = max;
+            findings.Or = or;
+        }
+
+        /// <summary>The usual type of colours and intensity, and the one whose halves are looked at.</summary>
+        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride, ref AttributeFindings findings)
+        {
+            uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = findings.NotDoubled;
+            int copied = 0;
+            for (int i = 0; i < count; i++)
+            {
+                int place = placeOfPoint[i];
+                if (place < 0)
+                    continue;
+                uint value = from[i];
+                *(ushort*)(to + place * stride) = (ushort)value;
+                min = math.min(min, value);
+                max = math.max(max, value);
+                or |= value;
+                notDoubled |= value >> 8 ^ value & 0xFF;
+                copied++;
+            }
+            if (copied == 0)
+                return;
+            findings.Min = math.min(findings.Min, min);
+            findings.Max = math.max(findings.Max, max);
+            findings.Or |= or;
+            findings.NotDoubled = notDoubled;
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>The bounds of a chunk's records.</summary>
+    [BurstCompile]
+    public unsafe struct MeasurePagesJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+
+        /// <summary>Smallest, largest: two places, which grow.</summary>
+        public NativeArray<Grid3> Bounds;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            Grid3 min = Bounds[0], max = Bounds[1];
+            int stride = Layout.StrideBytes;
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    min = Grid3.Min(min, place);
+                    max = Grid3.Max(max, place);
+                }
+            }
+            Bounds[0] = min;
+            Bounds[1] = max;
+        }
+    }
+}

@@ -1,0 +1,114 @@
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Records
+{
+    /// <summary>
+    /// The memory of record pages: slabs that are used again and again, and freed all at once. What is resident is thus what was
+    /// in use at most, whatever the allocator below makes of many small blocks. Blittable; one job at a time may use it.
+    /// </summary>
+    public unsafe struct PagePool
+    {
+        struct Slab
+        {
+            public Slab* Next;
+        }
+
+        // Large enough to come from the system and go back there; what is not touched takes no memory.
+        const long SlabBytes = 36L << 20;
+        const int HeaderBytes = 64;
+        const int MinSlabPages = 4;
+
+        RecordPages.Page* m_free;
+        Slab* m_slabs;
+        byte* m_next;
+        int m_pagesLeft;
+        readonly int m_pagesPerSlab;
+
+        /// <param name="strideBytes">Of a record.</param>
+        /// <param name="expectedPages">Small clouds take small slabs.</param>
+        public PagePool(int strideBytes, long expectedPages)
+        {
+            m_free = null;
+            m_slabs = null;
+            m_next = null;
+            m_pagesLeft = 0;
+            StrideBytes = strideBytes;
+            long most = SlabBytes / RecordPages.PageBytes(strideBytes);
+            m_pagesPerSlab = (int)(expectedPages > most ? most : expectedPages < MinSlabPages ? MinSlabPages : expectedPages);
+            PagesInUse = 0;
+        }
+
+        public int StrideBytes { get; }
+
+        /// <summary>Taken, and not given back.</summary>
+        public long PagesInUse { get; private set; }
+
+        /// <summary>An empty page.</summary>
+        public RecordPages.Page* Take()
+        {
+            var page = m_free;
+            if (page != null)
+                m_free = page->Next;
+            else
+                page = TakeNew();
+            page->Next = null;
+            page->Count = 0;
+            PagesInUse++;
+            return page;
+        }
+
+        /// <summary>Gives back all pages of a list, which is empty afterwards.</summary>
+        public void Return(ref RecordPages pages)
+        {
+            if (pages.First != null)
+            {
+                pages.Last->Next = m_free;
+                m_free = pages.First;
+                PagesInUse -= pages.PageCount;
+            }
+            pages = default;
+        }
+
+        /// <summary>Gives back one page.</summary>
+        public void Return(RecordPages.Page* page)
+        {
+            page->Next = m_free;
+            m_free = page;
+            PagesInUse--;
+        }
+
+        /// <summary>Frees every page, in use or not. The pool may be used again.</summary>
+        public void FreeAll()
+        {
+            for (var slab = m_slabs; slab != null;)
+            {
+                var next = slab->Next;
+                UnsafeUtility.Free(slab, Allocator.Persistent);
+                slab = next;
+            }
+            m_slabs = null;
+            m_free = null;
+            m_pagesLeft = 0;
+            PagesInUse = 0;
+        }
+
+        RecordPages.Page* TakeNew()
+        {
+            long pageBytes = RecordPages.PageBytes(StrideBytes);
+            if (m_pagesLeft == 0)
+            {
+                var slab = (Slab*)UnsafeUtility.Malloc(HeaderBytes + m_pagesPerSlab * pageBytes, HeaderBytes,
+                    Allocator.Persistent);
+                slab->Next = m_slabs;
+                m_slabs = slab;
+                m_next = (byte*)slab + HeaderBytes;
+                m_pagesLeft = m_pagesPerSlab;
+            }
+            var page = (RecordPages.Page*)m_next;
+            m_next += pageBytes;
+            m_pagesLeft--;
+            return page;
+        }
+    }
+}

@@ -1,0 +1,121 @@
+using System;
+using FastPoints.Files;
+using FastPoints.Partition;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>What one block in flight needs to become records, grouped by chunk, and what its points showed so far.</summary>
+    public sealed class RecordSlot : IDisposable
+    {
+        readonly RecordLayout m_layout;
+        readonly PartitionMap m_map;
+        NativeArray<RecordField> m_fields;
+        NativeArray<int> m_chunkOfPoint;
+
+        /// <param name="capacity">Points of the largest block.</param>
+        /// <param name="attributes">Those that records have: the batch has them all.</param>
+        /// <param name="batch">The columns that will come.</param>
+        public RecordSlot(int capacity, PointSchema attributes, RecordLayout layout, PartitionMap map, PointBatch batch)
+        {
+            m_layout = layout;
+            m_map = map;
+            capacity = Math.Max(1, capacity);
+            Records = new NativeArray<byte>(checked(capacity * layout.StrideBytes), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
+            FirstOfChunk = new NativeArray<int>(map.Chunks.Length + 2, Allocator.Persistent);
+            Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
+            Slices = new SliceTimes(Allocator.Persistent);
+            Detached = new NativeList<DetachedPages>(8, Allocator.Persistent);
+            m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            var findings = new AttributeFindings[attributes.Count];
+            var fields = new RecordField[attributes.Count];
+            int offset = 0;
+            for (int a = 0; a < fields.Length; a++)
+            {
+                findings[a] = AttributeFindings.None;
+                fields[a] = new RecordField
+                {
+                    Column = batch.Column(batch.Schema.IndexOf(attributes[a].Name)),
+                    RecordOffset = offset,
+                    Attribute = a,
+                };
+                offset += attributes[a].Type.SizeOf();
+            }
+            m_fields = new NativeArray<RecordField>(fields, Allocator.Persistent);
+            Attributes = new NativeArray<AttributeFindings>(findings, Allocator.Persistent);
+        }
+
+        /// <summary>The block's points that have a place.</summary>
+        public NativeArray<byte> Records { get; }
+
+        /// <summary>By chunk, outside with them, and one more: the first record.</summary>
+        public NativeArray<int> FirstOfChunk { get; }
+
+        /// <summary>Of all blocks that went through this slot.</summary>
+        public NativeReference<PointFindings> Findings { get; }
+        public NativeArray<AttributeFindings> Attributes { get; }
+
+        /// <summary>Of this slot's jobs.</summary>
+        public SliceTimes Slices { get; }
+
+        /// <summary>Of the last block: pages that are to be written.</summary>
+        public NativeList<DetachedPages> Detached { get; }
+
+        public JobHandle ScheduleGrouping(BlockRead read, in SourceGrid grid, JobHandle decoded)
+        {
+            var batch = read.Points;
+            return new GroupRecordsJob
+            {
+                Slices = Slices,
+                Columns = batch.Bytes,
+                Decoded = read.Result,
+                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
+                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
+                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                Fields = m_fields,
+                Grid = grid,
+                Layout = m_layout,
+                Chunks = m_map.Finder,
+                ChunkOfCell = m_map.ChunkOfCell,
+                Records = Records,
+                FirstOfChunk = FirstOfChunk,
+                ChunkOfPoint = m_chunkOfPoint,
+                Findings = Findings,
+                Attributes = Attributes,
+            }.Schedule(decoded);
+        }
+
+        /// <summary>What the blocks since the last call showed.</summary>
+        /// <param name="attributes">By attribute: their findings are taken in.</param>
+        public PointFindings TakeFindings(AttributeFindings[] attributes)
+        {
+            var findings = Findings;
+            var found = findings.Value;
+            findings.Value = PointFindings.None;
+            var own = Attributes;
+            for (int a = 0; a < own.Length; a++)
+            {
+                attributes[a].Include(own[a]);
+                own[a] = AttributeFindings.None;
+            }
+            return found;
+        }
+
+        public void Dispose()
+        {
+            if (!m_fields.IsCreated)
+                return;
+            Records.Dispose();
+            FirstOfChunk.Dispose();
+            Findings.Dispose();
+            Detached.Dispose();
+            Slices.Dispose();
+            Attributes.Dispose();
+            m_fields.Dispose();
+            m_chunkOfPoint.Dispose();
+        }
+    }
+}

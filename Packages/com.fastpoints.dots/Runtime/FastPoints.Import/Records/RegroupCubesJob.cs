@@ -1,0 +1,65 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>Copies records to the cubes that contain them. Those in none are left out.</summary>
+    [BurstCompile]
+    public unsafe struct RegroupCubesJob : IJob
+    {
+        /// <summary>They stay as they are.</summary>
+        public RecordPages Pages;
+        public RecordLayout Layout;
+
+        /// <summary>Cubes of one octree that do not overlap, or are equal, in Morton order.</summary>
+        [ReadOnly] public NativeArray<GridCube> Cubes;
+
+        /// <summary>The octree's corner.</summary>
+        public Grid3 Corner;
+
+        /// <summary>By cube; of equal ones the last has the records.</summary>
+        public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
+
+        public void Execute()
+        {
+            int stride = Layout.StrideBytes;
+            var pool = Pool.Value;
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            for (var page = Pages.First; page != null; page = page->Next)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    int cube = LastFrom(place);
+                    if (cube >= 0 && Cubes[cube].Contains(place))
+                        chunks[cube].Append(record, 1, ref pool);
+                }
+            }
+            Pool.Value = pool;
+        }
+
+        /// <summary>The last cube whose corner does not come after a place; -1 where there is none.</summary>
+        int LastFrom(Grid3 place)
+        {
+            var at = place - Corner;
+            // Morton order is that of places within the octree.
+            if (at.X < 0 || at.Y < 0 || at.Z < 0)
+                return -1;
+            int first = 0, end = Cubes.Length;
+            while (first < end)
+            {
+                int middle = first + (end - first) / 2;
+                if (MortonOrder.Compare(Cubes[middle].Corner - Corner, at) <= 0)
+                    first = middle + 1;
+                else
+                    end = middle;
+            }
+            return first - 1;
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using FastPoints.Partition;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>Distributes one chunk's records over the chunks that it is split into, and gives its pages
+    /// back as they are done.</summary>
+    [BurstCompile]
+    public unsafe struct RegroupPagesJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+        public CellFinder Cells;
+        [ReadOnly] public NativeArray<int> ChunkOfCell;
+        public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            int stride = Layout.StrideBytes;
+            var pool = Pool.Value;
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            for (var page = Pages.First; page != null;)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    chunks[ChunkOfCell[Cells.CellOf(place.X, place.Y, place.Z)]].Append(record, 1, ref pool);
+                }
+                var next = page->Next;
+                pool.Return(page);
+                page = next;
+            }
+            Pool.Value = pool;
+        }
+    }
+}

@@ -1,0 +1,58 @@
+using FastPoints.Points;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Records
+{
+    /// <summary>
+    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first doubled
+    /// cube that contains it, and there to one of the seven octants that are not the cube before.
+    /// </summary>
+    [BurstCompile]
+    public unsafe struct RegroupShellsJob : IJob
+    {
+        public RecordPages Pages;
+        public RecordLayout Layout;
+
+        /// <summary>The doubled cubes, the smallest first.</summary>
+        [ReadOnly] public NativeArray<GridCube> Shells;
+
+        /// <summary>By shell times 8, plus octant.</summary>
+        public NativeArray<RecordPages> Chunks;
+        public NativeReference<PagePool> Pool;
+
+        public SliceTimes Slices;
+
+        public void Execute()
+        {
+            long begin = SliceTimes.Begin();
+            Run();
+            Slices.End(begin);
+        }
+
+        void Run()
+        {
+            int stride = Layout.StrideBytes;
+            var pool = Pool.Value;
+            var chunks = (RecordPages*)Chunks.GetUnsafePtr();
+            for (var page = Pages.First; page != null;)
+            {
+                byte* record = RecordPages.RecordsOf(page);
+                for (int i = 0; i < page->Count; i++, record += stride)
+                {
+                    var place = Layout.PlaceOf(record);
+                    int shell = 0;
+                    while (!Shells[shell].Contains(place))
+                        shell++;
+                    chunks[shell * 8 + Shells[shell].OctantOf(place)].Append(record, 1, ref pool);
+                }
+                var next = page->Next;
+                pool.Return(page);
+                page = next;
+            }
+            Pool.Value = pool;
+        }
+    }
+}

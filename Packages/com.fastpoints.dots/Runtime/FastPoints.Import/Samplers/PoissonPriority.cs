@@ -1,0 +1,28 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace FastPoints.Samplers
+{
+    /// <summary>
+    /// The order in which points are tried. The share of points with a higher priority is what counts, so priorities are told
+    /// apart by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the
+    /// hash grid's neighbourhood in the cache; before each class come at least four times as many points by chance alone.
+    /// </summary>
+    public static class PoissonPriority
+    {
+        const int Octaves = 16;
+
+        public const int Classes = 4 * Octaves + 1;
+
+        /// <summary>The class of a record's hash: 0 is tried first, and has 2^-16 of the points.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int ClassOf(uint priority)
+        {
+            uint rank = ~priority;
+            int zeros = math.lzcnt(rank);
+            if (zeros >= Octaves)
+                return 0;
+            return (Octaves - 1 - zeros) * 4 + (int)(rank >> (29 - zeros) & 3) + 1;
+        }
+    }
+}

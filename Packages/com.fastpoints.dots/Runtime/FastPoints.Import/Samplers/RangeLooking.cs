@@ -1,0 +1,64 @@
+using Unity.Mathematics;
+
+namespace FastPoints.Samplers
+{
+    /// <summary>A <see cref="RangeLook"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
+    /// has all of its points. Blittable.</summary>
+    public unsafe struct RangeLooking
+    {
+        public SampledRange Range;
+
+        /// <summary>Whole when <see cref="GoOn"/> says so.</summary>
+        public RangeLook Look;
+        int m_at;
+        int m_taken;
+
+        // log2 of the largest cube that neighbours have in common since the last taken point.
+        uint m_sinceTaken;
+
+        public RangeLooking(in SampledRange range)
+        {
+            Range = range;
+            Look = default;
+            m_at = range.First;
+            m_taken = 0;
+            m_sinceTaken = 0;
+        }
+
+        /// <param name="common">By point: log2 of the side of the smallest cube that has it and the point before.</param>
+        /// <param name="nodeOfPoint">Negative for points that are in no node yet.</param>
+        /// <param name="budget">Points that may be looked at: what is left of them.</param>
+        /// <returns>Whether all points were looked at.</returns>
+        public bool GoOn(byte* common, int* nodeOfPoint, ref long budget)
+        {
+            var look = Look;
+            int end = (int)math.min(Range.End, m_at + budget), taken = m_taken;
+            uint sinceTaken = m_sinceTaken, largest = (uint)look.Largest;
+            // By side: neighbours in the order whose smallest common cube has it; of all points, less those of the taken ones.
+            // A cell boundary lies between two points where their common cube is larger than the cell.
+            for (int i = m_at; i < end; i++)
+            {
+                if (i > Range.First)
+                {
+                    look.CellsBelow[common[i]]++;
+                    sinceTaken = math.max(sinceTaken, common[i]);
+                    largest = math.max(largest, common[i]);
+                }
+                if (nodeOfPoint[i] < 0)
+                    continue;
+                if (taken++ > 0)
+                    look.CellsBelow[sinceTaken]--;
+                sinceTaken = 0;
+            }
+            look.Largest = (int)largest;
+            look.Left = end - Range.First - taken;
+            look.AnyCell = taken > 0 ? 0 : 1;
+            budget -= end - m_at;
+            m_at = end;
+            m_taken = taken;
+            m_sinceTaken = sinceTaken;
+            Look = look;
+            return end == Range.End;
+        }
+    }
+}

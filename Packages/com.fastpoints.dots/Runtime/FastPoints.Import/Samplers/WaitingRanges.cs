@@ -1,0 +1,84 @@
+using System;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Samplers
+{
+    /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
+    /// come from, each with the next one's number.</summary>
+    public unsafe struct WaitingRanges : IDisposable
+    {
+        NativeList<SampledRange> m_ranges;
+
+        // By cell size: the first and the last range, or -1.
+        NativeArray<int> m_first;
+        NativeArray<int> m_last;
+
+        public WaitingRanges(Allocator allocator)
+        {
+            m_ranges = new NativeList<SampledRange>(64, allocator);
+            m_first = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
+            m_last = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);
+        }
+
+        public ref SampledRange this[int number] => ref m_ranges.ElementAt(number);
+
+        public void Clear()
+        {
+            m_ranges.Clear();
+            for (int i = 0; i < m_first.Length; i++)
+                m_first[i] = m_last[i] = -1;
+        }
+
+        public void Add(in SampledRange range)
+        {
+            int number = m_ranges.Length, cell = range.CellLog2;
+            m_ranges.Add(range);
+            var ranges = m_ranges.GetUnsafePtr();
+            int after = m_last[cell];
+            if (after >= 0 && ranges[after].First > range.First)
+            {
+                int before = m_first[cell];
+                after = -1;
+                for (; ranges[before].First < range.First; before = ranges[before].Next)
+                    after = before;
+            }
+            if (after >= 0)
+            {
+                ranges[number].Next = ranges[after].Next;
+                ranges[after].Next = number;
+            }
+            else
+            {
+                ranges[number].Next = m_first[cell];
+                m_first[cell] = number;
+            }
+            if (ranges[number].Next < 0)
+                m_last[cell] = number;
+        }
+
+        /// <summary>Takes the ranges of the widest spacing: they wait no more.</summary>
+        /// <param name="cellLog2">Of the spacing.</param>
+        /// <returns>The first one's number, or -1 where none waits.</returns>
+        public int TakeWidest(out int cellLog2)
+        {
+            for (cellLog2 = GridCube.MaxSideLog2; cellLog2 >= 0; cellLog2--)
+            {
+                int first = m_first[cellLog2];
+                if (first < 0)
+                    continue;
+                m_first[cellLog2] = m_last[cellLog2] = -1;
+                return first;
+            }
+            return -1;
+        }
+
+        public void Dispose()
+        {
+            m_ranges.Dispose();
+            m_first.Dispose();
+            m_last.Dispose();
+        }
+    }
+}

@@ -1,0 +1,59 @@
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>A slot for blocks of a sample that is in memory.</summary>
+    sealed class SampleRead : BlockRead
+    {
+        readonly SampleReader m_reader;
+        NativeArray<PointColumn> m_columns;
+
+        public SampleRead(SampleReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        {
+            m_reader = reader;
+            Points = new PointBatch(wanted, capacity, allocator);
+            Result = new NativeReference<DecodeResult>(allocator);
+            m_columns = new NativeArray<PointColumn>(2 * wanted.Count, allocator);
+            for (int c = 0; c < wanted.Count; c++)
+            {
+                m_columns[2 * c] = reader.Points.Column(reader.Points.Schema.IndexOf(wanted[c].Name));
+                m_columns[2 * c + 1] = Points.Column(c);
+            }
+        }
+
+        public override void Begin(BlockRange range)
+        {
+            Range = range;
+            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+            Decoded = new CopyStrideJob
+            {
+                From = m_reader.Points.Bytes,
+                Columns = m_columns,
+                To = Points.Bytes,
+                Result = Result,
+                First = range.Block + range.First * m_reader.Step,
+                Step = m_reader.Step,
+                Count = range.Count,
+            }.Schedule();
+        }
+
+        public override void Complete()
+        {
+            Decoded.Complete();
+            Points.Count = Result.Value.Points;
+        }
+
+        public override void Dispose()
+        {
+            if (!m_columns.IsCreated)
+                return;
+            Decoded.Complete();
+            m_columns.Dispose();
+            Points.Dispose();
+            Result.Dispose();
+        }
+    }
+}

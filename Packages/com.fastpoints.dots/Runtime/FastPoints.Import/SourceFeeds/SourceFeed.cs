@@ -1,0 +1,176 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Draw;
+using FastPoints.Feeds;
+using FastPoints.Files;
+using FastPoints.Picture;
+using FastPoints.Points;
+using FastPoints.Preview;
+using FastPoints.Streaming;
+using Unity.Jobs;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>
+    /// The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, of a source that
+    /// brings its octree along, the whole of it, streamed as it is.
+    /// </summary>
+    public sealed class SourceFeed : CloudFeed
+    {
+        /// <summary>Of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
+        public const int PreviewPoints = 1_000_000;
+
+        /// <summary>Points of an octree's upper levels that decide on colours.</summary>
+        const int PointsOfTop = 50_000;
+
+        readonly StageProgress m_progress = new StageProgress();
+        readonly string m_path;
+        readonly WorkPump m_pump;
+        readonly int m_previewPoints;
+        PointReader m_reader;
+        SampleReader m_sample;
+        PreviewSample m_wave;
+        CloudFacts m_newest;
+        bool m_isHurried;
+
+        /// <param name="reader">Becomes this feed's.</param>
+        /// <param name="previewPoints">Of a source without an octree at most; one that has no more is whole.</param>
+        public SourceFeed(PointReader reader, int previewPoints = PreviewPoints)
+        {
+            m_reader = reader;
+            m_previewPoints = previewPoints;
+            m_path = reader.Info.Path;
+            m_pump = new WorkPump(reader.Tree != null ? OpenTree() : TakePreview());
+        }
+
+        public override CloudFacts Newest => m_newest;
+        public override bool IsEnded => m_pump.IsDone;
+
+        /// <summary>Opens files and folders that make one cloud; on any thread.</summary>
+        /// <exception cref="PointCloudException">As of <see cref="PointReaders"/>.</exception>
+        public static SourceFeed Open(IReadOnlyList<string> paths) => new SourceFeed(PointReaders.Open(paths));
+
+        public override NodeSource Take(params string[] planes)
+        {
+            m_newest = null;
+            var source = new TreeSource(m_sample ?? m_reader, planes);
+            if (source.Reader == m_sample)
+                m_sample = null;
+            else
+                m_reader = null;
+            return source;
+        }
+
+        public override void Update(double budgetMs)
+        {
+            m_pump.Tick(budgetMs);
+            // The octree's reader is handed over, or waits for that.
+            if (!m_pump.IsDone || m_reader == null || m_reader.Tree != null)
+                return;
+            m_reader.Dispose();
+            m_reader = null;
+        }
+
+        public override void Hurry() => m_isHurried = true;
+
+        public override void Dispose()
+        {
+            m_pump.Cancel();
+            m_sample?.Dispose();
+            m_sample = null;
+            m_reader?.Dispose();
+            m_reader = null;
+        }
+
+        IEnumerator<JobHandle> OpenTree()
+        {
+            using (var finding = TreeSource.FindTop(m_reader))
+                while (finding.MoveNext())
+                    yield return finding.Current;
+            PointBatch top = null;
+            var ranges = NewRanges();
+            try
+            {
+                using (var reading = TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
+                    batch => top = batch))
+                    while (reading.MoveNext())
+                        yield return reading.Current;
+                using (var measuring = ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z))
+                    while (measuring.MoveNext())
+                        yield return measuring.Current;
+            }
+            finally
+            {
+                top?.Dispose();
+            }
+            m_newest = Describe(CloudStage.Whole, ranges, m_reader.Tree.Cube);
+        }
+
+        IEnumerator<JobHandle> TakePreview()
+        {
+            using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = m_previewPoints }))
+            {
+                preview.WaveReady += (sample, _) => m_wave = sample;
+                using (var sampling = preview.TakeSample(m_progress))
+                    while (!IsLeftToTheBuild && sampling.MoveNext())
+                    {
+                        if (m_wave != null)
+                            using (var keeping = KeepWave())
+                                while (keeping.MoveNext())
+                                    yield return keeping.Current;
+                        yield return sampling.Current;
+                    }
+            }
+        }
+
+        /// <summary>What comes decodes all of the source, which a build does anyway.</summary>
+        bool IsLeftToTheBuild => m_isHurried &&
+            (m_progress.Current == PreviewCloud.RefineStage || m_progress.Current == PreviewCloud.FindBlocksStage);
+
+        IEnumerator<JobHandle> KeepWave()
+        {
+            var wave = m_wave;
+            m_wave = null;
+            SampleReader copy = null;
+            bool isKept = false;
+            try
+            {
+                using (var copying = SampleReader.Copy(wave, m_path, copied => copy = copied))
+                    while (copying.MoveNext())
+                        yield return copying.Current;
+                copy.Info.Crs = m_reader.Info.Crs;
+                var ranges = NewRanges();
+                using (var measuring = ranges.Measure(copy.Points, wave.Transform, UpAxis.Z))
+                    while (measuring.MoveNext())
+                        yield return measuring.Current;
+                m_sample?.Dispose();
+                m_sample = copy;
+                m_newest = Describe(wave.IsWhole ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);
+                isKept = true;
+            }
+            finally
+            {
+                if (!isKept)
+                    copy?.Dispose();
+            }
+        }
+
+        DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
+
+        /// <param name="seen">Bounds where the source claims none.</param>
+        CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
+        {
+            var info = m_reader.Info;
+            return new CloudFacts
+            {
+                Stage = stage,
+                BoundsGeo = info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty
+                    ? info.BoundsClaimed
+                    : seen,
+                MetresPerUnit = info.Crs.MetresPerUnit,
+                Ranges = ranges,
+            };
+        }
+    }
+}

@@ -1,0 +1,219 @@
+using System;
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>
+    /// Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of at
+    /// most about 4 ms order and pack them.
+    /// </summary>
+    sealed unsafe class TreeNodeMaker : NodeMaker
+    {
+        /// <summary>Nodes up to this share one size of memory; it is doubled for larger ones.</summary>
+        const int LeastCapacity = 1 << 12;
+
+        readonly TreeSource m_source;
+        readonly TreePlanes m_planes;
+        BlockRead m_read;
+        int m_capacity;
+        NativeArray<byte> m_offsets;
+        NativeArray<uint> m_pointOfPlace;
+        NativeArray<ulong> m_keys;
+        NativeArray<ulong> m_keyScratch;
+        NativeArray<uint> m_pointScratch;
+        NativeArray<byte> m_packed;
+        NativeArray<long> m_lengthOfPlane;
+        NativeReference<PackState> m_state;
+        JobHandle m_done;
+        PointCloudException m_refused;
+        SourceNode m_node;
+
+        /// <param name="planes">That it makes; stay the source's.</param>
+        public TreeNodeMaker(TreeSource source, TreePlanes planes)
+        {
+            m_source = source;
+            m_planes = planes;
+            m_lengthOfPlane = new NativeArray<long>(planes.Count, Allocator.Persistent);
+            m_state = new NativeReference<PackState>(Allocator.Persistent);
+        }
+
+        /// <summary>Points that it has memory for.</summary>
+        public int Capacity => m_capacity;
+
+        /// <summary>Points of the node that it was taken for.</summary>
+        public int PointsTaken { get; set; }
+
+        public override JobHandle Done => m_done;
+
+        public override long BytesRead => m_source.Reader.BytesOfRange(new BlockRange(m_node.Block, 0, m_node.PointCount));
+
+        public override NativeArray<byte> Planes => m_packed;
+
+        public override long LengthOf(int plane) => m_lengthOfPlane[plane];
+
+        public override void Begin(in HierarchyPage page, int node)
+        {
+            m_node = m_source.Reader.Tree[(int)page.Planes[node * m_source.Planes.Length].OffsetBytes];
+            m_refused = null;
+            try
+            {
+                if (m_node.PointCount > m_capacity)
+                    MakeRoom(m_node.PointCount);
+                m_read.Begin(new BlockRange(m_node.Block, 0, m_node.PointCount));
+                m_done = Schedule(m_read.Decoded);
+            }
+            catch (PointCloudException refused)
+            {
+                m_refused = refused;
+                m_done = default;
+            }
+        }
+
+        public override MakeOutcome End(out StreamFailure failure)
+        {
+            failure = default;
+            m_done.Complete();
+            m_done = default;
+            try
+            {
+                if (m_refused != null)
+                    throw m_refused;
+                m_read.Complete();
+            }
+            catch (PointCloudException broken)
+            {
+                failure = new StreamFailure(broken.Path, broken.ByteOffset, broken.What);
+                return broken.Code == FailureCode.ReadFailed && m_source.IsOneFile ? MakeOutcome.Unreadable : MakeOutcome.Damaged;
+            }
+            if (!m_state.Value.IsDamaged)
+                return MakeOutcome.Made;
+            var cell = m_node.Cell;
+            string name = Text(m_node.Level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
+            string path = m_source.Reader.FileOfBlock(m_node.Block, out long offset);
+            failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + Text(m_node.PointCount) +
+                " points, got " + Text(m_read.Points.Count));
+            return MakeOutcome.Damaged;
+        }
+
+        public override void Dispose()
+        {
+            m_done.Complete();
+            m_done = default;
+            FreeRoom();
+            if (m_lengthOfPlane.IsCreated)
+                m_lengthOfPlane.Dispose();
+            if (m_state.IsCreated)
+                m_state.Dispose();
+        }
+
+        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+
+        JobHandle Schedule(JobHandle decoded)
+        {
+            var grid = m_source.Grids;
+            int count = m_node.PointCount;
+            var order = new OrderNodeJob
+            {
+                Columns = m_read.Points.Bytes,
+                Decoded = m_read.Result,
+                Positions = PositionColumns.Of(m_read.Points),
+                Grid = grid.Source,
+                Corner = grid.Corner,
+                IsWide = grid.IsWide,
+                CubePlace = grid.PlaceOf(m_node.Key),
+                CubeBits = math.min(grid.BitsOf(m_node.Level), 62),
+                Count = count,
+                Capacity = m_capacity,
+                Offsets = m_offsets,
+                PointOfPlace = m_pointOfPlace,
+                State = m_state,
+                Keys = m_keys,
+                KeyScratch = m_keyScratch,
+                PointScratch = m_pointScratch,
+            };
+            for (; order.First < count; order.First += OrderNodeJob.PointsOfSlice)
+                decoded = order.Schedule(decoded);
+            for (int p = 0; p < m_planes.Count; p++)
+                decoded = SchedulePlane(p, decoded);
+            return decoded;
+        }
+
+        JobHandle SchedulePlane(int plane, JobHandle inputDeps)
+        {
+            var pack = new PackPlaneJob
+            {
+                Columns = m_read.Points.Bytes,
+                Offsets = m_offsets,
+                PointOfPlace = m_pointOfPlace,
+                Shape = ShapeOf(plane),
+                Plane = plane,
+                Count = m_node.PointCount,
+                Capacity = m_capacity,
+                Packed = m_packed,
+                LengthOfPlane = m_lengthOfPlane,
+                State = m_state,
+            };
+            if (plane > 0)
+            {
+                pack.Column0 = ColumnOf(plane, 0);
+                pack.Column1 = pack.Shape.ColumnCount > 1 ? ColumnOf(plane, 1) : default;
+                pack.Column2 = pack.Shape.ColumnCount > 2 ? ColumnOf(plane, 2) : default;
+            }
+            int blocks = PlaneShape.BlocksOf(m_node.PointCount);
+            for (; pack.FirstBlock < blocks; pack.FirstBlock += PackPlaneJob.BlocksOfSlice)
+                inputDeps = pack.Schedule(inputDeps);
+            return inputDeps;
+        }
+
+        PlaneShape ShapeOf(int plane) =>
+            plane == 0 ? new PlaneShape(3, m_source.Grids.IsWide ? 7 : 0) : m_planes.Shapes[plane];
+
+        PointColumn ColumnOf(int plane, int column) =>
+            m_read.Points.Column(m_read.Points.Schema.IndexOf(m_planes.AttributeOf(plane, column)));
+
+        void MakeRoom(int points)
+        {
+            FreeRoom();
+            int capacity = Math.Max(LeastCapacity, math.ceilpow2(points));
+            int slice = Math.Min(capacity, OrderNodeJob.PointsOfSlice);
+            m_read = m_source.Reader.CreateRead(m_planes.Decoded, capacity, Allocator.Persistent);
+            m_offsets = Room<byte>((m_source.Grids.IsWide ? 24L : 12L) * capacity);
+            m_pointOfPlace = Room<uint>(capacity);
+            m_keys = Room<ulong>(slice);
+            m_keyScratch = Room<ulong>(slice);
+            m_pointScratch = Room<uint>(slice);
+            long bytes = 0;
+            for (int p = 0; p < m_planes.Count; p++)
+                bytes += ShapeOf(p).LongestBytes(PlaneShape.BlocksOf(capacity), capacity);
+            m_packed = Room<byte>(bytes);
+            m_capacity = capacity;
+        }
+
+        static NativeArray<T> Room<T>(long count) where T : unmanaged =>
+            new NativeArray<T>(checked((int)count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+
+        void FreeRoom()
+        {
+            m_capacity = 0;
+            m_read?.Dispose();
+            m_read = null;
+            if (!m_offsets.IsCreated)
+                return;
+            m_offsets.Dispose();
+            m_pointOfPlace.Dispose();
+            m_keys.Dispose();
+            m_keyScratch.Dispose();
+            m_pointScratch.Dispose();
+            m_packed.Dispose();
+        }
+    }
+}

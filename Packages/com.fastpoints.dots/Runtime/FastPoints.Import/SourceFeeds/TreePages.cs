@@ -1,0 +1,194 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>
+    /// The hierarchy of a source that brings its octree along, as pages of some levels each. Of what is not known, that is read
+    /// which a wanted page takes, and no more: a look into one corner costs what lies there. Main thread; never waits.
+    /// </summary>
+    sealed class TreePages : IDisposable
+    {
+        /// <summary>Levels of a page: some hundred nodes at most where points lie on surfaces.</summary>
+        public const int LevelsPerPage = 4;
+
+        /// <summary>Levels that have to be read before the first page is built: its own, and whether there are more.</summary>
+        public const int FirstLevels = LevelsPerPage + 1;
+
+        const int NotNumbered = -1;
+        const int None = -1;
+
+        readonly PointReader m_reader;
+        readonly TreeGrid m_grid;
+        readonly List<int4> m_rootOfPage = new List<int4> { default };
+        readonly List<int> m_firstHangingOfPage = new List<int> { NotNumbered };
+        readonly List<bool> m_isPageKnown = new List<bool> { true };
+        NativeParallelHashMap<int4, int> m_nodeOfKey;
+        IEnumerator<JobHandle> m_reading;
+        JobHandle m_step;
+        JobHandle m_building;
+        int m_nodes;
+
+        /// <summary>The hierarchy cannot be read: nothing more of it is tried.</summary>
+        bool m_isBroken;
+
+        /// <summary>The first that was asked for since the last update, and that which is read; or <see cref="None"/>.</summary>
+        int m_wanted = None;
+        int m_read = None;
+
+        /// <exception cref="PointCloudException">The octree has no root.</exception>
+        public TreePages(PointReader reader, TreeGrid grid)
+        {
+            m_reader = reader;
+            m_grid = grid;
+            m_nodeOfKey = new NativeParallelHashMap<int4, int>(Math.Max(64, reader.Tree.NodeCount), Allocator.Persistent);
+            TakeNodes();
+            if (m_nodeOfKey.ContainsKey(default))
+                return;
+            Dispose();
+            throw new PointCloudException(FailureCode.BadInput, reader.Info.Path, -1, "its octree has no root");
+        }
+
+        public int Count => m_rootOfPage.Count;
+
+        /// <summary>What <see cref="Update"/> goes on after.</summary>
+        public JobHandle Step => m_step;
+
+        /// <summary>Whether a page's levels, and what hangs below, are known; of those that are asked for and are not, the first
+        /// is read next.</summary>
+        public bool IsKnown(int page)
+        {
+            if (!m_isPageKnown[page] && m_wanted == None)
+                m_wanted = page;
+            return m_isPageKnown[page];
+        }
+
+        /// <summary>Goes on reading, if there is something to read.</summary>
+        /// <returns>What went wrong: pages that are still wanted are made of what is there. Or null.</returns>
+        public PointCloudException Update()
+        {
+            // Jobs that build pages read what would be added to.
+            if (m_reading == null && m_wanted == None || !m_step.IsCompleted || !m_building.IsCompleted)
+                return null;
+            m_step.Complete();
+            m_building.Complete();
+            try
+            {
+                if (m_reading == null)
+                {
+                    m_read = m_wanted;
+                    m_wanted = None;
+                    var root = m_rootOfPage[m_read];
+                    m_reading = m_reader.FindBelow(root, LevelsOf(root));
+                }
+                if (m_reading.MoveNext())
+                {
+                    m_step = m_reading.Current;
+                    return null;
+                }
+                EndReading();
+                TakeNodes();
+                m_isPageKnown[m_read] = true;
+                return null;
+            }
+            catch (PointCloudException failure)
+            {
+                EndReading();
+                TakeNodes();
+                m_isBroken = true;
+                for (int page = 0; page < m_isPageKnown.Count; page++)
+                    m_isPageKnown[page] = true;
+                return failure;
+            }
+        }
+
+        /// <summary>The job that builds a page.</summary>
+        public BuildTreePageJob JobFor(int page) => new BuildTreePageJob
+        {
+            Nodes = m_reader.Tree.AsArray(),
+            NodeOfKey = m_nodeOfKey,
+            Root = m_rootOfPage[page],
+            LastLevel = m_rootOfPage[page].w + LevelsPerPage - 1,
+            Grid = m_grid,
+        };
+
+        public JobHandle Schedule(in BuildTreePageJob job)
+        {
+            var building = job.Schedule();
+            m_building = JobHandle.CombineDependencies(m_building, building);
+            return building;
+        }
+
+        /// <summary>Numbers the pages that hang on one; each time that it is built they are the same.</summary>
+        /// <param name="planeCount">Planes that are streamed.</param>
+        public unsafe void Number(int page, in HierarchyPage built, int planeCount)
+        {
+            if (m_firstHangingOfPage[page] == NotNumbered)
+            {
+                m_firstHangingOfPage[page] = m_rootOfPage.Count;
+                for (int n = 0; n < built.NodeCount; n++)
+                    if (built.Nodes[n].ChunkCount > 0)
+                        AddHanging(m_reader.Tree[(int)built.Planes[n * planeCount].OffsetBytes].Key);
+            }
+            int next = m_firstHangingOfPage[page];
+            for (int n = 0; n < built.NodeCount; n++)
+            {
+                // Chunk 0 is page 1.
+                built.Nodes[n].FirstChunk = next - 1;
+                next += built.Nodes[n].ChunkCount;
+            }
+        }
+
+        /// <summary>A page that is not built: its box.</summary>
+        public HierarchyPage Empty(int page)
+        {
+            var empty = new HierarchyPage();
+            m_grid.BoxOf(m_rootOfPage[page], out empty.Center, out empty.Half);
+            return empty;
+        }
+
+        public void Dispose()
+        {
+            m_step.Complete();
+            m_building.Complete();
+            EndReading();
+            if (m_nodeOfKey.IsCreated)
+                m_nodeOfKey.Dispose();
+        }
+
+        void EndReading()
+        {
+            m_reading?.Dispose();
+            m_reading = null;
+        }
+
+        void AddHanging(int4 key)
+        {
+            for (int octant = 0; octant < 8; octant++)
+            {
+                int4 child = BuildTreePageJob.ChildKey(key, octant);
+                if (!m_nodeOfKey.ContainsKey(child))
+                    continue;
+                m_rootOfPage.Add(child);
+                m_firstHangingOfPage.Add(NotNumbered);
+                m_isPageKnown.Add(m_isBroken || m_reader.IsKnownBelow(child, LevelsOf(child)));
+            }
+        }
+
+        void TakeNodes()
+        {
+            var tree = m_reader.Tree;
+            for (; m_nodes < tree.NodeCount; m_nodes++)
+                m_nodeOfKey.TryAdd(tree[m_nodes].Key, m_nodes);
+        }
+
+        /// <summary>That a page takes: its own, and whether there are more.</summary>
+        static int LevelsOf(int4 root) => root.w + FirstLevels;
+    }
+}

@@ -1,0 +1,213 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>
+    /// A file or folder that brings its octree along (COPC, Potree, EPT), streamed as it is: nothing is converted. Its
+    /// hierarchy is read as deep as it is looked at, its nodes are decoded and packed as they are wanted. Or a preview's sample
+    /// (<see cref="SampleReader"/>).
+    /// </summary>
+    public sealed class TreeSource : NodeSource
+    {
+        /// <summary>Nodes that are made at once at most: small ones take less than a frame each, and a maker is free again in
+        /// the frame after.</summary>
+        const int MostMakers = 16;
+
+        /// <summary>Large ones: one is read while another is decoded.</summary>
+        const int LeastAtWork = 2;
+
+        /// <summary>About a frame's work. Nodes of more points than this for each worker are not made at once, so that other
+        /// jobs' turn comes.</summary>
+        const int PointsPerWorker = 1 << 16;
+
+        readonly TreePages m_pages;
+        readonly TreePlanes m_planes;
+        readonly List<TreeNodeMaker> m_makers = new List<TreeNodeMaker>(MostMakers);
+        readonly List<TreeNodeMaker> m_idle = new List<TreeNodeMaker>(MostMakers);
+        readonly long m_mostPoints;
+        long m_pointsAtWork;
+        TreePlanes m_allPlanes;
+        NativeArray<PlaneShape> m_shapes;
+
+        /// <param name="reader">Becomes this source's. <see cref="FindTop"/> has been run.</param>
+        /// <param name="planes">Names of planes that are streamed beside the position (<see cref="StoreLayout"/>); those that
+        /// the source has not are left out.</param>
+        /// <exception cref="PointCloudException">The source brings no octree, or one without a root.</exception>
+        public TreeSource(PointReader reader, params string[] planes)
+        {
+            if (reader.Tree == null)
+                throw new PointCloudException(FailureCode.Unsupported, reader.Info.Path, -1,
+                    "brings no octree along: wanted COPC, Potree or EPT, got " + reader.Info.Format);
+            Reader = reader;
+            Grids = new TreeGrid(reader.Info, reader.Tree);
+            m_pages = new TreePages(reader, Grids);
+            m_mostPoints = (long)PointsPerWorker * Math.Max(1, JobsUtility.JobWorkerCount);
+            Layout = TreePlanes.LayoutOf(reader.Info.Schema);
+            m_planes = new TreePlanes(reader.Info.Schema, Layout, planes);
+            m_shapes = Layout.CreateShapes(Allocator.Persistent);
+        }
+
+        public PointReader Reader { get; }
+
+        public override string Path => Reader.Info.Path;
+        public override bool HasAllPoints => !(Reader is SampleReader sample) || sample.IsWhole;
+        public override CloudGrid Grid => Grids.Grid;
+        public override GridCube Root => Grids.Root;
+        public override NodeCubes Cubes => Grids.Cubes;
+        public override StoreLayout Layout { get; }
+        public override CloudCrs Crs => Reader.Info.Crs.ToCloudCrs();
+        public override NativeArray<int> Planes => m_planes.Indices;
+        public override NativeArray<PlaneShape> Shapes => m_shapes;
+        public override int PageCount => m_pages.Count;
+        public override bool MakesNodes => true;
+
+        internal TreeGrid Grids { get; }
+
+        /// <summary>Whether all nodes lie in one file: one that cannot be read is told of once.</summary>
+        internal bool IsOneFile => Reader is CopcReader || Reader is Potree2Reader;
+
+        /// <summary>Work for a pump that comes before a source is made: reads the upper levels of the hierarchy.</summary>
+        /// <exception cref="PointCloudException">They cannot be read.</exception>
+        public static IEnumerator<JobHandle> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+
+        public override unsafe void CreatePages(HierarchyPage* pages)
+        {
+            using (var built = new NativeReference<HierarchyPage>(Allocator.TempJob))
+            using (var problem = new NativeReference<TableProblem>(Allocator.TempJob))
+            {
+                var job = JobFor(0, built, problem);
+                job.Run();
+                pages[0] = built.Value;
+            }
+            Adopt(0, pages[0]);
+        }
+
+        public override string PathOf(int page) => Path;
+
+        public override FilePiece TableOf(int page) => new FilePiece { Path = Path };
+
+        public override bool CanBuild(int page) => m_pages.IsKnown(page);
+
+        public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
+            NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));
+
+        public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
+            "its hierarchy is damaged";
+
+        public override void Adopt(int page, in HierarchyPage built) => m_pages.Number(page, built, m_planes.Count);
+
+        public override HierarchyPage EmptyPage(int page) => m_pages.Empty(page);
+
+        public override PointCloudException Update() => m_pages.Update();
+
+        public override JobHandle Reading => m_pages.Step;
+
+        public override NodeMaker TakeMaker(int points)
+        {
+            int atWork = m_makers.Count - m_idle.Count;
+            if (atWork == MostMakers || atWork >= LeastAtWork && m_pointsAtWork + points > m_mostPoints)
+                return null;
+            int best = BestIdle(points);
+            if (best < 0)
+            {
+                m_makers.Add(new TreeNodeMaker(this, m_planes));
+                m_idle.Add(m_makers[m_makers.Count - 1]);
+                best = m_idle.Count - 1;
+            }
+            var maker = m_idle[best];
+            m_idle.RemoveAt(best);
+            maker.PointsTaken = points;
+            m_pointsAtWork += points;
+            return maker;
+        }
+
+        public override void GiveMaker(NodeMaker maker)
+        {
+            var given = (TreeNodeMaker)maker;
+            m_pointsAtWork -= given.PointsTaken;
+            m_idle.Add(given);
+        }
+
+        public override NodeMaker CreateWholeMaker()
+        {
+            var names = new List<string>();
+            foreach (var plane in Layout.Planes)
+                names.Add(plane.Name);
+            m_allPlanes ??= new TreePlanes(Reader.Info.Schema, Layout, names);
+            return new TreeNodeMaker(this, m_allPlanes);
+        }
+
+        public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
+        {
+            PointReader reader = (Reader as SampleReader)?.Share();
+            if (Reader is SampleReader && reader == null)
+                yield break;
+            try
+            {
+                string path = Path;
+                if (reader == null)
+                    using (var opening = PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
+                        other => other.DisposeUnread()))
+                        while (opening.MoveNext())
+                            yield return opening.Current;
+                using (var finding = FindTop(reader))
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+                var source = new TreeSource(reader, AttributeNames.Classification);
+                reader = null;
+                opened(source);
+            }
+            finally
+            {
+                reader?.Dispose();
+            }
+        }
+
+        public override void Dispose()
+        {
+            if (!m_shapes.IsCreated)
+                return;
+            foreach (var maker in m_makers)
+                maker.Dispose();
+            m_pages.Dispose();
+            m_planes.Dispose();
+            m_allPlanes?.Dispose();
+            m_shapes.Dispose();
+            Reader.Dispose();
+        }
+
+        /// <summary>The smallest with enough memory, otherwise the largest, so that few grow large.</summary>
+        /// <returns>-1 where none is idle.</returns>
+        int BestIdle(int points)
+        {
+            int best = -1;
+            for (int i = 0; i < m_idle.Count; i++)
+            {
+                int capacity = m_idle[i].Capacity, ofBest = best < 0 ? 0 : m_idle[best].Capacity;
+                bool isBetter = ofBest >= points ? capacity >= points && capacity < ofBest : capacity > ofBest;
+                if (best < 0 || isBetter)
+                    best = i;
+            }
+            return best;
+        }
+
+        BuildTreePageJob JobFor(int page, NativeReference<HierarchyPage> built, NativeReference<TableProblem> problem)
+        {
+            var job = m_pages.JobFor(page);
+            job.BitsOfPlane = m_planes.Bits;
+            job.Shapes = m_planes.Shapes;
+            job.Built = built;
+            job.Problem = problem;
+            return job;
+        }
+    }
+}

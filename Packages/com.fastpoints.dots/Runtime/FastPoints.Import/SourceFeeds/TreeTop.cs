@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.SourceFeeds
+{
+    /// <summary>The points of the upper levels of a source that brings its octree along: what colours and ranges are decided
+    /// by.</summary>
+    public static class TreeTop
+    {
+        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Nodes that are damaged give what they
+        /// have.</summary>
+        /// <param name="attributes">Beside the positions; those that the source has not are left out.</param>
+        /// <param name="wanted">Points: whole nodes, until there are so many.</param>
+        /// <param name="read">Takes the points over.</param>
+        public static IEnumerator<JobHandle> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
+        {
+            var blocks = new List<int>();
+            int points = 0, most = 1;
+            for (int node = 0; node < reader.Tree.NodeCount && points < wanted; node++)
+            {
+                if (reader.Tree[node].Block < 0)
+                    continue;
+                blocks.Add(reader.Tree[node].Block);
+                points += reader.Tree[node].PointCount;
+                most = Math.Max(most, reader.Tree[node].PointCount);
+            }
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            names.AddRange(attributes);
+            var schema = reader.Info.Schema.Select(names.ToArray());
+            var top = new PointBatch(schema, Math.Max(1, points), Allocator.Persistent);
+            bool isDone = false;
+            try
+            {
+                using (var slot = reader.CreateRead(schema, most, Allocator.Persistent))
+                    foreach (int block in blocks)
+                    {
+                        slot.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                        yield return slot.Decoded;
+                        slot.Complete();
+                        Append(slot.Points, top);
+                    }
+                isDone = true;
+            }
+            finally
+            {
+                if (!isDone)
+                    top.Dispose();
+            }
+            read(top);
+        }
+
+        static void Append(PointBatch from, PointBatch to)
+        {
+            for (int c = 0; c < to.Schema.Count; c++)
+            {
+                int size = to.Schema[c].Type.SizeOf();
+                NativeArray<byte>.Copy(from.Bytes, from.Column(c).OffsetBytes, to.Bytes,
+                    to.Column(c).OffsetBytes + to.Count * size, from.Count * size);
+            }
+            to.Count += from.Count;
+        }
+    }
+}

@@ -1,0 +1,110 @@
+using System.Globalization;
+using FastPoints.Base;
+using FastPoints.Points;
+using Unity.Mathematics;
+
+namespace FastPoints.Verify
+{
+    /// <summary>Range and sum of a column's stored values, exact for every type. Blittable.</summary>
+    public struct ColumnSummary
+    {
+        const ulong SignBit = 0x8000000000000000UL;
+
+        public AttributeType Type;
+
+        /// <summary>Values that are numbers: all of them but for floats.</summary>
+        public long Finite;
+
+        /// <summary>Values that are infinite or no number: in the sum, not in the range.</summary>
+        public long NonFinite;
+
+        /// <summary>Modulo 2^64: of integers extended by their sign, of floats the sum of their bits, extended by
+        /// zeros.</summary>
+        public ulong Sum;
+
+        ulong m_minOrdered;
+        ulong m_maxOrdered;
+
+        public static ColumnSummary EmptyOf(AttributeType type) =>
+            new ColumnSummary { Type = type, m_minOrdered = ulong.MaxValue };
+
+        /// <summary>Smallest and largest finite stored value; 0 where there is none. Exact but for 64-bit integers beyond
+        /// 2^53.</summary>
+        public double Min => Finite == 0 ? 0 : ToDouble(m_minOrdered);
+
+        public double Max => Finite == 0 ? 0 : ToDouble(m_maxOrdered);
+
+        /// <summary>As <see cref="Min"/>, with all digits; null where there is none.</summary>
+        public string MinText => Finite == 0 ? null : ToText(m_minOrdered);
+
+        public string MaxText => Finite == 0 ? null : ToText(m_maxOrdered);
+
+        public void Include(in ColumnSummary other)
+        {
+            Finite += other.Finite;
+            NonFinite += other.NonFinite;
+            Sum += other.Sum;
+            m_minOrdered = math.min(m_minOrdered, other.m_minOrdered);
+            m_maxOrdered = math.max(m_maxOrdered, other.m_maxOrdered);
+        }
+
+        /// <summary>Includes the first <paramref name="count"/> values of a column of this type.</summary>
+        public unsafe void IncludeColumn(byte* column, int count)
+        {
+            const int RunLength = ColumnValues.RunLength;
+            ulong* bits = stackalloc ulong[RunLength];
+            double* values = stackalloc double[RunLength];
+            bool isFloat = Type.IsFloat();
+            ulong flip = Type == AttributeType.UInt64 ? 0 : SignBit;
+            for (int done = 0; done < count; done += RunLength)
+            {
+                int run = math.min(RunLength, count - done);
+                ColumnValues.ToBits(column, Type, done, run, bits);
+                ulong sum = 0;
+                for (int i = 0; i < run; i++)
+                    sum += bits[i];
+                Sum += sum;
+                if (isFloat)
+                    ColumnValues.ToDoubles(column, Type, done, run, values);
+                IncludeRange(bits, values, run, isFloat, flip);
+            }
+        }
+
+        unsafe void IncludeRange(ulong* bits, double* values, int count, bool isFloat, ulong flip)
+        {
+            ulong min = m_minOrdered, max = m_maxOrdered;
+            int finite = 0;
+            for (int i = 0; i < count; i++)
+            {
+                if (isFloat && values[i] - values[i] != 0)
+                    continue;
+                finite++;
+                ulong ordered = isFloat ? ColumnValues.OrderedBits(values[i]) : bits[i] ^ flip;
+                min = ordered < min ? ordered : min;
+                max = ordered > max ? ordered : max;
+            }
+            m_minOrdered = min;
+            m_maxOrdered = max;
+            Finite += finite;
+            NonFinite += count - finite;
+        }
+
+        double ToDouble(ulong ordered)
+        {
+            if (Type.IsFloat())
+                return ColumnValues.FromOrderedBits(ordered);
+            return Type == AttributeType.UInt64 ? ordered : (double)(long)(ordered ^ SignBit);
+        }
+
+        string ToText(ulong ordered)
+        {
+            if (Type == AttributeType.Float32)
+                return NumberText.Of((float)ColumnValues.FromOrderedBits(ordered));
+            if (Type == AttributeType.Float64)
+                return NumberText.Of(ColumnValues.FromOrderedBits(ordered));
+            return Type == AttributeType.UInt64
+                ? ordered.ToString(CultureInfo.InvariantCulture)
+                : ((long)(ordered ^ SignBit)).ToString(CultureInfo.InvariantCulture);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace FastPoints.Verify
+{
+    /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the
+    /// points at the sides of the file's cube, which other files' points may come near to.</summary>
+    [BurstCompile]
+    public unsafe struct MeasureSpacingJob : IJob
+    {
+        /// <summary>One after the other, level by level.</summary>
+        public NativeArray<SampledRun> Runs;
+
+        /// <summary>In CRS units, from the cloud's corner.</summary>
+        [ReadOnly] public NativeArray<double3> Points;
+
+        /// <summary>The file's cube, in the points' space.</summary>
+        public double3 CubeMin;
+        public double3 CubeMax;
+
+        /// <summary>All points are wanted, not those at the sides alone.</summary>
+        public bool IsWhole;
+
+        /// <summary>Room for <see cref="Points"/>: those at the sides, level by level.</summary>
+        public NativeArray<double3> AtSides;
+
+        /// <summary>Out, by run: points at the sides.</summary>
+        public NativeArray<int> AtSidesOfRun;
+
+        public void Execute()
+        {
+            var points = (double3*)Points.GetUnsafeReadOnlyPtr();
+            int atSides = 0;
+            for (int r = 0; r < Runs.Length; r++)
+            {
+                var run = Runs[r];
+                run.MinDistance = ClosestPair.Distance(points + run.First, run.Count);
+                Runs[r] = run;
+                int before = atSides;
+                for (int i = run.First; i < run.First + run.Count; i++)
+                {
+                    double toSide = math.cmin(math.min(points[i] - CubeMin, CubeMax - points[i]));
+                    if (IsWhole || toSide < run.Spacing)
+                        AtSides[atSides++] = points[i];
+                }
+                AtSidesOfRun[r] = atSides - before;
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Draw;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Jobs;
+
+namespace FastPoints.Verify
+{
+    /// <summary>Decodes every point of a source, all attributes, and says what was found. Bounded memory.</summary>
+    public sealed class SummariseCloud : IBlockConsumer
+    {
+        /// <summary>What one slot's job writes to.</summary>
+        struct SlotState
+        {
+            public NativeArray<PointColumn> Columns;
+            public NativeArray<ColumnSummary> SummaryOfColumn;
+            public NativeReference<PositionBounds> Bounds;
+        }
+
+        readonly PointReader m_reader;
+        readonly PointSchema m_schema;
+        readonly bool m_hasPositions;
+        SlotState[] m_slots;
+
+        public SummariseCloud(PointReader reader)
+        {
+            m_reader = reader;
+            m_schema = reader.Info.Schema;
+            m_hasPositions = m_schema.Has(AttributeNames.X) && m_schema.Has(AttributeNames.Y) && m_schema.Has(AttributeNames.Z);
+            Summary = new CloudSummary { Schema = m_schema, Columns = new ColumnSummary[m_schema.Count] };
+            for (int i = 0; i < m_schema.Count; i++)
+                Summary.Columns[i] = ColumnSummary.EmptyOf(m_schema[i].Type);
+        }
+
+        /// <summary>Complete when the work has ended.</summary>
+        public CloudSummary Summary { get; }
+
+        /// <summary>Work for a pump, with the stages <c>find blocks</c> and <c>scan</c>.</summary>
+        /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
+        /// <exception cref="PointCloudException">The source cannot be read.</exception>
+        public IEnumerator<JobHandle> Run(StageProgress progress, int slots = 0)
+        {
+            if (!m_reader.BlocksAreKnown)
+            {
+                progress?.Begin(PreviewCloud.FindBlocksStage);
+                using (var finding = m_reader.FindBlocks())
+                    while (finding.MoveNext())
+                        yield return finding.Current;
+            }
+            progress?.Begin("scan");
+            if (slots < 1)
+                slots = SourceScan.SlotsFor(m_reader, m_schema);
+            m_slots = new SlotState[slots];
+            try
+            {
+                using (var scan = SourceScan.Run(m_reader, m_schema, this, slots, progress))
+                    while (scan.MoveNext())
+                        yield return scan.Current;
+            }
+            finally
+            {
+                foreach (var state in m_slots)
+                {
+                    if (!state.Columns.IsCreated)
+                        continue;
+                    state.Columns.Dispose();
+                    state.SummaryOfColumn.Dispose();
+                    state.Bounds.Dispose();
+                }
+            }
+            progress?.End();
+        }
+
+        public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
+        {
+            if (!m_slots[slot].Columns.IsCreated)
+                m_slots[slot] = NewState(read.Points);
+            var state = m_slots[slot];
+            return new SummariseBlockJob
+            {
+                Block = read.Points.Bytes,
+                Columns = state.Columns,
+                Result = read.Result,
+                Transform = m_reader.Info.Transform,
+                HasPositions = m_hasPositions,
+                Positions = m_hasPositions ? PositionColumns.Of(read.Points) : default,
+                SummaryOfColumn = state.SummaryOfColumn,
+                Bounds = state.Bounds,
+            }.Schedule(decoded);
+        }
+
+        public void Completed(BlockRead read, int slot)
+        {
+            var state = m_slots[slot];
+            Summary.Points += read.Points.Count;
+            for (int i = 0; i < m_schema.Count; i++)
+                Summary.Columns[i].Include(state.SummaryOfColumn[i]);
+            var found = state.Bounds.Value;
+            var bounds = Summary.Bounds;
+            bounds.Include(found.Bounds);
+            Summary.Bounds = bounds;
+            Summary.NonFinite += found.NonFinite;
+        }
+
+        static SlotState NewState(PointBatch batch)
+        {
+            var state = new SlotState
+            {
+                Columns = new NativeArray<PointColumn>(batch.Schema.Count, Allocator.Persistent),
+                SummaryOfColumn = new NativeArray<ColumnSummary>(batch.Schema.Count, Allocator.Persistent),
+                Bounds = new NativeReference<PositionBounds>(Allocator.Persistent),
+            };
+            for (int i = 0; i < state.Columns.Length; i++)
+                state.Columns[i] = batch.Column(i);
+            return state;
+        }
+    }
+}

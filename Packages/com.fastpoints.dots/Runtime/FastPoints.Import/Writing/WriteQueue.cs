@@ -1,0 +1,233 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Records;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+
+namespace FastPoints.Writing
+{
+    /// <summary>
+    /// One thread that writes files, in the order in which they are queued. Each file is complete or absent: written under another
+    /// name, flushed, renamed. After a failure nothing is written any more.
+    /// </summary>
+    sealed unsafe class WriteQueue
+    {
+        const int PieceBytes = 1 << 20;
+        const string TemporarySuffix = ".tmp";
+
+        enum OrderKind
+        {
+            /// <summary>A file in one piece.</summary>
+            Whole,
+            /// <summary>A piece of a file that has its temporary name still.</summary>
+            Piece,
+            /// <summary>The first bytes of such a file, which is complete then.</summary>
+            Seal,
+            /// <summary>Records at the end of a file that the build alone reads.</summary>
+            Records,
+            /// <summary>What was written to such a file so far is put on the disk itself.</summary>
+            Sync,
+        }
+
+        struct Order
+        {
+            public OrderKind Kind;
+            public string Path;
+            public IntPtr Bytes;
+            public long Count;
+            public long Offset;
+            public RecordPages Pages;
+            public int StrideBytes;
+            public WriteTicket Ticket;
+        }
+
+        readonly Queue<Order> m_orders = new Queue<Order>();
+        readonly Thread m_thread;
+        readonly Func<Exception> m_check;
+        readonly TimeSpan m_checkAfter;
+        bool m_isEnding;
+
+        /// <param name="check">Called on the thread, before each file and where it waits for one: why nothing may be written any
+        /// more, or null.</param>
+        /// <param name="checkAfter">The longest time without that.</param>
+        public WriteQueue(Func<Exception> check, TimeSpan checkAfter)
+        {
+            m_check = check;
+            m_checkAfter = checkAfter;
+            m_thread = new Thread(WriteOrders) { IsBackground = true, Name = "FastPoints writer" };
+            m_thread.Start();
+        }
+
+        /// <summary>What went wrong, to be looked at after <see cref="End"/>; null where nothing did.</summary>
+        public Exception Failure { get; private set; }
+
+        /// <summary>A file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
+        public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
+
+        /// <summary>A piece of a file, which is there when <see cref="Seal"/> is done with it.</summary>
+        /// <param name="offset">Of the piece in the file.</param>
+        public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
+            Enqueue(OrderKind.Piece, path, bytes, offset);
+
+        /// <summary>The first bytes of a file in pieces, with which it is complete.</summary>
+        public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
+
+        /// <summary>Records at the end of a file that the build alone reads.</summary>
+        /// <param name="offset">The file's size so far.</param>
+        public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
+        {
+            Kind = OrderKind.Records,
+            Path = path,
+            Pages = pages,
+            StrideBytes = strideBytes,
+            Offset = offset,
+            Ticket = new WriteTicket(),
+        });
+
+        /// <summary>What was queued for such a file before is on the disk itself when the ticket is done.</summary>
+        public WriteTicket Sync(string path) => Enqueue(new Order
+        {
+            Kind = OrderKind.Sync,
+            Path = path,
+            Ticket = new WriteTicket(),
+        });
+
+        /// <summary>Waits for all that is queued. May run twice.</summary>
+        public void End()
+        {
+            lock (m_orders)
+            {
+                m_isEnding = true;
+                Monitor.PulseAll(m_orders);
+            }
+            m_thread.Join();
+        }
+
+        /// <summary>Writes a file on the calling thread.</summary>
+        public static void WriteFile(string path, byte* bytes, long count)
+        {
+            string temporary = path + TemporarySuffix;
+            using (var file = Open(temporary, FileMode.Create, 0))
+            {
+                Write(file, bytes, count);
+                file.Flush(true);
+            }
+            Rename(temporary, path);
+        }
+
+        void WriteOrders()
+        {
+            while (true)
+            {
+                Order order;
+                lock (m_orders)
+                {
+                    if (m_orders.Count == 0 && !m_isEnding)
+                        Monitor.Wait(m_orders, m_checkAfter);
+                    if (m_orders.Count == 0 && m_isEnding)
+                        return;
+                    m_orders.TryDequeue(out order);
+                }
+                Failure = m_check() ?? Failure;
+                if (order.Ticket == null)
+                    continue;
+                // After a failure nothing is written any more: what follows would rely on what is missing.
+                try
+                {
+                    if (Failure == null)
+                        Carry(order);
+                }
+                catch (Exception e)
+                {
+                    // Whatever it is: who waits for the ticket would wait for ever if it ended the thread.
+                    Failure = FileFailures.IsFileFailure(e) ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
+                }
+                order.Ticket.Finish(Failure);
+            }
+        }
+
+        WriteTicket Enqueue(OrderKind kind, string path, NativeArray<byte> bytes, long offset) => Enqueue(new Order
+        {
+            Kind = kind,
+            Path = path,
+            Bytes = (IntPtr)bytes.GetUnsafeReadOnlyPtr(),
+            Count = bytes.Length,
+            Offset = offset,
+            Ticket = new WriteTicket(),
+        });
+
+        WriteTicket Enqueue(Order order)
+        {
+            lock (m_orders)
+            {
+                m_orders.Enqueue(order);
+                Monitor.PulseAll(m_orders);
+            }
+            return order.Ticket;
+        }
+
+        static void Carry(in Order order)
+        {
+            var bytes = (byte*)order.Bytes;
+            string temporary = order.Path + TemporarySuffix;
+            switch (order.Kind)
+            {
+                case OrderKind.Whole:
+                    WriteFile(order.Path, bytes, order.Count);
+                    break;
+                case OrderKind.Piece:
+                    using (var file = Open(temporary, order.Offset == 0 ? FileMode.Create : FileMode.OpenOrCreate, order.Offset))
+                        Write(file, bytes, order.Count);
+                    break;
+                case OrderKind.Seal:
+                    using (var file = Open(temporary, FileMode.OpenOrCreate, 0))
+                    {
+                        Write(file, bytes, order.Count);
+                        file.Flush(true);
+                    }
+                    Rename(temporary, order.Path);
+                    break;
+                case OrderKind.Sync:
+                    using (var file = new FileStream(order.Path, FileMode.Open, FileAccess.Write))
+                        file.Flush(true);
+                    break;
+                default:
+                    using (var file = Open(order.Path, FileMode.OpenOrCreate, order.Offset))
+                        for (var page = order.Pages.First; page != null; page = page->Next)
+                            file.Write(new ReadOnlySpan<byte>(RecordPages.RecordsOf(page), page->Count * order.StrideBytes));
+                    break;
+            }
+        }
+
+        static FileStream Open(string path, FileMode mode, long offset)
+        {
+            // A buffer of one byte: what is written goes straight on.
+            var file = new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
+            file.Position = offset;
+            return file;
+        }
+
+        static void Write(FileStream file, byte* bytes, long count)
+        {
+            for (long done = 0; done < count;)
+            {
+                int piece = (int)Math.Min(PieceBytes, count - done);
+                file.Write(new ReadOnlySpan<byte>(bytes + done, piece));
+                done += piece;
+            }
+        }
+
+        /// <summary>In place of what is there, if anything is.</summary>
+        static void Rename(string from, string to)
+        {
+            if (File.Exists(to))
+                File.Replace(from, to, null);
+            else
+                File.Move(from, to);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Samplers
+{
+    /// <summary>A source of points that a test has in memory: blocks of a size of the test's choice.</summary>
+    sealed class MemoryReader : PointReader
+    {
+        readonly int m_points;
+        readonly int m_blockPoints;
+        readonly Array[] m_columns;
+        int m_slots;
+
+        /// <param name="columns">By attribute of the schema: an array of the attribute's type.</param>
+        public MemoryReader(PointSchema schema, PositionTransform transform, int blockPoints, params Array[] columns)
+        {
+            m_columns = columns;
+            m_points = columns[0].Length;
+            m_blockPoints = blockPoints;
+            Info = new SourceInfo
+            {
+                Path = "memory",
+                Format = "memory",
+                Schema = schema,
+                Transform = transform,
+                PointsReadable = m_points
+            };
+        }
+
+        /// <summary>Points with whole coordinates, an intensity, and a colour.</summary>
+        public static MemoryReader Of(int3[] places, PositionTransform transform, int blockPoints = 1000, uint seed = 1)
+        {
+            int count = places.Length;
+            int[] x = new int[count], y = new int[count], z = new int[count];
+            ushort[] intensity = new ushort[count], red = new ushort[count], green = new ushort[count], blue = new ushort[count];
+            var random = new Unity.Mathematics.Random(seed);
+            for (int i = 0; i < count; i++)
+            {
+                x[i] = places[i].x;
+                y[i] = places[i].y;
+                z[i] = places[i].z;
+                intensity[i] = (ushort)random.NextInt(65536);
+                red[i] = (ushort)(random.NextInt(256) * 257);
+                green[i] = (ushort)(random.NextInt(256) * 256);
+                blue[i] = (ushort)random.NextInt(65536);
+            }
+            return new MemoryReader(new PointSchema(new[]
+            {
+                new PointAttribute(AttributeNames.X, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Y, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Z, AttributeType.Int32),
+                new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Red, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Green, AttributeType.UInt16),
+                new PointAttribute(AttributeNames.Blue, AttributeType.UInt16),
+            }), transform, blockPoints, x, y, z, intensity, red, green, blue);
+        }
+
+        public override int BlockCount => (m_points + m_blockPoints - 1) / m_blockPoints;
+        public override int MaxPointsPerBlock => Math.Min(m_blockPoints, m_points);
+        public override bool HasFixedStride => true;
+
+        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
+
+        public override int PointsInBlock(int block) => Math.Min(m_blockPoints, m_points - block * m_blockPoints);
+
+        public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint;
+
+        /// <summary>Reads that there ever were at once.</summary>
+        public int MostSlots { get; private set; }
+
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new Slot(this, wanted, capacity, allocator);
+
+        sealed class Slot : BlockRead
+        {
+            readonly MemoryReader m_reader;
+            NativeReference<DecodeResult> m_result;
+
+            public Slot(MemoryReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            {
+                m_reader = reader;
+                m_reader.MostSlots = Math.Max(m_reader.MostSlots, ++m_reader.m_slots);
+                Points = new PointBatch(wanted, capacity, allocator);
+                Result = m_result = new NativeReference<DecodeResult>(allocator);
+            }
+
+            public override unsafe void Begin(BlockRange range)
+            {
+                Range = range;
+                FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
+                var bytes = Points.Bytes;
+                for (int c = 0; c < Points.Schema.Count; c++)
+                {
+                    int size = Points.Schema[c].Type.SizeOf();
+                    var raw = new byte[range.Count * size];
+                    Buffer.BlockCopy(m_reader.m_columns[m_reader.Info.Schema.IndexOf(Points.Schema[c].Name)],
+                        (int)FirstPoint * size, raw, 0, raw.Length);
+                    NativeArray<byte>.Copy(raw, 0, bytes, Points.Column(c).OffsetBytes, raw.Length);
+                }
+                m_result.Value = new DecodeResult { Points = range.Count };
+                Decoded = default;
+            }
+
+            public override void Complete() => Points.Count = m_result.Value.Points;
+
+            public override void Dispose()
+            {
+                if (!m_result.IsCreated)
+                    return;
+                m_reader.m_slots--;
+                Points.Dispose();
+                m_result.Dispose();
+            }
+        }
+    }
+}

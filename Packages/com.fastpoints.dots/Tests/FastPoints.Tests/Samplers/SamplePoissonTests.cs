@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Samplers
+{
+    [Category("Smoke")]
+    public class SamplePoissonTests
+    {
+        static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };
+
+        [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
+        public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] places)
+        {
+            var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
+            var reference = new PoissonReference(sampled.Places, s_small, PoissonReference.OrderOf(sampled.Priority), true);
+            for (int i = 0; i < sampled.Places.Length; i++)
+                Assert.That(sampled.IsSampled(i) ? sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 : -2,
+                    Is.EqualTo(reference.CellOfPoint[i]), "point " + i);
+            CheckNodes(sampled, s_small);
+        }
+
+        [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
+        public void Sample_InSlices_IsTheSame(Grid3[] places)
+        {
+            var whole = SampledPoints.Run(places, Sampler.Poisson, s_small);
+            var sliced = SampledPoints.Run(places, Sampler.Poisson, s_small, 50);
+            Assert.That(sliced.NodeOfPoint, Is.EqualTo(whole.NodeOfPoint));
+            Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
+        }
+
+        [TestCase(40)]
+        [TestCase(61)]
+        public void Sample_VastSpan_KeepsTheDistance(int bits)
+        {
+            var places = SamplingClouds.Make(5000, (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
+                ? Long(ref r, bits)
+                : 0), r));
+            var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
+            CheckNodes(sampled, s_small);
+            Assert.That(sampled.SmallestRatio(), Is.InRange(0.99, 1.5));
+        }
+
+        static long Long(ref Unity.Mathematics.Random random, int bits) =>
+            (long)(((ulong)random.NextUInt() << 32 | random.NextUInt()) >> (64 - bits));
+
+        [Test]
+        public void Sample_DenserThanANodeMayBe_StopsAtItsLimit()
+        {
+            // The cap is less than what would fit at the coarsest cells that it allows: neighbours at exactly the spacing.
+            var sizes = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 10, MaxPointsPerNode = 64 };
+            var sampled = SampledPoints.Run(SamplingClouds.Lattice(16, 16), Sampler.Poisson, sizes);
+            CheckNodes(sampled, sizes);
+        }
+
+        [Test]
+        public void Sample_ManyLevels_KeepsTheDistanceAcrossNodes()
+        {
+            foreach (var places in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
+            {
+                var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
+                var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
+                CheckNodes(sampled, sizes);
+                Assert.That(sampled.SmallestRatio(), Is.InRange(1.0, 1.01));
+            }
+        }
+
+        [Test]
+        public void Sample_Spacing_IsAsEvenAsDartThrowingInRandomOrder()
+        {
+            var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
+            foreach (var places in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
+            {
+                var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
+                var order = new int[places.Length];
+                for (int i = 0; i < order.Length; i++)
+                    order[i] = i;
+                Array.Sort((uint[])sampled.Priority.Clone(), order);
+                var reference = new PoissonReference(sampled.Places, sizes, order, false);
+                // All that is drawn of the two widest spacings, as a picture from afar would have it.
+                int widest = 0;
+                foreach (var node in sampled.Nodes)
+                    widest = Math.Max(widest, node.CellLog2);
+                double own = Unevenness(sampled, i => sampled.IsSampled(i) && sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 >= widest - 1);
+                double wanted = Unevenness(sampled, i => reference.CellOfPoint[i] >= widest - 1);
+                TestContext.WriteLine(own + " against " + wanted);
+                Assert.That(own, Is.LessThanOrEqualTo(1.1 * wanted));
+            }
+        }
+
+        /// <summary>Coefficient of variation of the distances to the nearest neighbour.</summary>
+        static double Unevenness(SampledPoints sampled, Func<int, bool> isChosen)
+        {
+            var chosen = new List<int>();
+            for (int i = 0; i < sampled.Places.Length; i++)
+                if (isChosen(i))
+                    chosen.Add(i);
+            double sum = 0, squares = 0;
+            foreach (int a in chosen)
+            {
+                double nearest = double.PositiveInfinity;
+                foreach (int b in chosen)
+                    if (a != b)
+                        nearest = Math.Min(nearest, sampled.DistanceOf(a, b));
+                sum += nearest;
+                squares += nearest * nearest;
+            }
+            double mean = sum / chosen.Count;
+            return Math.Sqrt(squares / chosen.Count - mean * mean) / mean;
+        }
+
+        static void CheckNodes(SampledPoints sampled, NodeSizes sizes)
+        {
+            var counts = new int[sampled.Nodes.Length];
+            foreach (int node in sampled.NodeOfPoint)
+                counts[node]++;
+            for (int n = 0; n < counts.Length; n++)
+            {
+                var node = sampled.Nodes[n];
+                Assert.That(node.Count, Is.EqualTo(counts[n]));
+                Assert.That(node.Count, Is.InRange(1, sizes.MaxPointsPerNode));
+                Assert.That(node.Parent, Is.LessThan(n));
+                if (n > 0)
+                    Assert.That(node.Parent, Is.GreaterThanOrEqualTo(0));
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Points;
+using FastPoints.Records;
+using FastPoints.Samplers;
+using FastPoints.Store;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+
+namespace FastPoints.Tests.Samplers
+{
+    /// <summary>Places put through a sampler as one chunk, without a file.</summary>
+    sealed class SampledPoints
+    {
+        /// <summary>In order along the Morton curve, from the cube's corner.</summary>
+        public Grid3[] Places;
+        public uint[] Priority;
+        public int[] NodeOfPoint;
+        public NodeDraft[] Nodes;
+
+        public static unsafe SampledPoints Run(IReadOnlyList<Grid3> places, Sampler sampler, NodeSizes sizes,
+            int pointsPerSlice = int.MaxValue)
+        {
+            var sorted = new Grid3[places.Count];
+            long most = 0;
+            for (int i = 0; i < sorted.Length; i++)
+            {
+                sorted[i] = places[i];
+                most |= sorted[i].X | sorted[i].Y | sorted[i].Z;
+            }
+            Array.Sort(sorted, MortonOrder.Compare);
+            var result = new SampledPoints { Places = sorted };
+            int count = sorted.Length, side = 0;
+            while (most >> side != 0)
+                side++;
+            var layout = new RecordLayout(side > 32, default, 0);
+            var scratch = new PoissonScratch(Allocator.Persistent);
+            var random = new RandomScratch(Allocator.Persistent);
+            var givesWay = new NativeArray<byte>(count, Allocator.Persistent);
+            var records = new NativeArray<byte>(count * layout.StrideBytes, Allocator.Persistent);
+            var common = new NativeArray<byte>(count, Allocator.Persistent);
+            var priority = new NativeArray<uint>(count, Allocator.Persistent);
+            var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
+            var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            var slices = new SliceTimes(Allocator.Persistent);
+            var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
+            var averaged = new AveragedColumns
+            {
+                Columns = new NativeArray<StoredColumn>(0, Allocator.Persistent),
+                AverageOfPoint = new NativeArray<int>(0, Allocator.Persistent),
+                Averages = new NativeList<PointAverage>(0, Allocator.Persistent),
+            };
+            var record = (byte*)records.GetUnsafePtr();
+            for (int i = 0; i < count; i++)
+                layout.SetPlace(record + i * layout.StrideBytes, sorted[i].X, sorted[i].Y, sorted[i].Z);
+            Sampling.Prepare(record, 0, count, layout, default, (byte*)common.GetUnsafePtr(), (uint*)priority.GetUnsafePtr());
+            if (sampler == Sampler.Random)
+            {
+                var job = new SampleRandomJob
+                {
+                    Count = count,
+                    RootSideLog2 = side,
+                    Sizes = sizes,
+                    CommonCubeLog2 = common,
+                    Priority = priority,
+                    GivesWayLog2 = givesWay,
+                    Tops = tops,
+                    NodeOfPoint = nodeOfPoint,
+                    Nodes = nodes,
+                    Slices = slices,
+                    Scratch = random,
+                    PointsPerSlice = pointsPerSlice,
+                };
+                do
+                    job.Schedule().Complete();
+                while (!random.IsDone);
+            }
+            else
+            {
+                var job = new SamplePoissonJob
+                {
+                    Count = count,
+                    RootSideLog2 = side,
+                    Sizes = sizes,
+                    Layout = layout,
+                    Records = records,
+                    CommonCubeLog2 = common,
+                    Priority = priority,
+                    Tops = tops,
+                    NodeOfPoint = nodeOfPoint,
+                    Nodes = nodes,
+                    Averaged = averaged,
+                    Slices = slices,
+                    Scratch = scratch,
+                    PointsPerSlice = pointsPerSlice,
+                };
+                do
+                    job.Schedule().Complete();
+                while (!scratch.IsDone);
+            }
+            result.Priority = priority.ToArray();
+            result.NodeOfPoint = nodeOfPoint.ToArray();
+            result.Nodes = nodes.AsArray().ToArray();
+            averaged.Columns.Dispose();
+            averaged.AverageOfPoint.Dispose();
+            averaged.Averages.Dispose();
+            nodes.Dispose();
+            slices.Dispose();
+            tops.Dispose();
+            nodeOfPoint.Dispose();
+            priority.Dispose();
+            common.Dispose();
+            records.Dispose();
+            scratch.Dispose();
+            random.Dispose();
+            givesWay.Dispose();
+            return result;
+        }
+
+        /// <summary>Smallest distance between two sampled points, by the smaller of their spacings: 1 and more is
+        /// right.</summary>
+        public double SmallestRatio()
+        {
+            double smallest = double.PositiveInfinity;
+            var sampled = new List<int>();
+            for (int i = 0; i < Places.Length; i++)
+                if (IsSampled(i))
+                    sampled.Add(i);
+            // Along x, so that few pairs are looked at.
+            sampled.Sort((a, b) => Places[a].X.CompareTo(Places[b].X));
+            double widest = 0;
+            foreach (var node in Nodes)
+                if (!node.IsLeaf)
+                    widest = Math.Max(widest, Math.Pow(2, node.CellLog2));
+            for (int a = 0; a < sampled.Count; a++)
+            {
+                for (int b = a + 1; b < sampled.Count && Places[sampled[b]].X - Places[sampled[a]].X < widest; b++)
+                {
+                    int cell = Math.Min(Nodes[NodeOfPoint[sampled[a]]].CellLog2, Nodes[NodeOfPoint[sampled[b]]].CellLog2);
+                    smallest = Math.Min(smallest, DistanceOf(sampled[a], sampled[b]) / Math.Pow(2, cell));
+                }
+            }
+            return smallest;
+        }
+
+        /// <summary>Whether a point is in a node that has a spacing: no leaf, and no chain of equal points.</summary>
+        public bool IsSampled(int point) => !Nodes[NodeOfPoint[point]].IsLeaf && Nodes[NodeOfPoint[point]].SideLog2 > 0;
+
+        public double DistanceOf(int a, int b)
+        {
+            var d = Places[a] - Places[b];
+            return Math.Sqrt((double)d.X * d.X + (double)d.Y * d.Y + (double)d.Z * d.Z);
+        }
+    }
+}

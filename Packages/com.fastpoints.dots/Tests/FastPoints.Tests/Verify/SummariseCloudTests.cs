@@ -1,0 +1,114 @@
+using System;
+using FastPoints.Base;
+using FastPoints.Points;
+using FastPoints.Tests.Support;
+using FastPoints.Verify;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Verify
+{
+    public class SummariseCloudTests
+    {
+        static CloudSummary Summarise(MemoryPointReader reader, int slots)
+        {
+            var cloud = new SummariseCloud(reader);
+            WorkPump.RunToEnd(cloud.Run(new StageProgress(), slots));
+            return cloud.Summary;
+        }
+
+        [TestCase(1, 10_000)]
+        [TestCase(3, 333)]
+        [TestCase(8, 1)]
+        public void Run_SeededScan_FindsCountBoundsRangesAndSums(int slots, int pointsPerBlock)
+        {
+            var batch = TestBatches.Scan(2000, 6);
+            ulong sumX = 0, sumTime = 0;
+            int minX = int.MaxValue, maxX = int.MinValue;
+            var x = batch.Column<int>(0);
+            var time = batch.Column<double>(AttributeNames.GpsTime);
+            for (int i = 0; i < batch.Count; i++)
+            {
+                sumX += (ulong)x[i];
+                sumTime += (ulong)BitConverter.DoubleToInt64Bits(time[i]);
+                minX = Math.Min(minX, x[i]);
+                maxX = Math.Max(maxX, x[i]);
+            }
+            using var reader = new MemoryPointReader(batch, pointsPerBlock);
+            reader.Info.Transform = new PositionTransform
+            {
+                Scale = new double3(0.01, 0.01, 0.01),
+                Offset = new double3(5e5,
+                5e6, 0)
+            };
+            var summary = Summarise(reader, slots);
+            Assert.That(summary.Points, Is.EqualTo(2000));
+            Assert.That(summary.NonFinite, Is.EqualTo(0));
+            Assert.That(summary.Bounds.Min.x, Is.EqualTo(minX * 0.01 + 5e5));
+            Assert.That(summary.Bounds.Max.x, Is.EqualTo(maxX * 0.01 + 5e5));
+            Assert.That(summary.Columns[0].Sum, Is.EqualTo(sumX));
+            Assert.That(summary.Columns[0].MinText, Is.EqualTo(minX.ToString()));
+            Assert.That(summary.Columns[5].Sum, Is.EqualTo(sumTime));
+            Assert.That(summary.Columns[5].Max, Is.EqualTo(1999 * 0.25));
+        }
+
+        [Test]
+        public void Run_EachType_IsExactToTheLastDigit()
+        {
+            var types = (AttributeType[])Enum.GetValues(typeof(AttributeType));
+            var attributes = TestBatches.Xyz(AttributeType.Int32);
+            foreach (var type in types)
+                attributes.Add(new PointAttribute(type.ToString(), type));
+            var batch = TestBatches.New(2, attributes);
+            for (int i = 0; i < types.Length; i++)
+            {
+                TestBatches.Set(batch, 3 + i, 0, 1);
+                TestBatches.Set(batch, 3 + i, 1, 2);
+            }
+            TestBatches.Put(batch, 3 + (int)AttributeType.UInt64, 0, ulong.MaxValue);
+            TestBatches.Put(batch, 3 + (int)AttributeType.Int64, 0, long.MinValue);
+            TestBatches.Put(batch, 3 + (int)AttributeType.Int8, 0, (sbyte)-5);
+            using var reader = new MemoryPointReader(batch, 1);
+            var columns = Summarise(reader, 2).Columns;
+            Assert.That(columns[3 + (int)AttributeType.UInt64].MaxText, Is.EqualTo("18446744073709551615"));
+            Assert.That(columns[3 + (int)AttributeType.UInt64].MinText, Is.EqualTo("2"));
+            Assert.That(columns[3 + (int)AttributeType.UInt64].Sum, Is.EqualTo(1));
+            Assert.That(columns[3 + (int)AttributeType.Int64].MinText, Is.EqualTo("-9223372036854775808"));
+            Assert.That(columns[3 + (int)AttributeType.Int64].MaxText, Is.EqualTo("2"));
+            Assert.That(columns[3 + (int)AttributeType.Int8].Min, Is.EqualTo(-5));
+            Assert.That(columns[3 + (int)AttributeType.Int8].Sum, Is.EqualTo(unchecked((ulong)-3)));
+            Assert.That(columns[3 + (int)AttributeType.Float32].Sum, Is.EqualTo(0x3F800000UL + 0x40000000UL));
+            Assert.That(columns[3 + (int)AttributeType.Float32].MaxText, Is.EqualTo("2"));
+        }
+
+        [Test]
+        public void Run_NonFiniteValues_AreInTheSumAndNotInTheRange()
+        {
+            var batch = TestBatches.OfPositions(new double3(1, 2, 3), new double3(double.NaN, 50, 60), new double3(7, 8, 9));
+            using var reader = new MemoryPointReader(batch, 2);
+            var summary = Summarise(reader, 2);
+            Assert.That(summary.NonFinite, Is.EqualTo(1));
+            Assert.That(summary.Bounds.Max, Is.EqualTo(new double3(7, 8, 9)));
+            Assert.That(summary.Columns[0].NonFinite, Is.EqualTo(1));
+            Assert.That(summary.Columns[0].Finite, Is.EqualTo(2));
+            Assert.That(summary.Columns[1].Max, Is.EqualTo(50));
+        }
+
+        [Test]
+        public void Run_NoPoints_IsEmpty()
+        {
+            using var reader = new MemoryPointReader(TestBatches.OfPositions(), 10);
+            var summary = Summarise(reader, 2);
+            Assert.That(summary.Points, Is.EqualTo(0));
+            Assert.That(summary.Bounds.IsEmpty, Is.True);
+            Assert.That(summary.Columns[0].MinText, Is.Null);
+        }
+
+        [Test]
+        public void Run_SourceThatBreaksOff_CountsWhatIsThere()
+        {
+            using var reader = new MemoryPointReader(TestBatches.Scan(1000, 1), 128, true, 700);
+            Assert.That(Summarise(reader, 3).Points, Is.EqualTo(700));
+        }
+    }
+}

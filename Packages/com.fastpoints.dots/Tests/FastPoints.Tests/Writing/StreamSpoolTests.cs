@@ -1,0 +1,107 @@
+using System;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using FastPoints.Base;
+using FastPoints.Writing;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Writing
+{
+    public sealed class StreamSpoolTests
+    {
+        const int Length = (3 << 20) + 17;
+
+        string m_folder;
+
+        [SetUp]
+        public void MakeFolder()
+        {
+            m_folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+            Directory.CreateDirectory(m_folder);
+        }
+
+        [TearDown]
+        public void DeleteFolder() => Directory.Delete(m_folder, true);
+
+        static byte[] Bytes()
+        {
+            var bytes = new byte[Length];
+            new System.Random(1).NextBytes(bytes);
+            return bytes;
+        }
+
+        /// <summary>As a network gives it: in pieces of a few bytes to a few thousand. Waits where it is told to.</summary>
+        sealed class Trickle : MemoryStream
+        {
+            readonly System.Random m_random = new System.Random(2);
+
+            public Trickle(byte[] bytes)
+                : base(bytes)
+            {
+            }
+
+            public ManualResetEventSlim WaitsFor;
+            public bool IsDisposed { get; private set; }
+
+            public override int Read(byte[] buffer, int offset, int count)
+            {
+                WaitsFor?.Wait();
+                return base.Read(buffer, offset, Math.Min(count, m_random.Next(1, 9000)));
+            }
+
+            protected override void Dispose(bool disposing)
+            {
+                IsDisposed = true;
+                base.Dispose(disposing);
+            }
+        }
+
+        [TestCase(-1)]
+        [TestCase(Length)]
+        public void Work_Stream_IsTheFile(long length)
+        {
+            string path = Path.Combine(m_folder, "scan.las");
+            File.WriteAllText(path, "what was there before");
+            var stream = new Trickle(Bytes());
+            using var spool = new StreamSpool(() => stream, path, length);
+            spool.Work.GetAwaiter().GetResult();
+            Assert.That(File.ReadAllBytes(path), Is.EqualTo(Bytes()));
+            Assert.That((spool.Share, spool.Bytes, stream.IsDisposed), Is.EqualTo((1.0, (long)Length, true)));
+            Assert.That(Directory.GetFiles(m_folder), Is.EqualTo(new[] { path }));
+        }
+
+        [Test]
+        public void Work_StreamThatEndsEarly_SaysSoAndLeavesNothing()
+        {
+            string path = Path.Combine(m_folder, "scan.las");
+            using var spool = new StreamSpool(() => new Trickle(Bytes()), path, Length + 1);
+            var failure = Assert.Throws<PointCloudException>(() => spool.Work.GetAwaiter().GetResult());
+            Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
+            Assert.That(failure.Message, Does.Contain("scan.las").And.Contains((Length + 1).ToString()));
+            Assert.That(Directory.GetFiles(m_folder), Is.Empty);
+        }
+
+        [Test]
+        public void Work_FolderThatIsNotThere_SaysSo()
+        {
+            string path = Path.Combine(m_folder, "none", "scan.las");
+            using var spool = new StreamSpool(() => new Trickle(Bytes()), path);
+            var failure = Assert.Throws<PointCloudException>(() => spool.Work.GetAwaiter().GetResult());
+            Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
+        }
+
+        [Test]
+        public void Dispose_Meanwhile_LeavesNothing()
+        {
+            using var goesOn = new ManualResetEventSlim();
+            string path = Path.Combine(m_folder, "scan.las");
+            var spool = new StreamSpool(() => new Trickle(Bytes()) { WaitsFor = goesOn }, path);
+            spool.Dispose();
+            goesOn.Set();
+            Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => spool.Work.GetAwaiter().GetResult());
+            Assert.That(spool.Work.Status, Is.Not.EqualTo(TaskStatus.RanToCompletion));
+            Assert.That(Directory.GetFiles(m_folder), Is.Empty);
+        }
+    }
+}
