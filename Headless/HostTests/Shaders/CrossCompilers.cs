@@ -33,7 +33,7 @@ namespace FastPoints.HostTests.Shaders
         {
             using var folder = new ScratchFolder();
             var faults = new (string Metal, string Gles, string WebGpu)[stages.Count];
-            Parallel.For(0, stages.Count, i =>
+            Parallel.For(0, stages.Count, Tool.OneACore, i =>
             {
                 string stage = stages[i].Stage, name = folder[$"{i}.{stage}"];
                 byte[] code = stages[i].Compile();

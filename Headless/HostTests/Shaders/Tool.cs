@@ -2,12 +2,16 @@ using System;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 
 namespace FastPoints.HostTests.Shaders
 {
     /// <summary>Programs that tests of shaders run where they are installed.</summary>
     static class Tool
     {
+        /// <summary>A thread that waits for a program makes the pool start another, until hundreds run at once.</summary>
+        internal static ParallelOptions OneACore => new() { MaxDegreeOfParallelism = Environment.ProcessorCount };
+
         /// <summary>Where a program lies: on the PATH, or in one of the folders; null where it does not.</summary>
         internal static string Find(string name, params string[] folders) =>
             (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Concat(folders)

@@ -35,7 +35,7 @@ namespace FastPoints.HostTests.StandIns.Graphics
             ShaderStage[] all = ShaderSources.StagesOf(Path.Combine(Checkout.Repository.Root, shader)).ToArray();
             Assert.That(all.Length, Is.LessThanOrEqualTo(MostVariants));
             var faults = new string[all.Length];
-            Parallel.For(0, all.Length, i =>
+            Parallel.For(0, all.Length, Tool.OneACore, i =>
             {
                 File.WriteAllBytes(folder[i + ".spv"], all[i].Compile());
                 faults[i] = Check(folder[i + ".spv"]);
