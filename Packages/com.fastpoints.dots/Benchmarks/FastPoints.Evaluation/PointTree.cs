@@ -144,4 +144,18 @@ namespace FastPoints.Evaluation
         /// <summary>First place of a level's i-th node.</summary>
         internal static long FirstOf(int index, int level, int count) => (long)index * count >> level;
     }
+
+    /// <summary>The tight box of some points of a <see cref="PointTree"/>.</summary>
+    public struct PointTreeNode
+    {
+        public double3 Min;
+        public double3 Max;
+
+        /// <summary>0 within the box.</summary>
+        public readonly double DistanceSq(double3 point)
+        {
+            var outside = math.max(math.max(Min - point, point - Max), new double3(0, 0, 0));
+            return math.dot(outside, outside);
+        }
+    }
 }

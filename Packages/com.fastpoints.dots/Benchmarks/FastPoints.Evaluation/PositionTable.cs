@@ -1,6 +1,10 @@
 using System;
+using FastPoints.Files;
+using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
@@ -46,6 +50,86 @@ namespace FastPoints.Evaluation
             m_positions.Dispose();
             m_slots.Dispose();
             m_states.Dispose();
+        }
+    }
+
+    /// <summary>Where positions lie in a <see cref="PositionTable"/>.</summary>
+    static class PositionSlots
+    {
+        /// <summary>States of a slot.</summary>
+        public const byte Empty = 0, Wanted = 1, Seen = 2;
+
+        /// <summary>The position's slot, or the empty one that it would take. There is an empty one.</summary>
+        /// <param name="slotCount">A power of two.</param>
+        public static unsafe int SlotOf(double3* slots, byte* states, int slotCount, double3 position)
+        {
+            // Adding 0 makes one number of both zeros.
+            ulong hash = math.asulong(position.x + 0.0) * 0x9E3779B97F4A7C15UL;
+            hash = (hash ^ hash >> 32 ^ math.asulong(position.y + 0.0)) * 0xC2B2AE3D27D4EB4FUL;
+            hash = (hash ^ hash >> 29 ^ math.asulong(position.z + 0.0)) * 0x165667B19E3779F9UL;
+            int mask = slotCount - 1;
+            int slot = (int)(hash >> 32) & mask;
+            while (states[slot] != Empty
+                && !(slots[slot].x == position.x && slots[slot].y == position.y && slots[slot].z == position.z))
+                slot = slot + 1 & mask;
+            return slot;
+        }
+    }
+
+    /// <summary>Puts the positions of a <see cref="PositionTable"/> into its slots; equal ones share a slot.</summary>
+    [BurstCompile]
+    public struct FillPositionTableJob : IJob
+    {
+        [ReadOnly] public NativeArray<double3> Positions;
+        public int Count;
+        public NativeArray<double3> Slots;
+        public NativeArray<byte> States;
+
+        public unsafe void Execute()
+        {
+            var slots = (double3*)Slots.GetUnsafePtr();
+            byte* states = (byte*)States.GetUnsafePtr();
+            for (int i = 0; i < Count; i++)
+            {
+                int slot = PositionSlots.SlotOf(slots, states, Slots.Length, Positions[i]);
+                slots[slot] = Positions[i];
+                states[slot] = PositionSlots.Wanted;
+            }
+        }
+    }
+
+    /// <summary>Marks those positions of a <see cref="PositionTable"/> that a decoded block holds. Any number of these may
+    /// run at once: they all write the same value.</summary>
+    [BurstCompile]
+    public struct SeePositionsJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Block;
+        [ReadOnly] public NativeReference<DecodeResult> Result;
+        public PositionColumns Columns;
+        public PositionTransform Transform;
+        [ReadOnly] public NativeArray<double3> Slots;
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> States;
+
+        public unsafe void Execute()
+        {
+            double* x = stackalloc double[ColumnValues.RunLength];
+            double* y = stackalloc double[ColumnValues.RunLength];
+            double* z = stackalloc double[ColumnValues.RunLength];
+            byte* bytes = (byte*)Block.GetUnsafeReadOnlyPtr();
+            var slots = (double3*)Slots.GetUnsafeReadOnlyPtr();
+            byte* states = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(States);
+            int count = Result.Value.Points;
+            for (int first = 0; first < count; first += ColumnValues.RunLength)
+            {
+                int run = math.min(ColumnValues.RunLength, count - first);
+                Columns.LoadGeo(bytes, Transform, first, run, x, y, z);
+                for (int i = 0; i < run; i++)
+                {
+                    int slot = PositionSlots.SlotOf(slots, states, Slots.Length, new double3(x[i], y[i], z[i]));
+                    if (states[slot] == PositionSlots.Wanted)
+                        states[slot] = PositionSlots.Seen;
+                }
+            }
         }
     }
 }

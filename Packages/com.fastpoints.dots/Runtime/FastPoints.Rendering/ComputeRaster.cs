@@ -111,4 +111,16 @@ namespace FastPoints.Rendering
                     Unity.Collections.LowLevel.Unsafe.UnsafeUtility.SizeOf<GpuClipBox>());
         }
     }
+
+    /// <summary>What a <see cref="ComputeRaster"/> reads of one camera's draws.</summary>
+    struct RasterBuffers
+    {
+        public GraphicsBuffer Nodes;
+        public GraphicsBuffer Clouds;
+        public GraphicsBuffer NodeOfInstance;
+        public GraphicsBuffer Palettes;
+
+        /// <summary>Null where there are none.</summary>
+        public GraphicsBuffer ClipBoxes;
+    }
 }

@@ -60,4 +60,27 @@ namespace FastPoints.Scenes
             }
         }
     }
+
+    /// <summary>In what order a made cloud's points lie in its file.</summary>
+    public enum ScanOrder
+    {
+        /// <summary>As acquired: station after station, scan line after scan line.</summary>
+        Strip,
+        /// <summary>By tiles of 50 m, row by row; as acquired within a tile.</summary>
+        Tile,
+        /// <summary>By class; as acquired within a class.</summary>
+        Class,
+        /// <summary>Shuffled: no two neighbours in the file are neighbours in space.</summary>
+        Random,
+    }
+
+    /// <summary>Where the returns of a scan go. Called on the main thread; what it gets is valid only during the call.</summary>
+    public interface IReturnSink
+    {
+        void Append(NativeArray<ScanReturn> returns);
+
+        /// <param name="returns">All returns.</param>
+        /// <param name="returnOfPlace">Which of them come next, in this order.</param>
+        void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace);
+    }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -160,6 +161,32 @@ namespace FastPoints.Scenes
                 m_countOfLine.Dispose();
                 m_count.Dispose();
             }
+        }
+    }
+
+    /// <summary>Closes the gaps between the lines' returns, in place.</summary>
+    [BurstCompile]
+    public struct CompactReturnsJob : IJob
+    {
+        public NativeArray<ScanReturn> Returns;
+        [ReadOnly] public NativeArray<int> CountOfLine;
+        public int Lines;
+        public int ReturnsPerLine;
+        public NativeReference<int> Count;
+
+        public void Execute()
+        {
+            int end = 0;
+            for (int line = 0; line < Lines; line++)
+            {
+                int start = line * ReturnsPerLine;
+                int count = CountOfLine[line];
+                if (start != end)
+                    for (int i = 0; i < count; i++)
+                        Returns[end + i] = Returns[start + i];
+                end += count;
+            }
+            Count.Value = end;
         }
     }
 }

@@ -1,4 +1,6 @@
+using FastPoints.Gpu;
 using FastPoints.Picture;
+using Unity.Entities;
 using UnityEngine;
 using Gradient = FastPoints.Picture.Gradient;
 
@@ -23,5 +25,20 @@ namespace FastPoints.Entities
 
         [Tooltip("Classes, 0 to 255, whose points are not drawn.")]
         public int[] HiddenClasses = new int[0];
+    }
+
+    /// <summary>Bakers run in a process without a screen: the folder is not opened here.</summary>
+    public sealed class PointCloudBaker : Baker<PointCloudAuthoring>
+    {
+        public override void Bake(PointCloudAuthoring authoring)
+        {
+            var entity = GetEntity(TransformUsageFlags.Dynamic);
+            var cloud = DependsOn(authoring.Cloud);
+            var file = cloud != null ? cloud.File() : new PointCloudFile { Path = authoring.Path };
+            file.Color = authoring.Color;
+            file.Gradient = authoring.Gradient;
+            file.HiddenClasses = ClassMask.Of(authoring.HiddenClasses);
+            AddComponentObject(entity, file);
+        }
     }
 }

@@ -9,4 +9,10 @@ namespace FastPoints.Entities
     {
         public CloudPlacement Value;
     }
+
+    /// <summary>The space that a cloud's transform moves: see <see cref="UnitySpace"/>.</summary>
+    public struct PointCloudSpace : IComponentData
+    {
+        public UnitySpace Value;
+    }
 }

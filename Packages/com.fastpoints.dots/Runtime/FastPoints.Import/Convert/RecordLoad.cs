@@ -117,4 +117,12 @@ namespace FastPoints.Convert
             m_commands = new NativeArray<ReadCommand>(commands, Allocator.Persistent);
         }
     }
+
+    /// <summary>Some consecutive records of a temporary file.</summary>
+    public struct RecordRun
+    {
+        public int File;
+        public long First;
+        public long Count;
+    }
 }

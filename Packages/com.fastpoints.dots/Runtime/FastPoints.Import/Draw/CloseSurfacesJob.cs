@@ -68,4 +68,15 @@ namespace FastPoints.Draw
         /// <summary>Beyond the picture's edge: its last tile.</summary>
         static int TileAt(double px, int tiles) => (int)math.clamp(px / PointSizing.TileEdgePx, 0, tiles - 1);
     }
+
+    /// <summary>A cell of a cloud, and how many points of it are drawn.</summary>
+    public struct ThinCell
+    {
+        /// <summary>Georeferenced.</summary>
+        public double3 Center;
+
+        public double Edge;
+
+        public double PointsDrawn;
+    }
 }

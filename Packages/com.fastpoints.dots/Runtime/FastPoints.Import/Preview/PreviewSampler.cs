@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using FastPoints.Base;
 using FastPoints.Files;
+using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
 
@@ -153,5 +154,33 @@ namespace FastPoints.Preview
             m_sample?.Dispose();
             m_sample = null;
         }
+    }
+
+    /// <summary>What a preview keeps of each point: its position and what it can be coloured by.</summary>
+    public static class SampleSchema
+    {
+        /// <exception cref="PointCloudException">The source has no positions.</exception>
+        public static PointSchema Of(SourceInfo info)
+        {
+            var schema = info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity,
+                AttributeNames.Classification, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue);
+            if (!schema.Has(AttributeNames.X) || !schema.Has(AttributeNames.Y) || !schema.Has(AttributeNames.Z))
+                throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
+                    "nothing to draw: wanted attributes X, Y and Z, got " + info.Schema);
+            return schema;
+        }
+    }
+
+    /// <summary>A beginning of a sample that was there to be drawn before the rest.</summary>
+    public struct SampleWave
+    {
+        /// <summary>The sample's first so many points.</summary>
+        public int Points;
+
+        /// <summary>From the start of the sampling to the wave's last point.</summary>
+        public double Seconds;
+
+        /// <summary>Bytes of the file that were read up to here.</summary>
+        public long BytesRead;
     }
 }

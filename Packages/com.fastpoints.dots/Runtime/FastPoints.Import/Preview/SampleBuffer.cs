@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Files;
 using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
 
@@ -172,6 +173,54 @@ namespace FastPoints.Preview
             m_filled.Dispose();
             m_columns.Dispose();
             m_state.Dispose();
+        }
+    }
+
+    /// <summary>Runs of places become runs of the points that were left when gaps were closed.</summary>
+    [BurstCompile]
+    struct MoveRunsJob : IJob
+    {
+        /// <summary>One more than there are places.</summary>
+        [ReadOnly] public NativeArray<int> PointOfPlace;
+
+        public int First;
+        public int End;
+        public NativeList<SampleRun> Runs;
+
+        public void Execute()
+        {
+            for (int i = First; i < End; i++)
+            {
+                var run = Runs[i];
+                int end = PointOfPlace[run.First + run.Count];
+                run.First = PointOfPlace[run.First];
+                run.Count = end - run.First;
+                Runs[i] = run;
+            }
+        }
+    }
+
+    /// <summary>Which point is at or behind each place, once gaps have been closed. Slices go from front to back.</summary>
+    [BurstCompile]
+    struct NumberPlacesJob : IJob
+    {
+        /// <summary>1 at each place whose point was kept.</summary>
+        [ReadOnly] public NativeArray<byte> Filled;
+
+        public int First;
+        public int End;
+
+        /// <summary>One more than there are places; that of <see cref="First"/> is known.</summary>
+        public NativeArray<int> PointOfPlace;
+
+        public void Execute()
+        {
+            int kept = PointOfPlace[First];
+            for (int place = First; place < End; place++)
+            {
+                kept += Filled[place];
+                PointOfPlace[place + 1] = kept;
+            }
         }
     }
 }

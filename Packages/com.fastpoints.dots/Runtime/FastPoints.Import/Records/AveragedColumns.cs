@@ -2,6 +2,7 @@ using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
@@ -56,5 +57,15 @@ namespace FastPoints.Records
                 default: return *(float*)value;
             }
         }
+    }
+
+    /// <summary>What a sampled point stands for. Blittable.</summary>
+    public struct PointAverage
+    {
+        /// <summary>Points of the cloud, itself included.</summary>
+        public double Points;
+
+        /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>
+        public double4 Sum;
     }
 }

@@ -116,4 +116,11 @@ namespace FastPoints.Records
         /// <summary>Cuts off all pages but a last one that has room.</summary>
         public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
     }
+
+    /// <summary>Full pages of one chunk that memory has no more room for. Blittable.</summary>
+    public struct DetachedPages
+    {
+        public int Chunk;
+        public RecordPages Pages;
+    }
 }

@@ -1,5 +1,7 @@
 using System;
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using FastPoints.Base;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;
@@ -112,5 +114,47 @@ namespace FastPoints.Gpu
 
         static float LargestScale(double3x3 linear) =>
             (float)math.max(math.length(linear.c0), math.max(math.length(linear.c1), math.length(linear.c2)));
+    }
+
+    /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
+    public unsafe struct SizeTreeCloud
+    {
+        public HierarchyPage* Pages;
+        public NodeCubes Cubes;
+
+        /// <summary>World units of one CRS unit, along the axis that is stretched most.</summary>
+        public float WorldPerUnit;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
+    public unsafe struct SizeTreeLink
+    {
+        /// <summary>By octant: the link below; 0 for none, as no link is below the first.</summary>
+        public fixed int Children[8];
+
+        /// <summary>Between points, in world units.</summary>
+        public float Gap;
+
+        /// <summary>Stands for a node that is drawn, and not only for a level between two of these.</summary>
+        public bool IsDrawn;
+
+        /// <summary>Nothing is above it.</summary>
+        public bool IsRoot;
+
+        /// <summary>Its place in the tree.</summary>
+        public int Node;
+    }
+
+    /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
+    [GenerateHlsl]
+    [StructLayout(LayoutKind.Sequential)]
+    public struct GpuSizeNode
+    {
+        /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
+        /// order of the octants.</summary>
+        public uint Children;
+
+        /// <summary>Between points where no deeper node is drawn, in world units.</summary>
+        public float Gap;
     }
 }

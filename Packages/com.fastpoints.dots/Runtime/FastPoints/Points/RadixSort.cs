@@ -1,3 +1,4 @@
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -113,5 +114,17 @@ namespace FastPoints.Points
                 to[start[key >> shift & (DigitValues - 1)]++] = key;
             }
         }
+    }
+
+    /// <summary><see cref="RadixSort.Sort"/> as a job. The arrays have one length.</summary>
+    [BurstCompile]
+    public struct RadixSortJob : IJob
+    {
+        public NativeArray<ulong> Keys;
+        public NativeArray<uint> Payload;
+        public NativeArray<ulong> KeyScratch;
+        public NativeArray<uint> PayloadScratch;
+
+        public void Execute() => RadixSort.RunImmediate(Keys, Payload, KeyScratch, PayloadScratch);
     }
 }

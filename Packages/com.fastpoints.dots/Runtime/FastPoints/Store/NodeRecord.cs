@@ -73,4 +73,16 @@ namespace FastPoints.Store
         /// <summary>See <see cref="MinX"/>: 0 but for wide nodes.</summary>
         public int BoundsShift => IsWide ? SideLog2 - 32 : 0;
     }
+
+    /// <summary>Where one plane of one node lies in its file.</summary>
+    [DiskFormat]
+    [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
+    public struct PlaneRange
+    {
+        public const int SizeBytes = 24;
+
+        [FieldOffset(0)] public long OffsetBytes;
+        [FieldOffset(8)] public long LengthBytes;
+        [FieldOffset(16)] public ulong Hash;
+    }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using FastPoints.Base;
 using Unity.Collections;
 
@@ -285,5 +286,46 @@ namespace FastPoints.Streaming
 
         /// <summary>Of all pages that are loaded.</summary>
         public long HierarchyBytes { get; private set; }
+    }
+
+    /// <summary>A node to draw: complete, as are all above it.</summary>
+    public struct DrawnNode
+    {
+        public int Cloud;
+        public int Page;
+        public int Node;
+
+        /// <summary>Place of the node above it among those that are drawn; -1 where that one is not drawn, or there is
+        /// none.</summary>
+        public int Parent;
+
+        /// <summary>Its place in the <see cref="NodeCache"/>.</summary>
+        public int Slot;
+
+        /// <summary>See <see cref="CacheSlot.Tint"/>.</summary>
+        public uint Tint;
+
+        /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
+        public PoolRun Run;
+    }
+
+    /// <summary>Something that could not be shown, after all tries.</summary>
+    public readonly struct StreamFailure
+    {
+        public readonly string Path;
+
+        /// <summary>Byte in the file; -1 where the whole of it is meant.</summary>
+        public readonly long OffsetBytes;
+        public readonly string What;
+
+        public StreamFailure(string path, long offsetBytes, string what)
+        {
+            Path = path;
+            OffsetBytes = offsetBytes;
+            What = what;
+        }
+
+        public override string ToString() =>
+            Path + (OffsetBytes >= 0 ? " at " + OffsetBytes.ToString(CultureInfo.InvariantCulture) : "") + ": " + What;
     }
 }

@@ -201,4 +201,32 @@ namespace FastPoints.Files
             m_oddities.Dispose();
         }
     }
+
+    /// <summary>What a range had besides points. Written by jobs, told on the main thread.</summary>
+    struct E57Oddities
+    {
+        /// <summary>Points left out since their scan marks them as invalid.</summary>
+        public int Invalid;
+
+        /// <summary>Points left out since a page that holds some of them has a wrong checksum.</summary>
+        public int Damaged;
+        public int DamagedPages;
+        public long FirstDamagedPage;
+
+        /// <summary>Integers above the maximum that their field has: it was taken.</summary>
+        public int Misfits;
+    }
+
+    /// <summary>Where the bytes of a bytestream that a range takes are to be found. Blittable, for jobs.</summary>
+    struct E57StreamRange
+    {
+        /// <summary>Logical offset of a packet at or before the first byte.</summary>
+        public long PacketOffset;
+
+        /// <summary>Bytes of the bytestream in the packets before that.</summary>
+        public long BytesBefore;
+
+        /// <summary>Logical offset at which the packets that are read end.</summary>
+        public long End;
+    }
 }

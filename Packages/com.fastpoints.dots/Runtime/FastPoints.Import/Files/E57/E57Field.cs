@@ -1,3 +1,4 @@
+using FastPoints.Points;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -128,5 +129,67 @@ namespace FastPoints.Files
                     return IsScaled ? range + ", scale " + E57Text.Of(Scale) + ", offset " + E57Text.Of(Offset) : range;
             }
         }
+    }
+
+    /// <summary>How a field's values lie in its bytestream.</summary>
+    enum E57FieldKind
+    {
+        /// <summary>Bit-packed differences from a minimum.</summary>
+        Integer,
+        Float32,
+        Float64,
+
+        /// <summary>Strings of any length, which are not read.</summary>
+        String,
+    }
+
+    /// <summary>How one field of one scan is decoded. Blittable, for jobs.</summary>
+    struct E57FieldRead
+    {
+        public E57FieldKind Kind;
+
+        /// <summary>Its place among the bytestreams; -1 for a value that no stream holds.</summary>
+        public int Stream;
+
+        /// <summary>Of one value; 0 for one that is the same in all points.</summary>
+        public int Bits;
+
+        /// <summary>Integers: what the packed differences are added to, and the largest difference.</summary>
+        public long Minimum;
+        public ulong Range;
+
+        public E57Target Target;
+
+        /// <summary>Columns: the type of their values and where the column starts.</summary>
+        public AttributeType ColumnType;
+        public int ColumnOffsetBytes;
+
+        /// <summary>Vectors: 0 to 2 for positions, 3 to 5 for normals.</summary>
+        public int Row;
+
+        /// <summary>Columns of integers: stored * Steps + Bias.</summary>
+        public long Steps;
+        public long Bias;
+        public double Factor;
+        public double Addend;
+    }
+
+    /// <summary>Where a field's values go.</summary>
+    enum E57Target
+    {
+        /// <summary>A column of an integer type: integer * steps + bias.</summary>
+        Integers,
+
+        /// <summary>A column of an integer type: round(value * factor + addend), kept within 0 and 65,535.</summary>
+        Shares,
+
+        /// <summary>A column of floats or doubles: value * factor + addend.</summary>
+        Reals,
+
+        /// <summary>One of the three (or six) rows of doubles that become positions and normals: the same.</summary>
+        Vector,
+
+        /// <summary>Nowhere: points whose value is not 0 are left out.</summary>
+        Invalid,
     }
 }

@@ -35,4 +35,12 @@ namespace FastPoints.Files
 
         public bool IsAscii => Encoding == PlyEncoding.Ascii;
     }
+
+    /// <summary>How a PLY file writes its values.</summary>
+    public enum PlyEncoding
+    {
+        Ascii,
+        BinaryLittleEndian,
+        BinaryBigEndian,
+    }
 }

@@ -90,4 +90,15 @@ namespace FastPoints.Files
         protected static NativeArray<T> ToNative<T>(List<T> items, Allocator allocator) where T : unmanaged =>
             new NativeArray<T>(items.ToArray(), allocator);
     }
+
+    /// <summary>What a decoding job met that is odd and costs no point.</summary>
+    struct PlyOddities
+    {
+        /// <summary>Values that their integer type cannot hold.</summary>
+        public int Misfits;
+        public long FirstMisfitOffset;
+
+        public int LinesWithExtraValues;
+        public long FirstExtraOffset;
+    }
 }

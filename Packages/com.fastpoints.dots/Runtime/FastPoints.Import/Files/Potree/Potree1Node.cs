@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -20,5 +21,15 @@ namespace FastPoints.Files
 
         /// <summary>Why such a file cannot be read; or null.</summary>
         public string Problem;
+    }
+
+    /// <summary>An .hrc file that was read.</summary>
+    struct Potree1Page
+    {
+        public ByteReader Records;
+        public long FileBytes;
+
+        /// <summary>Why it cannot be used; or null.</summary>
+        public PointCloudException Problem;
     }
 }

@@ -51,4 +51,47 @@ namespace FastPoints.Files
         /// <summary>Cancels what is in flight, waits for it, frees the memory. May run twice.</summary>
         public abstract void Dispose();
     }
+
+    /// <summary>Some consecutive points of one of a source's natural blocks.</summary>
+    public readonly struct BlockRange
+    {
+        public readonly int Block;
+
+        /// <summary>First point, counted from the block's start.</summary>
+        public readonly int First;
+
+        public readonly int Count;
+
+        public BlockRange(int block, int first, int count)
+        {
+            Block = block;
+            First = first;
+            Count = count;
+        }
+    }
+
+    /// <summary>How the decoding of one range ended. Written by the decoding job, turned into an exception on the main
+    /// thread.</summary>
+    public struct DecodeResult
+    {
+        /// <summary>Points in the batch; fewer than asked for where the input broke off.</summary>
+        public int Points;
+
+        /// <summary>0, or what went wrong: a code of the reader's own.</summary>
+        public int Error;
+
+        /// <summary>Byte in the file at which it went wrong.</summary>
+        public long ErrorOffset;
+    }
+
+    /// <summary>Where the decoding of a block stands, to go on from without its beginning: see <see cref="BlockRead.KeepState"/>.
+    /// Any slot of the same reader and the same attributes may go on from it. Whoever asked for it
+    /// disposes of it.</summary>
+    public abstract class DecoderState : IDisposable
+    {
+        /// <summary>Memory that it takes.</summary>
+        public abstract long Bytes { get; }
+
+        public abstract void Dispose();
+    }
 }

@@ -1,4 +1,7 @@
 using System;
+using System.Buffers;
+using System.IO.Compression;
+using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
@@ -18,5 +21,82 @@ namespace FastPoints.Files
 
         /// <summary>Makes a decompressor of zstandard frames (EPT of data type zstandard), or null.</summary>
         public static Func<StreamDecompressor> Zstandard { get; set; }
+    }
+
+    /// <summary>
+    /// Undoes one kind of general compression (Brotli, zstandard), one stream after the other, each piece by piece, so that a
+    /// long stream is done in slices. Called by jobs on any thread, but by one at a time.
+    /// </summary>
+    public abstract class StreamDecompressor : IDisposable
+    {
+        /// <summary>Forgets what came before: the next bytes begin a stream.</summary>
+        public abstract void Start();
+
+        /// <summary>Decodes as much as fits into <paramref name="output"/>.</summary>
+        /// <param name="input">The rest of the stream; bytes that were consumed do not come again.</param>
+        /// <param name="consumed">Bytes of the input that are done with.</param>
+        /// <param name="written">Bytes of the output; fewer than fit only where the stream has ended or is broken.</param>
+        /// <returns>False where the stream is broken.</returns>
+        public abstract bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written);
+
+        public abstract void Dispose();
+    }
+
+    /// <summary>Brotli (RFC 7932) by the framework's own decoder, which allocates nothing once it has started.</summary>
+    public sealed class BrotliStreamDecompressor : StreamDecompressor
+    {
+        BrotliDecoder m_decoder;
+
+        public override void Start()
+        {
+            m_decoder.Dispose();
+            m_decoder = default;
+        }
+
+        public override bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written)
+        {
+            consumed = written = 0;
+            while (written < output.Length)
+            {
+                var status = m_decoder.Decompress(input.Slice(consumed), output.Slice(written), out int taken, out int made);
+                consumed += taken;
+                written += made;
+                if (status == OperationStatus.InvalidData)
+                    return false;
+                if (status != OperationStatus.DestinationTooSmall || taken == 0 && made == 0)
+                    break;
+            }
+            return true;
+        }
+
+        public override void Dispose() => m_decoder.Dispose();
+    }
+
+    /// <summary>A decompressor that jobs can find by a number.</summary>
+    sealed class DecompressorSlot : IDisposable
+    {
+        GCHandle m_handle;
+
+        public DecompressorSlot(StreamDecompressor decompressor)
+        {
+            Decompressor = decompressor;
+            m_handle = GCHandle.Alloc(this);
+        }
+
+        public StreamDecompressor Decompressor { get; }
+
+        /// <summary>What the decompressor threw, or null.</summary>
+        public Exception Failure { get; set; }
+
+        public long Handle => (long)GCHandle.ToIntPtr(m_handle);
+
+        /// <summary>The jobs that use it must be complete.</summary>
+        public void Dispose()
+        {
+            if (!m_handle.IsAllocated)
+                return;
+            m_handle.Free();
+            Decompressor.Dispose();
+        }
     }
 }

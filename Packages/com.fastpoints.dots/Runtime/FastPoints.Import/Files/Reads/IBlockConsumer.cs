@@ -13,4 +13,11 @@ namespace FastPoints.Files
         /// <summary>The block's jobs are complete; blocks arrive here in order. Main thread.</summary>
         void Completed(BlockRead read, int slot);
     }
+
+    /// <summary>A consumer that passes blocks on to something slower, such as a disk.</summary>
+    public interface IThrottledConsumer : IBlockConsumer
+    {
+        /// <summary>Whether it takes another block now; may wait for a millisecond. Main thread.</summary>
+        bool IsReady { get; }
+    }
 }

@@ -2,10 +2,12 @@ using System;
 using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
+using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
@@ -166,5 +168,62 @@ namespace FastPoints.Files
         /// <summary>Decodes the runs behind the read.</summary>
         private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<RunInBuffer> runs, int runCount,
             JobHandle read);
+    }
+
+    /// <summary>Evenly spaced points of a source (First, First + Step, ...) and where in a batch they go, one after the
+    /// other.</summary>
+    public struct PointRun
+    {
+        /// <summary>Over the whole source.</summary>
+        public long First;
+
+        /// <summary>Points from one to the next, at least 1.</summary>
+        public int Step;
+
+        /// <summary>At least 1.</summary>
+        public int Count;
+
+        /// <summary>Of the first one in the batch.</summary>
+        public int Place;
+
+        public long Last => First + (Count - 1L) * Step;
+    }
+
+    /// <summary>A <see cref="PointRun"/> whose records have been read. Blittable: jobs carry arrays of these.</summary>
+    struct RunInBuffer
+    {
+        /// <summary>Of the first record in the buffer.</summary>
+        public int FirstByte;
+
+        /// <summary>From one record that is wanted to the next.</summary>
+        public int StrideBytes;
+
+        public int Count;
+
+        /// <summary>Of the first point in the batch.</summary>
+        public int Place;
+    }
+
+    /// <summary>Notes when what it depends on was done.</summary>
+    [BurstCompile]
+    struct StampJob : IJob
+    {
+        /// <summary>By <see cref="ReadClock"/>.</summary>
+        public NativeReference<long> At;
+
+        public void Execute() => At.Value = ReadClock.Now;
+    }
+
+    /// <summary>The clock that says how long reads take: one that jobs can look at, since the pump sees a finished read only in
+    /// its next update.</summary>
+    static class ReadClock
+    {
+        public static long Now => ProfilerUnsafeUtility.Timestamp;
+
+        public static double Seconds(long from, long to)
+        {
+            var ratio = ProfilerUnsafeUtility.TimestampToNanosecondsConversionRatio;
+            return (to - from) * (double)ratio.Numerator / ratio.Denominator * 1e-9;
+        }
     }
 }

@@ -217,4 +217,70 @@ namespace FastPoints.Files
 
         static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
     }
+
+    enum XyzStepKind : byte
+    {
+        /// <summary>A column without a name: anything.</summary>
+        Skip,
+        /// <summary>A number that nobody asked for.</summary>
+        Check,
+        /// <summary>A coordinate, as a whole number of 10^-Decimals.</summary>
+        Place,
+        Integer,
+        Float32,
+        Float64,
+    }
+
+    /// <summary>What is done with one column of a line. Blittable: jobs carry arrays of these.</summary>
+    struct XyzStep
+    {
+        public XyzStepKind Kind;
+        public AttributeType Type;
+        public int Bytes;
+        public int Decimals;
+
+        /// <summary>Whether a line without the value, not even in text, is no point.</summary>
+        public bool IsPosition;
+
+        /// <summary>Whether the batch has the column: coordinates are read in any case, so that the same lines are points
+        /// whatever is asked for.</summary>
+        public bool IsStored;
+
+        /// <summary>Where its column starts in the batch.</summary>
+        public int ColumnOffsetBytes;
+    }
+
+    /// <summary>What a decoding job met that is not as it should be: how often, and the byte of the first one.</summary>
+    struct XyzOddities
+    {
+        public int BadRows;
+        public long FirstBadRow;
+        public XyzError FirstError;
+
+        public int Remarks;
+
+        /// <summary>Coordinates with more digits than the sample had: rounded to its step.</summary>
+        public int Rounded;
+        public long FirstRounded;
+
+        /// <summary>Values that their column's type cannot hold.</summary>
+        public int Misfits;
+        public long FirstMisfit;
+
+        /// <summary>Nothing between two separators: read as 0.</summary>
+        public int EmptyValues;
+        public long FirstEmpty;
+
+        public int RowsWithMore;
+        public long FirstWithMore;
+    }
+
+    enum XyzError : byte
+    {
+        None,
+        TooFewValues,
+        NoNumber,
+        TooLarge,
+        LineTooLong,
+    }
 }

@@ -89,4 +89,81 @@ namespace FastPoints.Streaming
             return page;
         }
     }
+
+    public enum PageStatus : byte
+    {
+        Absent,
+        /// <summary>Its table is being read.</summary>
+        Loading,
+        Loaded,
+        /// <summary>It could not be read, was reported, and is a hole.</summary>
+        Failed,
+    }
+
+    /// <summary>A page that a selection came to and found not loaded.</summary>
+    public struct MissingPage
+    {
+        public int Cloud;
+        public int Page;
+    }
+
+    /// <summary>What its blocks' positions count from: asked for where a node is drawn.</summary>
+    public struct NodePlace
+    {
+        /// <summary>Of the node's cube, from the corner of the root cube, in grid steps.</summary>
+        public Grid3 Corner;
+
+        /// <summary>Positions are 64-bit columns.</summary>
+        public bool IsWide;
+
+        /// <summary>Of the node's cube: see <see cref="NodeCubes"/>.</summary>
+        public byte Level;
+    }
+
+    /// <summary>What changes about a node: the only place where it is kept.</summary>
+    public struct NodeState
+    {
+        public const int NoSlot = -1;
+        public const int IsHole = int.MaxValue;
+
+        /// <summary>Frame of the last selection that chose the node.</summary>
+        public uint SelectedFrame;
+
+        /// <summary>Frame of the last selection that had it in view, with its parent chosen.</summary>
+        public uint SeenFrame;
+
+        /// <summary>Its place in the cache, or <see cref="NoSlot"/>.</summary>
+        public int Slot;
+
+        /// <summary>Times that its bytes were damaged, or <see cref="IsHole"/>: it is not asked for any more.</summary>
+        public int Failures;
+
+        /// <summary>Of a node that is made: whether it was, so that its length is known.</summary>
+        public bool WasMade;
+    }
+
+    /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
+    public struct StreamNode
+    {
+        /// <summary>Of the box around the node's points and all below, from the corner of the root cube, in CRS units.</summary>
+        public double3 Center;
+        public float3 Half;
+
+        /// <summary>Of the node's points, in CRS units: the gap that its children fill.</summary>
+        public float Spacing;
+
+        /// <summary>In the same page.</summary>
+        public int FirstChild;
+        public int ChildCount;
+
+        /// <summary>Chunks that hang on the node, page <see cref="FirstChunk"/> + 1 and on: in page 0 only.</summary>
+        public int FirstChunk;
+        public int ChunkCount;
+
+        /// <summary>Points of the node and its guests; 0 for a guest, which is read, kept and drawn with its host.</summary>
+        public int PointCount;
+
+        /// <summary>Blocks in the node's planes.</summary>
+        public int BlockCount;
+    }
 }

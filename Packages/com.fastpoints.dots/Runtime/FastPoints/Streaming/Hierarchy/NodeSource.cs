@@ -98,4 +98,12 @@ namespace FastPoints.Streaming
 
         public abstract void Dispose();
     }
+
+    /// <summary>Consecutive bytes of a file.</summary>
+    public struct FilePiece
+    {
+        public string Path;
+        public long OffsetBytes;
+        public long LengthBytes;
+    }
 }

@@ -324,4 +324,38 @@ namespace FastPoints.Streaming
             Phase = FetchPhase.Reading;
         }
     }
+
+    /// <summary>How far a read is.</summary>
+    public enum FetchPhase : byte
+    {
+        Idle,
+        Reading,
+        /// <summary>A job makes a page of the table that was read.</summary>
+        Building,
+        /// <summary>A node is read and made: <see cref="NodeMaker"/>.</summary>
+        Making,
+        /// <summary>Its nodes wait to be copied into the pool, or are being copied.</summary>
+        Arrived,
+    }
+
+    /// <summary>One plane of one node in a read.</summary>
+    public struct FetchPart
+    {
+        public long OffsetBytes;
+        public long LengthBytes;
+
+        /// <summary>Place among the read's nodes.</summary>
+        public int Node;
+
+        /// <summary>Counted among the planes that are streamed.</summary>
+        public int Plane;
+    }
+
+    /// <summary>A node in a read; whether it is still wanted, its slot says.</summary>
+    public struct FetchedNode
+    {
+        public int Node;
+        public int Slot;
+        public int Version;
+    }
 }

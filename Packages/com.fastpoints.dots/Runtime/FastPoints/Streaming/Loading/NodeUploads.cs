@@ -1,6 +1,9 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Store;
+using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Streaming
@@ -128,6 +131,41 @@ namespace FastPoints.Streaming
                     oldest = fetch;
             }
             return oldest;
+        }
+    }
+
+    /// <summary>One plane of one node on its way into the pool.</summary>
+    public unsafe struct UploadPart
+    {
+        public byte* From;
+        public byte* To;
+        public long LengthBytes;
+
+        /// <summary>Of the bytes as they were written; not looked at where they were made just now.</summary>
+        public ulong Hash;
+        public bool IsMade;
+        public PlaneShape Shape;
+        public int BlockCount;
+
+        /// <summary>Which of the frame's uploads it belongs to.</summary>
+        public int Upload;
+    }
+
+    /// <summary>Copies planes into the pool as they are, and says of each whether it is what was written and can be drawn
+    /// from.</summary>
+    [BurstCompile]
+    public unsafe struct UploadPlanesJob : IJobFor
+    {
+        [ReadOnly] public NativeArray<UploadPart> Parts;
+        public NativeArray<bool> IsDamaged;
+
+        public void Execute(int index)
+        {
+            var part = Parts[index];
+            // The copy first: then the hash finds the bytes in the cache. What is damaged is not shown.
+            UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
+            IsDamaged[index] = !part.IsMade && (ContentHash.Of(part.From, part.LengthBytes) != part.Hash ||
+                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount));
         }
     }
 }

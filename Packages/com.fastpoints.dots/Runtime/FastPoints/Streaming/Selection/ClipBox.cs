@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace FastPoints.Streaming
@@ -18,6 +19,42 @@ namespace FastPoints.Streaming
             CenterWorld = (minWorld + maxWorld) / 2;
             EdgesWorld = new double3x3(new double3(size.x, 0, 0), new double3(0, size.y, 0), new double3(0, 0, size.z));
             Cuts = cuts;
+        }
+    }
+
+    /// <summary>A <see cref="ClipBox"/> as one cloud's own space has it: within the box, no coordinate of
+    /// <see cref="ToBox"/> * place + <see cref="Offset"/> is farther than a half from 0. Blittable, for jobs.</summary>
+    public unsafe struct LocalClip
+    {
+        public double3x3 ToBox;
+        public double3 Offset;
+        public bool Cuts;
+
+        public LocalClip(in ClipBox box, in CloudPlacement placement)
+        {
+            var toBox = math.inverse(box.EdgesWorld);
+            ToBox = math.mul(toBox, placement.Linear);
+            Offset = math.mul(toBox, placement.OriginWorld - box.CenterWorld);
+            Cuts = box.Cuts;
+        }
+
+        /// <summary>Whether clips leave anything of a box. One that they leave nothing of may pass.</summary>
+        /// <param name="half">0: for a single place, where the answer is exact.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static bool Leave(LocalClip* clips, int count, double3 center, double3 half)
+        {
+            bool isKept = false, doesAnyKeep = false;
+            for (int i = 0; i < count; i++)
+            {
+                var toBox = clips[i].ToBox;
+                var at = math.abs(math.mul(toBox, center) + clips[i].Offset);
+                var reach = math.abs(toBox.c0) * half.x + math.abs(toBox.c1) * half.y + math.abs(toBox.c2) * half.z;
+                if (clips[i].Cuts && math.all(at + reach <= 0.5))
+                    return false;
+                doesAnyKeep |= !clips[i].Cuts;
+                isKept |= !clips[i].Cuts && math.all(at - reach <= 0.5);
+            }
+            return isKept || !doesAnyKeep;
         }
     }
 }

@@ -162,4 +162,25 @@ namespace FastPoints.Streaming
             return spacingPx > 0;
         }
     }
+
+    /// <summary>A node that was chosen: parents before children, the most needed first.</summary>
+    public struct SelectedNode
+    {
+        public int Cloud;
+        public int Page;
+        public int Node;
+
+        /// <summary>Place of its parent among the chosen; -1 for a root.</summary>
+        public int Parent;
+    }
+
+    /// <summary>One cloud as a selection sees it. Blittable, for jobs.</summary>
+    public unsafe struct SelectionCloud
+    {
+        /// <summary>Page 0 and one for each chunk.</summary>
+        public HierarchyPage* Pages;
+
+        /// <summary>Its number in what is chosen.</summary>
+        public int Cloud;
+    }
 }

@@ -1,9 +1,0 @@
-namespace FastPoints.Streaming
-{
-    /// <summary>A page that a selection came to and found not loaded.</summary>
-    public struct MissingPage
-    {
-        public int Cloud;
-        public int Page;
-    }
-}
