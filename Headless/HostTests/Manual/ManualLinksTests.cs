@@ -27,7 +27,8 @@ namespace FastPoints.HostTests.Manual
             string root = Checkout.Repository.Root;
             var shown = ManualPage.All().SelectMany(p => p.Links().Select(l => Path.GetFullPath(Path.Combine(root,
                 Path.GetDirectoryName(p.Path), l.Split('#')[0])))).ToHashSet();
-            var pictures = Directory.GetFiles(Path.Combine(Checkout.Repository.PackageRoot, "Documentation~", "images"));
+            var pictures = Directory.GetFiles(Path.Combine(Checkout.Repository.PackageRoot, "Documentation~", "images"), "*",
+                SearchOption.AllDirectories);
 
             Assert.That(pictures.Where(p => !shown.Contains(p)), Is.Empty);
             Assert.That(pictures.Where(p => Path.GetFileName(p).StartsWith("style-", StringComparison.Ordinal) &&
