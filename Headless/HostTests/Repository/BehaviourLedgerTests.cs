@@ -12,6 +12,7 @@ namespace FastPoints.HostTests.Repository
         private const string Held =
             "assets-import\tIt imports.\tUnityCsReference 6000.0.78f1: A.cs\tsource\tREADME.md\tPlantedTests.Import_Twice_Once\t\n";
         private const string Open = "builds-copy\tIt copies a | b.\tManual: Builds\tmanual\t-\tunverified\t13\n";
+        private const string Earlier = "loads-early\tIt is early.\tManual: Loads\tmanual\t-\tunverified\t2, 15\n";
 
         private static readonly ILookup<string, string> s_tests = new[] { "public void Import_Twice_Once()" }.ToLookup(_ => "PlantedTests");
 
@@ -37,9 +38,9 @@ namespace FastPoints.HostTests.Repository
             Assert.That(() => BehaviourLedger.Parse(Header + "a-b\tc\td\te\tf\n"), Throws.TypeOf<ToolException>());
 
         [Test]
-        public void UnverifiedTable_OneOfTwo_HasItsStepAndGroup() =>
-            Assert.That(BehaviourLedger.Parse(Header + Open + Held).UnverifiedTable(),
-                Does.EndWith("|---|---|\n| **Builds** | |\n| It copies a \\| b. | 13 |\n"));
+        public void UnverifiedTable_RowsOfSeveralSteps_AreInTheirOrder() =>
+            Assert.That(BehaviourLedger.Parse(Header + Open + Held + Earlier).UnverifiedTable(),
+                Does.EndWith("|---|---|\n| It is early. | 2, 15 |\n| It copies a \\| b. | 13 |\n"));
 
         [Test]
         public void Text_RowsOutOfOrder_Sorted() =>

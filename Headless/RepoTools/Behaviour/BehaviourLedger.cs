@@ -67,18 +67,17 @@ namespace FastPoints.RepoTools.Behaviour
                     yield return $"{row[0]}: {problem}";
         }
 
-        /// <summary>Rows of a table for the manual: what no test holds, by the first word of its key, and the steps that show it.</summary>
+        /// <summary>The manual's table of what no test holds, in the order of the steps that show it.</summary>
         public string UnverifiedTable()
         {
             var table = new StringBuilder("| what | step that shows it |\n|---|---|\n");
-            foreach (IGrouping<string, string[]> group in m_rows.Where(r => r[5] == Unverified).GroupBy(r => r[0].Split('-')[0]))
-            {
-                table.Append(CultureInfo.InvariantCulture, $"| **{char.ToUpperInvariant(group.Key[0])}{group.Key[1..]}** | |\n");
-                foreach (string[] row in group)
-                    table.Append(CultureInfo.InvariantCulture, $"| {row[1].Replace("|", "\\|")} | {row[6]} |\n");
-            }
+            foreach (string[] row in m_rows.Where(r => r[5] == Unverified).OrderBy(r => FirstStep(r[6])))
+                table.Append(CultureInfo.InvariantCulture, $"| {row[1].Replace("|", "\\|")} | {row[6]} |\n");
             return table.ToString();
         }
+
+        private static int FirstStep(string steps) =>
+            int.TryParse(steps.Split(',')[0], NumberStyles.None, CultureInfo.InvariantCulture, out int step) ? step : 0;
 
         private static IEnumerable<string> ProblemsOf(string[] row, string headless, ILookup<string, string> tests,
             IReadOnlySet<string> steps)
