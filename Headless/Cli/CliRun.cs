@@ -6,7 +6,6 @@ using System.Text.Json;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Files;
-using Unity.Jobs;
 
 namespace FastPoints.Cli
 {
@@ -29,7 +28,7 @@ namespace FastPoints.Cli
         public Action<Utf8JsonWriter>? WriteKeys { get; set; }
 
         /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
-        public void Pump(IEnumerator<JobHandle> work) => WorkPump.RunToEnd(work, Cancellation);
+        public void Pump(IEnumerator<Work> work) => WorkPump.RunToEnd(work, Cancellation);
 
         /// <summary>Takes over what a source has to say against itself; each line once.</summary>
         /// <param name="isShown">Whether people have read it already, with the source's facts.</param>

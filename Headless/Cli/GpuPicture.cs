@@ -4,7 +4,6 @@ using FastPoints.Headless.Graphics;
 using FastPoints.Picture;
 using FastPoints.Rendering;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Threading;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Draw;
@@ -12,7 +13,6 @@ using FastPoints.Picture;
 using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Verify;
-using Unity.Jobs;
 
 namespace FastPoints.Cli.Stability
 {
@@ -107,7 +107,7 @@ namespace FastPoints.Cli.Stability
             using var reader = PointReaders.Open(input.Files);
             ConvertResult? made = null;
             var settings = new ConvertSettings { Sampler = m_sampler };
-            var work = ConvertCloud.Run([reader], target, settings, r => made = r, null);
+            using var work = new WorkSteps(ConvertCloud.Run([reader], target, settings, r => made = r, null));
             if (m_case.IsBuiltTwice)
             {
                 using var other = PointReaders.Open(input.Files);
@@ -122,7 +122,7 @@ namespace FastPoints.Cli.Stability
                     // As it must be.
                 }
             }
-            WorkPump.RunToEnd(work);
+            Step(work, int.MaxValue);
             var verified = new VerifyResult();
             WorkPump.RunToEnd(VerifyCloud.Run(target, [reader], verified, null));
             Problems.AddRange(verified.Problems);
@@ -136,10 +136,14 @@ namespace FastPoints.Cli.Stability
             return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points) + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
         }
 
-        static void Step(IEnumerator<JobHandle> work, int steps)
+        static void Step(WorkSteps work, int steps)
         {
             for (int i = 0; i < steps && work.MoveNext(); i++)
+            {
                 work.Current.Complete();
+                // A step that awaits no job may wait for another thread.
+                Thread.Yield();
+            }
         }
 
         void Take(string stage, Func<double> run)

@@ -1,5 +1,4 @@
 using System.Linq;
-using FastPoints.Base;
 using FastPoints.Cli;
 using FastPoints.Picture;
 using FastPoints.Points;

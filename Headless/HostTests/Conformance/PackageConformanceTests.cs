@@ -3,7 +3,6 @@ using System.IO;
 using System.Linq;
 using FastPoints.RepoTools;
 using FastPoints.RepoTools.Api;
-using Mono.Cecil;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Conformance

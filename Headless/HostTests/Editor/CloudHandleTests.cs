@@ -4,7 +4,6 @@ using FastPoints.Base;
 using FastPoints.Editor;
 using FastPoints.Files;
 using FastPoints.HostTests.Cli;
-using FastPoints.Points;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -11,7 +11,6 @@ using FastPoints.Rendering;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
-using StandIns.Entities;
 using StandIns.Scene;
 using Unity.Entities;
 using Unity.Mathematics;

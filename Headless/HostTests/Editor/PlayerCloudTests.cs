@@ -1,14 +1,11 @@
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
 using FastPoints.Editor;
-using FastPoints.Entities;
 using FastPoints.Store;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.Build;
-using UnityEngine;
 using UnityEngine.SceneManagement;
 
 namespace FastPoints.HostTests.Editor

@@ -10,7 +10,6 @@ using FastPoints.Rendering;
 using FastPoints.Rendering.BuiltIn;
 using NUnit.Framework;
 using StandIns.Scene;
-using Unity.Collections;
 using Unity.Entities;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;

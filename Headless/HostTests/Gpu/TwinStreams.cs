@@ -1,13 +1,11 @@
 using System;
 using System.Linq;
 using System.Threading;
-using FastPoints.Base;
 using FastPoints.Cli;
 using FastPoints.Picture;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections;
-using Unity.Mathematics;
 using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu

@@ -1,6 +1,5 @@
 using System.IO;
 using System.Linq;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Package;
 using NUnit.Framework;
 

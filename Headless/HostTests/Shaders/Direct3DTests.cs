@@ -3,7 +3,6 @@ using System.IO;
 using System.Linq;
 using FastPoints.HostTests.Cli;
 using NUnit.Framework;
-using StandIns.Graphics;
 
 namespace FastPoints.HostTests.Shaders
 {

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Hpc;
 using Mono.Cecil;
 using Mono.Cecil.Cil;
 

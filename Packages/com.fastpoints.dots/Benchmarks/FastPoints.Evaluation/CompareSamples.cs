@@ -74,38 +74,30 @@ namespace FastPoints.Evaluation
         /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>reference sample</c> and <c>reference</c>:
         /// reads the full cloud. Comes before all else.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<JobHandle> Prepare(StageProgress progress)
+        public IEnumerator<Work> Prepare(StageProgress progress)
         {
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewCloud.FindBlocksStage);
-                using (var finding = m_reader.FindBlocks())
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                yield return Work.Of(m_reader.FindBlocks());
             }
             progress?.Begin("reference sample");
             using (var sampler = new UniformSampler(m_reader, MostQueries, QuerySeed))
             {
-                using (var scan = sampler.Run(0, progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
+                yield return Work.Of(sampler.Run(0, progress));
                 using (var sample = sampler.TakeSample())
                 {
-                    using (var preparing = Prepare(sample, progress))
-                        while (preparing.MoveNext())
-                            yield return preparing.Current;
+                    yield return Work.Of(Prepare(sample, progress));
                 }
             }
             progress?.End();
         }
 
-        IEnumerator<JobHandle> Prepare(PreviewSample sample, StageProgress progress)
+        IEnumerator<Work> Prepare(PreviewSample sample, StageProgress progress)
         {
             m_pointCount = sample.PointsInSource;
             var ranges = new DisplayRanges();
-            using (var measuring = ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis))
-                while (measuring.MoveNext())
-                    yield return measuring.Current;
+            yield return Work.Of(ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis));
             m_grid = new ErrorGrid(ranges.Robust);
             for (int view = 0; view < s_views.Length; view++)
                 m_plans[view] = new PicturePlan(OptionsFor(s_views[view]), ranges, sample.Transform);
@@ -137,15 +129,9 @@ namespace FastPoints.Evaluation
             m_cloud = new CellOccupancy(Allocator.Persistent);
             using (var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx))
             {
-                using (var sizes = pass.ChooseSizes(sample.Points, m_pointCount))
-                    while (sizes.MoveNext())
-                        yield return sizes.Current;
-                using (var scan = pass.Run(progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
-                using (var resolving = pass.Resolve(sample.Points, m_options.Background))
-                    while (resolving.MoveNext())
-                        yield return resolving.Current;
+                yield return Work.Of(pass.ChooseSizes(sample.Points, m_pointCount));
+                yield return Work.Of(pass.Run(progress));
+                yield return Work.Of(pass.Resolve(sample.Points, m_options.Background));
                 FullViews = pass.Images;
             }
         }
@@ -157,17 +143,13 @@ namespace FastPoints.Evaluation
         /// <param name="count">The sample is the first so many points of the batch.</param>
         /// <param name="viewsAtSameCount">The views of a uniform sample of as many points, to compare with; null for
         /// none.</param>
-        public IEnumerator<JobHandle> Measure(PointBatch points, int count, PositionTransform transform,
+        public IEnumerator<Work> Measure(PointBatch points, int count, PositionTransform transform,
             RgbaImage[] viewsAtSameCount, SampleError error)
         {
             error.Points = count;
             error.Share = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
-            using (var distances = MeasureDistances(points, count, transform, error))
-                while (distances.MoveNext())
-                    yield return distances.Current;
-            using (var cells = MeasureCells(points, count, transform, error))
-                while (cells.MoveNext())
-                    yield return cells.Current;
+            yield return Work.Of(MeasureDistances(points, count, transform, error));
+            yield return Work.Of(MeasureCells(points, count, transform, error));
 
             int countBefore = points.Count;
             points.Count = count;
@@ -175,9 +157,7 @@ namespace FastPoints.Evaluation
             {
                 error.Views = new RgbaImage[s_views.Length];
                 for (int view = 0; view < s_views.Length; view++)
-                    using (var drawing = Draw(points, view, error))
-                        while (drawing.MoveNext())
-                            yield return drawing.Current;
+                    yield return Work.Of(Draw(points, view, error));
             }
             finally
             {
@@ -190,7 +170,7 @@ namespace FastPoints.Evaluation
             m_measured.Add(error);
         }
 
-        IEnumerator<JobHandle> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
+        IEnumerator<Work> MeasureDistances(PointBatch points, int count, PositionTransform transform, SampleError error)
         {
             JobHandle measured = default;
             var distancesSq = new NativeArray<double>(Math.Max(1, m_queryCount), Allocator.Persistent);
@@ -199,9 +179,7 @@ namespace FastPoints.Evaluation
             {
                 try
                 {
-                    using (var building = tree.Build(points, count, transform))
-                        while (building.MoveNext())
-                            yield return building.Current;
+                    yield return Work.Of(tree.Build(points, count, transform));
                     measured = new NearestDistancesJob
                     {
                         Queries = m_queries,
@@ -235,7 +213,7 @@ namespace FastPoints.Evaluation
             }
         }
 
-        IEnumerator<JobHandle> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)
+        IEnumerator<Work> MeasureCells(PointBatch points, int count, PositionTransform transform, SampleError error)
         {
             JobHandle measured = default;
             var found = new NativeReference<CellError>(Allocator.Persistent);
@@ -275,36 +253,28 @@ namespace FastPoints.Evaluation
             }
         }
 
-        IEnumerator<JobHandle> Draw(PointBatch points, int view, SampleError error)
+        IEnumerator<Work> Draw(PointBatch points, int view, SampleError error)
         {
             var plan = m_plans[view];
             if (plan.WantsAutoSize)
                 plan.SizePx = PointSizing.MinPx;
             using (var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent))
             {
-                using (var size = SamplePicture.ChooseSize(canvas, points, plan, points.Count))
-                    while (size.MoveNext())
-                        yield return size.Current;
-                using (var drawing = SamplePicture.Draw(canvas, points, plan, null))
-                    while (drawing.MoveNext())
-                        yield return drawing.Current;
-                using (var resolving = SamplePicture.Resolve(canvas, points, plan, m_options.Background))
-                    while (resolving.MoveNext())
-                        yield return resolving.Current;
+                yield return Work.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
+                yield return Work.Of(SamplePicture.Draw(canvas, points, plan, null));
+                yield return Work.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
                 error.Views[view] = canvas.ToImage();
             }
         }
 
         /// <summary>Work for a pump, with the stage <c>look up</c>: looks for <see cref="LookedUpPerSample"/> points of
         /// each sample that was measured in the full cloud, and fills their <see cref="SampleError.Found"/>.</summary>
-        public IEnumerator<JobHandle> LookUp(StageProgress progress)
+        public IEnumerator<Work> LookUp(StageProgress progress)
         {
             progress?.Begin("look up");
             using (var table = new PositionTable(m_lookedUp.ToArray(), Allocator.Persistent))
             {
-                using (var seeing = SeeAll(table, progress))
-                    while (seeing.MoveNext())
-                        yield return seeing.Current;
+                yield return Work.Of(SeeAll(table, progress));
                 int next = 0;
                 foreach (var error in m_measured)
                 {
@@ -316,7 +286,7 @@ namespace FastPoints.Evaluation
             progress?.End();
         }
 
-        IEnumerator<JobHandle> SeeAll(PositionTable table, StageProgress progress)
+        IEnumerator<Work> SeeAll(PositionTable table, StageProgress progress)
         {
             var filled = new FillPositionTableJob
             {
@@ -335,9 +305,7 @@ namespace FastPoints.Evaluation
             }
             var wanted = m_reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
             var pass = new LookUpPass(m_reader.Info.Transform, table);
-            using (var scan = SourceScan.Run(m_reader, wanted, pass, SourceScan.SlotsFor(m_reader, wanted), progress))
-                while (scan.MoveNext())
-                    yield return scan.Current;
+            yield return Work.Of(SourceScan.Run(m_reader, wanted, pass, SourceScan.SlotsFor(m_reader, wanted), progress));
         }
 
         PictureOptions OptionsFor(ViewDirection view) => new PictureOptions

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
@@ -37,7 +38,7 @@ namespace FastPoints.Evaluation
         public NativeArray<PointTreeNode> Nodes => m_nodes;
 
         /// <summary>Work for a pump: the tree of a batch's first points.</summary>
-        public IEnumerator<JobHandle> Build(PointBatch batch, int count, PositionTransform transform)
+        public IEnumerator<Work> Build(PointBatch batch, int count, PositionTransform transform)
         {
             m_points = new NativeArray<double3>(Math.Max(1, count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             JobHandle built = default;

@@ -96,7 +96,7 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>Work for a pump, once.</summary>
-        public IEnumerator<JobHandle> Run(StageProgress progress)
+        public IEnumerator<Work> Run(StageProgress progress)
         {
             Points = new PointBatch(m_schema, Math.Max(1, m_wanted), Allocator.Persistent);
             if (m_wanted == 0)

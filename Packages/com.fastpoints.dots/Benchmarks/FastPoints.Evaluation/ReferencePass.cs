@@ -45,20 +45,16 @@ namespace FastPoints.Evaluation
         public RgbaImage[] Images { get; private set; }
 
         /// <summary>Work for a pump: the sizes of points for a picture of all, from a sample.</summary>
-        public IEnumerator<JobHandle> ChooseSizes(PointBatch sample, long pointsInSource)
+        public IEnumerator<Work> ChooseSizes(PointBatch sample, long pointsInSource)
         {
             for (int view = 0; view < m_plans.Length; view++)
-                using (var size = SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource))
-                    while (size.MoveNext())
-                        yield return size.Current;
+                yield return Work.Of(SamplePicture.ChooseSize(m_canvases[view], sample, m_plans[view], pointsInSource));
         }
 
         /// <summary>Work for a pump: the scan.</summary>
-        public IEnumerator<JobHandle> Run(StageProgress progress)
+        public IEnumerator<Work> Run(StageProgress progress)
         {
-            using (var scan = SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress))
-                while (scan.MoveNext())
-                    yield return scan.Current;
+            yield return Work.Of(SourceScan.Run(m_reader, m_wanted, this, m_cellsOfSlot.Length, progress));
             foreach (var cells in m_cellsOfSlot)
             {
                 if (cells == null)
@@ -82,14 +78,12 @@ namespace FastPoints.Evaluation
         }
 
         /// <summary>Work for a pump: the colours.</summary>
-        public IEnumerator<JobHandle> Resolve(PointBatch sample, uint background)
+        public IEnumerator<Work> Resolve(PointBatch sample, uint background)
         {
             var images = new RgbaImage[m_plans.Length];
             for (int view = 0; view < m_plans.Length; view++)
             {
-                using (var resolving = SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background))
-                    while (resolving.MoveNext())
-                        yield return resolving.Current;
+                yield return Work.Of(SamplePicture.Resolve(m_canvases[view], sample, m_plans[view], background));
                 images[view] = m_canvases[view].ToImage();
             }
             Images = images;

@@ -5,7 +5,6 @@ using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Store;
-using Unity.Jobs;
 
 namespace FastPoints.Editor
 {
@@ -22,7 +21,7 @@ namespace FastPoints.Editor
         readonly IDisposable[] m_owned;
         readonly Func<RgbaImage> m_image;
 
-        ThumbnailDrawing(IEnumerator<JobHandle> work, Func<RgbaImage> image, params IDisposable[] owned)
+        ThumbnailDrawing(IEnumerator<Work> work, Func<RgbaImage> image, params IDisposable[] owned)
         {
             m_image = image;
             m_owned = owned;

@@ -4,7 +4,6 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Entities;
 using FastPoints.Scenes;
-using Unity.Jobs;
 using UnityEditor;
 using UnityEngine;
 
@@ -64,7 +63,7 @@ namespace FastPoints.Editor
             EditorApplication.quitting += Cancel;
         }
 
-        static IEnumerator<JobHandle> Nothing()
+        static IEnumerator<Work> Nothing()
         {
             yield break;
         }

@@ -1,4 +1,3 @@
-using FastPoints.Picking;
 using FastPoints.Rendering;
 using Unity.Mathematics;
 using UnityEditor;

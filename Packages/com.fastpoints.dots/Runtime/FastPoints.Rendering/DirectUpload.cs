@@ -1,7 +1,6 @@
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Mathematics;
 
 namespace FastPoints.Rendering
 {

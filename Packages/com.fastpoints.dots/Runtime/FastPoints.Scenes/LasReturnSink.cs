@@ -79,14 +79,12 @@ namespace FastPoints.Scenes
     {
         /// <summary>Work for a pump. The file is there, whole, when the work has ended, and not at all when it was cancelled or
         /// failed.</summary>
-        public static IEnumerator<JobHandle> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
+        public static IEnumerator<Work> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
             StageProgress progress = null)
         {
             using (var las = new LasReturnSink(path))
             {
-                using (var work = OrderedScan.Run(points, seed, order, las, progress))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(OrderedScan.Run(points, seed, order, las, progress));
                 las.Complete();
             }
         }

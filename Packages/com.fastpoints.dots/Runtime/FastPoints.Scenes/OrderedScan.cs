@@ -17,7 +17,7 @@ namespace FastPoints.Scenes
 
         /// <summary>Work for a pump.</summary>
         /// <exception cref="ArgumentOutOfRangeException">More than <see cref="MostPoints"/>, and not as acquired.</exception>
-        public static IEnumerator<JobHandle> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        public static IEnumerator<Work> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             if (order == ScanOrder.Strip)
                 return TerrestrialScan.Run(points, seed, sink.Append, progress);
@@ -26,7 +26,7 @@ namespace FastPoints.Scenes
             return RunInMemory((int)points, seed, order, sink, progress);
         }
 
-        static IEnumerator<JobHandle> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
+        static IEnumerator<Work> RunInMemory(int points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             var returns = new NativeArray<ScanReturn>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             var returnOfPlace = new NativeArray<int>(points, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
@@ -39,9 +39,7 @@ namespace FastPoints.Scenes
                     NativeArray<ScanReturn>.Copy(batch, 0, returns, end, batch.Length);
                     end += batch.Length;
                 }
-                using (var scan = TerrestrialScan.Run(points, seed, Keep, progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
+                yield return Work.Of(TerrestrialScan.Run(points, seed, Keep, progress));
 
                 ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }.Schedule();
                 yield return ordering;

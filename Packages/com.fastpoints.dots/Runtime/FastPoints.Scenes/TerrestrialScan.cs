@@ -39,7 +39,7 @@ namespace FastPoints.Scenes
         /// Work for a pump that scans. <paramref name="take"/> gets the returns batch by batch in the order of the scan, on the
         /// main thread; a batch is valid only during the call.
         /// </summary>
-        public static IEnumerator<JobHandle> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take, StageProgress progress)
+        public static IEnumerator<Work> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take, StageProgress progress)
         {
             if (points < 1)
                 throw new ArgumentOutOfRangeException(nameof(points), points, "a scan has at least one point");

@@ -7,7 +7,6 @@ using FastPoints.Entities;
 using FastPoints.Files;
 using FastPoints.Scenes;
 using FastPoints.Store;
-using Unity.Jobs;
 using UnityEngine;
 
 namespace FastPoints.Samples.RunTimeLoading
@@ -70,16 +69,14 @@ namespace FastPoints.Samples.RunTimeLoading
 
         void OnGUI() => GUILayout.Label(Status);
 
-        IEnumerator<JobHandle> Load()
+        IEnumerator<Work> Load()
         {
             string source = Source;
             if (string.IsNullOrEmpty(source))
             {
                 source = Path.Combine(Application.temporaryCachePath, "street.las");
                 m_progress.Begin("scan");
-                using (var scan = LasScan.Run(source, 200_000, 1, progress: m_progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
+                yield return Work.Of(LasScan.Run(source, 200_000, 1, progress: m_progress));
                 m_progress.End();
             }
             m_target = Path.Combine(Application.persistentDataPath, CloudName.Of(source) + StoreFormat.FolderExtension);
@@ -94,9 +91,7 @@ namespace FastPoints.Samples.RunTimeLoading
                 using (var reader = opening.Take())
                 {
                     var settings = new ConvertSettings { KeepUnfinished = true };
-                    using (var convert = ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress))
-                        while (convert.MoveNext())
-                            yield return convert.Current;
+                    yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress));
                 }
             }
         }

@@ -1,5 +1,4 @@
 using FastPoints.Entities;
-using FastPoints.Points;
 using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight

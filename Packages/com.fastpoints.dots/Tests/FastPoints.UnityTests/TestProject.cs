@@ -9,7 +9,6 @@ using NUnit.Framework;
 using Unity.Entities;
 using UnityEditor;
 using UnityEditor.SceneManagement;
-using UnityEngine;
 using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests

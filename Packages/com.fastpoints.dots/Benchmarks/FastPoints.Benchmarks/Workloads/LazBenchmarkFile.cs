@@ -2,7 +2,6 @@ using System;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Points;
 using Unity.Jobs;
 
 namespace FastPoints.Benchmarks

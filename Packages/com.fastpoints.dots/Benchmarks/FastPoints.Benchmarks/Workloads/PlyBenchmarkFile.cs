@@ -3,7 +3,6 @@ using System.IO;
 using System.Text;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Points;
 using Unity.Jobs;
 
 namespace FastPoints.Benchmarks

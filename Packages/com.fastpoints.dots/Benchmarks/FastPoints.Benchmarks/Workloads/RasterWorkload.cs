@@ -1,7 +1,6 @@
 using FastPoints.Picture;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

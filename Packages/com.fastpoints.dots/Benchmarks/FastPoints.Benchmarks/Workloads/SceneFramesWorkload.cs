@@ -1,5 +1,4 @@
 using System.Globalization;
-using FastPoints.Base;
 using FastPoints.Records;
 using FastPoints.Streaming;
 using Unity.Mathematics;

@@ -6,7 +6,6 @@ using FastPoints.Base;
 using FastPoints.Partition;
 using FastPoints.Writing;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
@@ -79,20 +78,18 @@ namespace FastPoints.Convert
         /// journal is. Does nothing where points are in memory.</summary>
         /// <param name="attributes">By attribute: what was found so far.</param>
         /// <param name="chunks">As they are now, from <see cref="BuildJournal.Stage.Split"/> on.</param>
-        public IEnumerator<JobHandle> Begin(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        public IEnumerator<Work> Begin(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
         {
             if (m_files == null)
                 yield break;
-            using (var before = End())
-                while (before.MoveNext())
-                    yield return before.Current;
+            yield return Work.Of(End());
             m_files.Sync();
             m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe(attributes, chunks)), Allocator.Persistent);
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
         /// <summary>Work for a pump: until the last journal is on the disk.</summary>
-        public IEnumerator<JobHandle> End()
+        public IEnumerator<Work> End()
         {
             while (m_ticket != null && !m_ticket.IsDone(1))
                 yield return default;

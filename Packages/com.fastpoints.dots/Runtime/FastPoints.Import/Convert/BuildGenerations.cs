@@ -59,18 +59,14 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump: makes the sample a cloud.</summary>
         /// <param name="cubes">Of the first partition, in Morton order.</param>
         /// <param name="describe">Fills in the manifest from what the sample shows.</param>
-        public IEnumerator<JobHandle> WriteFirst(GridCube root, IReadOnlyList<GridCube> cubes, Action<CloudManifest> describe)
+        public IEnumerator<Work> WriteFirst(GridCube root, IReadOnlyList<GridCube> cubes, Action<CloudManifest> describe)
         {
             if (!m_sample.IsRead)
-                using (var work = m_sample.Read())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(m_sample.Read());
             var manifest = new CloudManifest { Root = root };
             describe(manifest);
             using (var store = new NativeStoreLayout(manifest.CreateLayout()))
-            using (var work = Write(manifest, store, cubes, new ChunkResult[cubes.Count], new NativeArray<byte>[cubes.Count]))
-                while (work.MoveNext())
-                    yield return work.Current;
+            yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Count], new NativeArray<byte>[cubes.Count]));
         }
 
         /// <summary>Work for a pump: the next generation.</summary>
@@ -78,13 +74,11 @@ namespace FastPoints.Convert
         /// <param name="cubes">By chunk, in Morton order.</param>
         /// <param name="finished">By chunk: what lies on disk of it; null where it is not finished.</param>
         /// <param name="topRecords">By chunk: as in <see cref="UpperMerge.Run"/>.</param>
-        public IEnumerator<JobHandle> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+        public IEnumerator<Work> Write(CloudManifest whole, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, NativeArray<byte>[] topRecords)
         {
             if (!m_sample.IsRead)
-                using (var work = m_sample.Read())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(m_sample.Read());
             var manifest = CloudManifest.FromJson(whole.ToJson(), m_folder.PathOf(StoreFormat.ManifestName));
             manifest.IsBuilding = true;
             manifest.Generation = ++m_generation;
@@ -95,9 +89,7 @@ namespace FastPoints.Convert
             var provisional = new List<int>();
             try
             {
-                using (var work = MakeTops(manifest, store, cubes, finished, results, tops, provisional))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(MakeTops(manifest, store, cubes, finished, results, tops, provisional));
                 var chunks = new List<ChunkResult>();
                 for (int i = 0; i < results.Length; i++)
                 {
@@ -110,9 +102,7 @@ namespace FastPoints.Convert
                 }
                 using (var merge = new UpperMerge(m_records, store, manifest.Root, manifest.CloudId, m_folder, m_sampler, m_sizes,
                     m_slices))
-                using (var work = merge.Run(chunks, tops, m_pointsPerRegion, manifest, null))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(merge.Run(chunks, tops, m_pointsPerRegion, manifest, null));
             }
             finally
             {
@@ -133,7 +123,7 @@ namespace FastPoints.Convert
 
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
-        IEnumerator<JobHandle> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
+        IEnumerator<Work> MakeTops(CloudManifest manifest, NativeStoreLayout store, IReadOnlyList<GridCube> cubes,
             IReadOnlyList<ChunkResult> finished, ChunkResult[] results, NativeArray<byte>[] tops, List<int> provisional)
         {
             var all = new GridCube[cubes.Count];

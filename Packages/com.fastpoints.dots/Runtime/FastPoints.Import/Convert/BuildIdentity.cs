@@ -5,7 +5,6 @@ using FastPoints.Files;
 using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
-using FastPoints.Samplers;
 using FastPoints.Store;
 using Unity.Collections.LowLevel.Unsafe;
 

@@ -1,6 +1,5 @@
 using System;
 using FastPoints.Nodes;
-using FastPoints.Points;
 using FastPoints.Samplers;
 using FastPoints.Store;
 using Unity.Collections;

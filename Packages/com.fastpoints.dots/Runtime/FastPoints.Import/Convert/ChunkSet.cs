@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
@@ -66,7 +67,7 @@ namespace FastPoints.Convert
 
         /// <summary>Makes the work that is done after each change that is whole: every record is where the chunks say. Files that
         /// are needed no more are there until it has ended.</summary>
-        public Func<IEnumerator<JobHandle>> Settled { get; set; }
+        public Func<IEnumerator<Work>> Settled { get; set; }
 
         /// <summary>Takes over a chunk's records.</summary>
         public void Add(GridCube cube, ref RecordPages pages)
@@ -99,7 +100,7 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump: distributes the records outside the cube that the root has grown from.</summary>
         /// <param name="shells">The root's doublings, the smallest first.</param>
         /// <param name="outside">All of them; one of the chunks until then, which it is in place of.</param>
-        public IEnumerator<JobHandle> SplitOutside(GridCube[] shells, Chunk outside)
+        public IEnumerator<Work> SplitOutside(GridCube[] shells, Chunk outside)
         {
             var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
             var parts = new GridCube[shells.Length * 8];
@@ -107,7 +108,7 @@ namespace FastPoints.Convert
                 parts[i] = shells[i / 8].Child(i % 8);
             try
             {
-                using (var work = Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
+                yield return Work.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
                 {
                     Slices = m_slices,
                     Pages = pages,
@@ -115,9 +116,7 @@ namespace FastPoints.Convert
                     Shells = cubes,
                     Chunks = lists,
                     Pool = m_pool,
-                }.Schedule(before)))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                }.Schedule(before)));
             }
             finally
             {
@@ -128,7 +127,7 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
         /// that. Points at one place are split by their number, in the order in which they came.</summary>
         /// <param name="target">Points of the parts, at most.</param>
-        public IEnumerator<JobHandle> SplitLarge(long limit, long target)
+        public IEnumerator<Work> SplitLarge(long limit, long target)
         {
             // Parts come to the end, where they are looked at in their turn.
             for (int i = 0; i < m_chunks.Count;)
@@ -139,9 +138,7 @@ namespace FastPoints.Convert
                     i++;
                     continue;
                 }
-                using (var work = Split(chunk, target))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(Split(chunk, target));
             }
         }
 
@@ -182,7 +179,7 @@ namespace FastPoints.Convert
 
         public void Dispose() => m_load.Dispose();
 
-        IEnumerator<JobHandle> Split(Chunk chunk, long target)
+        IEnumerator<Work> Split(Chunk chunk, long target)
         {
             var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
             var counts = default(NativeArray<long>);
@@ -191,42 +188,36 @@ namespace FastPoints.Convert
             {
                 bounds[0] = PointFindings.None.Min;
                 bounds[1] = PointFindings.None.Max;
-                using (var work = ForEachBatch(chunk, (pages, before) => new MeasurePagesJob
+                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasurePagesJob
                 {
                     Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Bounds = bounds,
-                }.Schedule(before)))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                }.Schedule(before)));
                 var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
                 chunk.Cube = cube;
                 if (cube.SideLog2 == 0)
                 {
                     SplitByCount(chunk, target);
-                    using (var work = Settle())
-                        while (work.MoveNext())
-                            yield return work.Current;
+                    yield return Work.Of(Settle());
                     yield break;
                 }
 
                 int levels = PartitionMap.LevelsFor(cube.SideLog2, SplitLevels);
                 counts = new NativeArray<long>(1 << (3 * levels), Allocator.Persistent);
                 var cells = new CellFinder(cube, levels);
-                using (var work = ForEachBatch(chunk, (pages, before) => new CountCellsJob
+                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
                 {
                     Slices = m_slices,
                     Pages = pages,
                     Layout = m_layout,
                     Cells = cells,
                     PointsOfCell = counts,
-                }.Schedule(before)))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                }.Schedule(before)));
                 map = PartitionMap.Plan(cube, levels, counts, target);
                 var chunkOfCell = map.ChunkOfCell;
-                using (var work = Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupPagesJob
+                yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupPagesJob
                 {
                     Slices = m_slices,
                     Pages = pages,
@@ -235,9 +226,7 @@ namespace FastPoints.Convert
                     ChunkOfCell = chunkOfCell,
                     Chunks = lists,
                     Pool = m_pool,
-                }.Schedule(before)))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                }.Schedule(before)));
             }
             finally
             {
@@ -278,17 +267,15 @@ namespace FastPoints.Convert
             }
         }
 
-        IEnumerator<JobHandle> Settle()
+        IEnumerator<Work> Settle()
         {
             if (Settled == null)
                 yield break;
-            using (var work = Settled())
-                while (work.MoveNext())
-                    yield return work.Current;
+            yield return Work.Of(Settled());
         }
 
         /// <summary>Distributes a chunk's records over parts, which take its place.</summary>
-        IEnumerator<JobHandle> Regroup(Chunk chunk, GridCube[] cubes,
+        IEnumerator<Work> Regroup(Chunk chunk, GridCube[] cubes,
             Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
         {
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
@@ -343,9 +330,7 @@ namespace FastPoints.Convert
                         Add(cubes[i], ref pages);
                 }
                 TakeWritten();
-                using (var work = Settle())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(Settle());
                 foreach (var run in chunk.Runs)
                     m_files.Release(run.File);
             }
@@ -357,7 +342,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Work on all records of a chunk, which stay where they are.</summary>
-        IEnumerator<JobHandle> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
+        IEnumerator<Work> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
         {
             var job = default(JobHandle);
             var batches = new List<RecordPages>();

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using FastPoints.Base;
 using FastPoints.Draw;
 using FastPoints.Files;
@@ -14,10 +13,8 @@ using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Writing;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
-using Unity.Mathematics;
 
 namespace FastPoints.Convert
 {
@@ -72,18 +69,14 @@ namespace FastPoints.Convert
         /// <param name="target">The folder to make.</param>
         /// <param name="done">Gets what was made.</param>
         /// <exception cref="PointCloudException">A source or the target is at fault.</exception>
-        public static IEnumerator<JobHandle> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
+        public static IEnumerator<Work> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
             Action<ConvertResult> done, StageProgress progress)
         {
             using (var convert = new ConvertCloud(readers, target, settings, progress))
             {
                 progress?.Begin(BuildStages.Sample);
-                using (var work = convert.Sample())
-                    while (work.MoveNext())
-                        yield return work.Current;
-                using (var work = convert.Partition())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(convert.Sample());
+                yield return Work.Of(convert.Partition());
                 convert.TakeUp();
                 if (convert.m_journal.At == BuildJournal.Stage.Done)
                 {
@@ -93,20 +86,12 @@ namespace FastPoints.Convert
                     yield break;
                 }
                 progress?.Begin(BuildStages.Read);
-                using (var work = convert.Distribute())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(convert.Distribute());
                 progress?.Begin(BuildStages.Split);
-                using (var work = convert.SettleChunks())
-                    while (work.MoveNext())
-                        yield return work.Current;
-                using (var work = convert.Build())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(convert.SettleChunks());
+                yield return Work.Of(convert.Build());
                 progress?.Begin(BuildStages.Finish);
-                using (var work = convert.MeasureShown())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(convert.MeasureShown());
                 done(convert.Finish());
                 progress?.End();
             }
@@ -152,7 +137,7 @@ namespace FastPoints.Convert
 
         int MostSlots(int slots) => m_settings.Workers > 0 ? Math.Min(slots, m_settings.Workers) : slots;
 
-        IEnumerator<JobHandle> Sample()
+        IEnumerator<Work> Sample()
         {
             var findings = new NativeReference<SampleFindings>(Allocator.Persistent);
             var job = default(JobHandle);
@@ -162,12 +147,8 @@ namespace FastPoints.Convert
                 {
                     reader.MostJobs = m_settings.Workers;
                     if (!reader.BlocksAreKnown)
-                        using (var blocks = reader.FindBlocks())
-                            while (blocks.MoveNext())
-                                yield return blocks.Current;
-                    using (var sample = SourceSample.Read(reader, MostSlots(SourceScan.DefaultSlots), m_samples.Add))
-                        while (sample.MoveNext())
-                            yield return sample.Current;
+                        yield return Work.Of(reader.FindBlocks());
+                    yield return Work.Of(SourceSample.Read(reader, MostSlots(SourceScan.DefaultSlots), m_samples.Add));
                     job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Findings = findings }.Schedule();
                     yield return job;
                     job.Complete();
@@ -182,7 +163,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>The grid, the first cube, and the chunks as the sample suggests them.</summary>
-        IEnumerator<JobHandle> Partition()
+        IEnumerator<Work> Partition()
         {
             var infos = new List<SourceInfo>();
             foreach (var reader in m_readers)
@@ -197,9 +178,7 @@ namespace FastPoints.Convert
                 Allocator.Persistent);
 
             var cube = FirstCube.Of(m_readers, m_sampleFindings, m_grid);
-            using (var work = PartitionPlan.Of(cube, m_samples, m_grid, m_points, m_plan, map => m_map = map))
-                while (work.MoveNext())
-                    yield return work.Current;
+            yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_grid, m_points, m_plan, map => m_map = map));
             foreach (var sample in m_samples)
                 sample.Dispose();
             m_samples.Clear();
@@ -238,7 +217,7 @@ namespace FastPoints.Convert
                         needed, free));
         }
 
-        IEnumerator<JobHandle> Distribute()
+        IEnumerator<Work> Distribute()
         {
             bool isReading = m_journal.At == BuildJournal.Stage.Read;
             long sinceCheckpoint = 0;
@@ -259,16 +238,14 @@ namespace FastPoints.Convert
                     int end = block;
                     for (; end < reader.BlockCount && sinceCheckpoint < m_settings.PointsPerCheckpoint; end++)
                         sinceCheckpoint += reader.PointsInBlock(end);
-                    using (var scan = SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null))
+                    using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null)))
                     {
                         while (scan.MoveNext())
                         {
                             yield return scan.Current;
                             if (!m_generations.IsFirstDue)
                                 continue;
-                            using (var work = m_generations.WriteFirst(m_map.Cube, m_map.Chunks, DescribeSample))
-                                while (work.MoveNext())
-                                    yield return work.Current;
+                            yield return Work.Of(m_generations.WriteFirst(m_map.Cube, m_map.Chunks, DescribeSample));
                         }
                     }
                     var found = m_journal.Findings[i];
@@ -280,22 +257,16 @@ namespace FastPoints.Convert
                     sinceCheckpoint = 0;
                     if (m_files == null)
                         continue;
-                    using (var work = m_scatter.WriteAll())
-                        while (work.MoveNext())
-                            yield return work.Current;
+                    yield return Work.Of(m_scatter.WriteAll());
                     // Reading goes on while the disk takes in what was read.
-                    using (var work = m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks))
-                        while (work.MoveNext())
-                            yield return work.Current;
+                    yield return Work.Of(m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks));
                 }
                 m_scatter.EndSource();
                 m_journal.Source = i + 1;
                 m_journal.Block = 0;
             }
             if (isReading && m_files != null)
-                using (var work = m_scatter.WriteAll())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(m_scatter.WriteAll());
             CloudDescription.AddSources(m_readers, m_journal.Findings, m_manifest);
             CloudDescription.Warn(m_readers, m_journal.Findings, m_grid.Grid);
         }
@@ -315,18 +286,14 @@ namespace FastPoints.Convert
         }
 
         /// <summary>What lies on disk is what a killed build is continued from, from the end of this work on.</summary>
-        IEnumerator<JobHandle> WriteJournal()
+        IEnumerator<Work> WriteJournal()
         {
-            using (var begin = m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks))
-                while (begin.MoveNext())
-                    yield return begin.Current;
-            using (var end = m_checkpoints.End())
-                while (end.MoveNext())
-                    yield return end.Current;
+            yield return Work.Of(m_checkpoints.Begin(m_scatter.Attributes, m_chunks.Chunks));
+            yield return Work.Of(m_checkpoints.End());
         }
 
         /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
-        IEnumerator<JobHandle> SettleChunks()
+        IEnumerator<Work> SettleChunks()
         {
             var found = m_scatter.Findings;
             if (found.Count == 0)
@@ -343,15 +310,11 @@ namespace FastPoints.Convert
                 {
                     var shells = RootCube.Grow(root, found.Min, found.Max);
                     root = shells[shells.Length - 1];
-                    using (var work = m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]))
-                        while (work.MoveNext())
-                            yield return work.Current;
+                    yield return Work.Of(m_chunks.SplitOutside(shells, m_chunks.Chunks[inside]));
                 }
                 m_journal.Root = root;
                 m_journal.At = BuildJournal.Stage.Split;
-                using (var work = WriteJournal())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(WriteJournal());
                 m_chunks.Settled = WriteJournal;
             }
             else
@@ -362,15 +325,11 @@ namespace FastPoints.Convert
             }
             if (m_journal.At == BuildJournal.Stage.Split)
             {
-                using (var work = m_chunks.SplitLarge(2 * m_plan.PointsPerChunk, m_plan.PointsPerChunk))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(m_chunks.SplitLarge(2 * m_plan.PointsPerChunk, m_plan.PointsPerChunk));
                 m_journal.Root = RootCube.Shrink(m_journal.Root, found.Min, found.Max);
                 m_chunks.MergeSmall(m_journal.Root, m_plan.PointsPerChunk);
                 m_journal.At = BuildJournal.Stage.Index;
-                using (var work = WriteJournal())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(WriteJournal());
             }
             m_chunks.Settled = null;
             m_manifest.Root = m_journal.Root;
@@ -393,7 +352,7 @@ namespace FastPoints.Convert
             m_chunks.Add(cube, ref pages);
         }
 
-        IEnumerator<JobHandle> Build()
+        IEnumerator<Work> Build()
         {
             var found = m_scatter.Findings;
             CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_scatter.Attributes, m_readers[0].Info.Crs, m_manifest);
@@ -406,9 +365,7 @@ namespace FastPoints.Convert
             m_build = new OctreeBuild(m_chunks, m_pool, m_files, m_plan, m_grid.Records, m_store, m_manifest.Root,
                 m_manifest.CloudId,
                 m_folder, m_settings.Sampler, Sizes, m_generations, m_settings.SecondsPerGeneration, m_slices);
-            using (var work = m_build.Run(MostSlots(JobsUtility.JobWorkerCount + 1), m_manifest, m_progress))
-                while (work.MoveNext())
-                    yield return work.Current;
+            yield return Work.Of(m_build.Run(MostSlots(JobsUtility.JobWorkerCount + 1), m_manifest, m_progress));
             if (m_build.Checksum != m_manifest.Checksum)
             {
                 throw PointCloudException.Wanted(FailureCode.WriteFailed, m_readers[0].Info.Path, -1,
@@ -416,7 +373,7 @@ namespace FastPoints.Convert
             }
         }
 
-        IEnumerator<JobHandle> MeasureShown()
+        IEnumerator<Work> MeasureShown()
         {
             if (m_manifest.Points == 0)
                 yield break;
@@ -424,10 +381,8 @@ namespace FastPoints.Convert
             using (var selection = new NodeSelection(folder))
             {
                 var ranges = new DisplayRanges();
-                using (var measuring = StoredRanges.Measure(folder, selection,
-                    LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges))
-                    while (measuring.MoveNext())
-                        yield return measuring.Current;
+                yield return Work.Of(StoredRanges.Measure(folder, selection,
+                    LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
                 m_manifest.Shown = ranges.ToShown();
             }
         }

@@ -9,7 +9,6 @@ using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Writing;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Convert
@@ -87,12 +86,10 @@ namespace FastPoints.Convert
 
         /// <summary>Work for a pump: every chunk, several at once; then the upper levels and the hierarchy.</summary>
         /// <param name="atOnce">Chunks in work, where memory has room for them.</param>
-        public IEnumerator<JobHandle> Run(int atOnce, CloudManifest manifest, StageProgress progress)
+        public IEnumerator<Work> Run(int atOnce, CloudManifest manifest, StageProgress progress)
         {
             progress?.Begin(BuildStages.Index);
-            using (var chunks = IndexChunks(atOnce, manifest, progress))
-                while (chunks.MoveNext())
-                    yield return chunks.Current;
+            yield return Work.Of(IndexChunks(atOnce, manifest, progress));
             foreach (var slot in m_slots)
                 slot.Dispose();
             m_slots.Clear();
@@ -111,9 +108,7 @@ namespace FastPoints.Convert
                     BytesOfPlane[p] += result.BytesOfPlane[p];
             }
             m_merge = new UpperMerge(m_records, m_store, m_root, m_cloudId, m_folder, m_sampler, m_sizes, m_slices);
-            using (var upper = m_merge.Run(m_results, m_topRecords, m_plan.PointsPerChunk, manifest, progress))
-                while (upper.MoveNext())
-                    yield return upper.Current;
+            yield return Work.Of(m_merge.Run(m_results, m_topRecords, m_plan.PointsPerChunk, manifest, progress));
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
             LevelCount = m_results.Length == 0 ? 0 : m_root.SideLog2 - Math.Min(lowest, m_merge.LowestSideLog2) + 1;
@@ -134,7 +129,7 @@ namespace FastPoints.Convert
             }
         }
 
-        IEnumerator<JobHandle> IndexChunks(int atOnce, CloudManifest manifest, StageProgress progress)
+        IEnumerator<Work> IndexChunks(int atOnce, CloudManifest manifest, StageProgress progress)
         {
             var watch = System.Diagnostics.Stopwatch.StartNew();
             double mergeSeconds = 0;
@@ -197,9 +192,7 @@ namespace FastPoints.Convert
                     if (finished < order.Count && IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
                     {
                         double begin = watch.Elapsed.TotalSeconds;
-                        using (var work = WriteGeneration(manifest))
-                            while (work.MoveNext())
-                                yield return work.Current;
+                        yield return Work.Of(WriteGeneration(manifest));
                         mergeSeconds = watch.Elapsed.TotalSeconds - begin;
                         watch.Restart();
                     }
@@ -261,7 +254,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Makes what is finished a cloud that can be opened.</summary>
-        IEnumerator<JobHandle> WriteGeneration(CloudManifest whole)
+        IEnumerator<Work> WriteGeneration(CloudManifest whole)
         {
             var cubes = new GridCube[m_results.Length];
             var finished = new ChunkResult[m_results.Length];

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Density;
 using FastPoints.Partition;
 using FastPoints.Points;
@@ -21,7 +22,7 @@ namespace FastPoints.Convert
         /// <param name="samples">Of the sources, in the order of the grid's.</param>
         /// <param name="points">Of all sources.</param>
         /// <param name="take">Gets the partition, which the caller disposes.</param>
-        public static IEnumerator<JobHandle> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
+        public static IEnumerator<Work> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
             MemoryPlan plan, Action<PartitionMap> take)
         {
             int sampled = 0;
@@ -59,10 +60,8 @@ namespace FastPoints.Convert
                 if (runs.Length == 0)
                     runs.Add(default);
                 double share = Math.Min(1, sampled / (double)Math.Max(1, points));
-                using (var counting = DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
-                    density => take(Partition(cube, density, plan))))
-                    while (counting.MoveNext())
-                        yield return counting.Current;
+                yield return Work.Of(DensityTree.Count(codes, runs.AsArray(), 0, share, 1, plan.PointsPerChunk,
+                    density => take(Partition(cube, density, plan))));
             }
             finally
             {

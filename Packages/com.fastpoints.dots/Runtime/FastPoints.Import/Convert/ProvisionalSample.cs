@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Partition;
 using FastPoints.Points;
@@ -51,7 +52,7 @@ namespace FastPoints.Convert
         public AttributeFindings[] Attributes { get; }
 
         /// <summary>Work for a pump: reads the sample.</summary>
-        public IEnumerator<JobHandle> Read()
+        public IEnumerator<Work> Read()
         {
             long all = 0;
             foreach (var reader in m_readers)
@@ -60,9 +61,7 @@ namespace FastPoints.Convert
             {
                 double share = m_readers[i].PointCount / (double)Math.Max(1, all);
                 var runs = SampleRuns.Choose(m_readers[i], (long)(m_mostPoints * share) / RunPoints, RunPoints);
-                using (var work = Read(m_readers[i], m_grid.Sources[i], runs))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(Read(m_readers[i], m_grid.Sources[i], runs));
             }
             IsRead = true;
         }
@@ -100,7 +99,7 @@ namespace FastPoints.Convert
             m_pool.Dispose();
         }
 
-        IEnumerator<JobHandle> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
+        IEnumerator<Work> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
         {
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             foreach (var attribute in m_attributes)

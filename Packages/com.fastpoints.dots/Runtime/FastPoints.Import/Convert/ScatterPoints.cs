@@ -133,7 +133,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Work for a pump, when a scan has ended: everything in memory goes to the files.</summary>
-        public IEnumerator<JobHandle> WriteAll()
+        public IEnumerator<Work> WriteAll()
         {
             for (int c = 0; c < m_chunks.Length; c++)
             {

@@ -9,7 +9,6 @@ using FastPoints.Store;
 using FastPoints.Writing;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
@@ -63,7 +62,7 @@ namespace FastPoints.Convert
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
         /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
         /// <param name="pointsPerRegion">That one go takes, about.</param>
-        public IEnumerator<JobHandle> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
+        public IEnumerator<Work> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
             CloudManifest manifest, StageProgress progress)
         {
             m_indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
@@ -103,21 +102,15 @@ namespace FastPoints.Convert
                     else
                     {
                         var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
-                        using (var work = MergeRegion(members, group.Cube, false, manifest))
-                            while (work.MoveNext())
-                                yield return work.Current;
+                        yield return Work.Of(MergeRegion(members, group.Cube, false, manifest));
                     }
                     left += m_items[m_items.Count - 1].TopPoints;
                     progress?.Report(0.5 * (group.First + group.Count) / below.Length, 0, 0);
                 }
             }
             if (m_items.Count > 0)
-                using (var work = MergeRegion(new List<UpperItem>(m_items), m_root, true, manifest))
-                    while (work.MoveNext())
-                        yield return work.Current;
-            using (var work = WriteHierarchy(chunks, manifest))
-                while (work.MoveNext())
-                    yield return work.Current;
+                yield return Work.Of(MergeRegion(new List<UpperItem>(m_items), m_root, true, manifest));
+            yield return Work.Of(WriteHierarchy(chunks, manifest));
             progress?.Report(1, m_upperPoints, m_upperBytes);
         }
 
@@ -133,7 +126,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
-        IEnumerator<JobHandle> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot, CloudManifest manifest)
+        IEnumerator<Work> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot, CloudManifest manifest)
         {
             long points = 0;
             foreach (var member in members)
@@ -280,7 +273,7 @@ namespace FastPoints.Convert
             };
         }
 
-        IEnumerator<JobHandle> WriteHierarchy(IReadOnlyList<ChunkResult> chunks, CloudManifest manifest)
+        IEnumerator<Work> WriteHierarchy(IReadOnlyList<ChunkResult> chunks, CloudManifest manifest)
         {
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();

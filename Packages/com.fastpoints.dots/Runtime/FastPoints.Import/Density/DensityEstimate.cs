@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Preview;
 using Unity.Collections;
@@ -56,7 +57,7 @@ namespace FastPoints.Density
         /// <param name="bounds">That the grid divides: where nearly all points are.</param>
         /// <param name="take">Gets the estimate, which the caller disposes; null where the sample does not say what its points
         /// stand for.</param>
-        public static IEnumerator<JobHandle> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
+        public static IEnumerator<Work> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
         {
             int count = sample.Count - sample.Substitutes;
             if (!sample.StandsForStretches || count == 0 || bounds.IsEmpty)
@@ -90,10 +91,8 @@ namespace FastPoints.Density
                 double inSample = count + sample.NonFinite;
                 int stretches = sample.Runs.Length > 0 ? sample.Runs[sample.Runs.Length - 1].Stretch + 1 : count;
                 int least = Math.Max(LeastStretches, stretches / StretchesPerLeast);
-                using (var counting = DensityTree.Count(codes, sample.Runs, all / inSample, inSample / all, least, 0,
-                    tree => take(new DensityEstimate(tree, sample, inSample / all, least, bounds.Min, edge))))
-                    while (counting.MoveNext())
-                        yield return counting.Current;
+                yield return Work.Of(DensityTree.Count(codes, sample.Runs, all / inSample, inSample / all, least, 0,
+                    tree => take(new DensityEstimate(tree, sample, inSample / all, least, bounds.Min, edge))));
             }
             finally
             {

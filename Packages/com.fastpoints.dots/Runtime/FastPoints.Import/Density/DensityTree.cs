@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Preview;
 using Unity.Burst;
 using Unity.Collections;
@@ -71,7 +72,7 @@ namespace FastPoints.Density
         /// <param name="leastStretches">Cells that fewer have points in are not divided.</param>
         /// <param name="mostPoints">Cells of no more are not divided.</param>
         /// <param name="take">Gets the tree, which the caller disposes, at the end.</param>
-        public static IEnumerator<JobHandle> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
+        public static IEnumerator<Work> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
             double share, int leastStretches, double mostPoints, Action<DensityTree> take)
         {
             var tree = new DensityTree { m_share = share };

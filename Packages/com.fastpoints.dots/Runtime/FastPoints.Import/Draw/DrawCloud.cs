@@ -47,17 +47,13 @@ namespace FastPoints.Draw
 
         /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<JobHandle> Run(StageProgress progress)
+        public IEnumerator<Work> Run(StageProgress progress)
         {
             int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
             using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options }))
             {
-                using (var sampling = preview.TakeSample(progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
-                using (var planning = preview.PlanPicture())
-                    while (planning.MoveNext())
-                        yield return planning.Current;
+                yield return Work.Of(preview.TakeSample(progress));
+                yield return Work.Of(preview.PlanPicture());
                 var sample = preview.Sample;
                 Ranges = preview.Ranges;
                 Plan = preview.Plan;
@@ -67,26 +63,20 @@ namespace FastPoints.Draw
                 using (m_canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
                 {
                     long points = drawSample ? sample.Count : m_reader.PointCount;
-                    using (var size = SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points))
-                        while (size.MoveNext())
-                            yield return size.Current;
-                    using (var drawing = drawSample
+                    yield return Work.Of(SamplePicture.ChooseSize(m_canvas, sample.Points, Plan, points));
+                    yield return Work.Of(drawSample
                         ? SamplePicture.Draw(m_canvas, sample.Points, Plan, progress)
-                        : DrawAll(progress))
-                        while (drawing.MoveNext())
-                            yield return drawing.Current;
+                        : DrawAll(progress));
                     if (drawSample)
                         PointsDrawn = sample.Count;
-                    using (var resolving = SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background))
-                        while (resolving.MoveNext())
-                            yield return resolving.Current;
+                    yield return Work.Of(SamplePicture.Resolve(m_canvas, sample.Points, Plan, m_options.Background));
                     Image = m_canvas.ToImage();
                 }
                 progress?.End();
             }
         }
 
-        IEnumerator<JobHandle> DrawAll(StageProgress progress)
+        IEnumerator<Work> DrawAll(StageProgress progress)
         {
             var wanted = WantedFor(Plan.Mode);
             return SourceScan.Run(m_reader, wanted, this, SourceScan.SlotsFor(m_reader, wanted), progress);

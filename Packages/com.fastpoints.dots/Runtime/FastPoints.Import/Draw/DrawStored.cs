@@ -1,11 +1,9 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Draw
 {
@@ -45,7 +43,7 @@ namespace FastPoints.Draw
 
         /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public IEnumerator<JobHandle> Run(StageProgress progress)
+        public IEnumerator<Work> Run(StageProgress progress)
         {
             progress?.Begin("select");
             var schema = LoadNodes.SchemaFor(m_folder, ColorModes.AttributesToMeasure(m_options.Color));
@@ -54,9 +52,7 @@ namespace FastPoints.Draw
             using (var selection = new NodeSelection(m_folder))
             {
                 if (!PlansByManifest)
-                    using (var measuring = StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges))
-                        while (measuring.MoveNext())
-                            yield return measuring.Current;
+                    yield return Work.Of(StoredRanges.Measure(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
 
                 selection.Choose(Plan.Camera, m_options.WidthPx, m_options.HeightPx, m_budget);
@@ -64,21 +60,13 @@ namespace FastPoints.Draw
                 using (var batch = new PointBatch(schema, points, Allocator.Persistent))
                 using (var canvas = new PictureCanvas(m_options.WidthPx, m_options.HeightPx, Allocator.Persistent))
                 {
-                    using (var loading = LoadNodes.Run(m_folder, selection, batch, progress))
-                        while (loading.MoveNext())
-                            yield return loading.Current;
+                    yield return Work.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                     NodesDrawn = selection.NodeCount;
                     PointsDrawn = batch.Count;
                     progress?.Begin("draw");
-                    using (var size = SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count))
-                        while (size.MoveNext())
-                            yield return size.Current;
-                    using (var drawing = SamplePicture.Draw(canvas, batch, Plan, progress))
-                        while (drawing.MoveNext())
-                            yield return drawing.Current;
-                    using (var resolving = SamplePicture.Resolve(canvas, batch, Plan, m_options.Background))
-                        while (resolving.MoveNext())
-                            yield return resolving.Current;
+                    yield return Work.Of(SamplePicture.ChooseSize(canvas, batch, Plan, batch.Count));
+                    yield return Work.Of(SamplePicture.Draw(canvas, batch, Plan, progress));
+                    yield return Work.Of(SamplePicture.Resolve(canvas, batch, Plan, m_options.Background));
                     Image = canvas.ToImage();
                 }
             }

@@ -28,7 +28,7 @@ namespace FastPoints.Draw
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">Of <see cref="SchemaFor"/>, with room for all points of the selection.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
-        public static IEnumerator<JobHandle> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
+        public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
             StageProgress progress)
         {
             using (var read = new StoreRead())

@@ -4,7 +4,6 @@ using FastPoints.Base;
 using FastPoints.Picture;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using FastPoints.Verify;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

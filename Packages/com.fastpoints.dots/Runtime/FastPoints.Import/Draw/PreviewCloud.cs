@@ -9,7 +9,6 @@ using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Preview;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Draw
@@ -64,65 +63,45 @@ namespace FastPoints.Draw
         /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/>, <see cref="RefineStage"/> and
         /// <c>draw</c>.</summary>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<JobHandle> Run(StageProgress progress)
+        public IEnumerator<Work> Run(StageProgress progress)
         {
-            using (var sampling = TakeSample(progress))
-                while (sampling.MoveNext())
-                    yield return sampling.Current;
-            using (var planning = PlanPicture())
-                while (planning.MoveNext())
-                    yield return planning.Current;
+            yield return Work.Of(TakeSample(progress));
+            yield return Work.Of(PlanPicture());
 
             progress?.Begin("draw");
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
             {
-                using (var size = SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count))
-                    while (size.MoveNext())
-                        yield return size.Current;
+                yield return Work.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
                 // Degrees are no lengths of a cube's edge.
                 if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
                 {
-                    using (var estimating = EstimateDensity())
-                        while (estimating.MoveNext())
-                            yield return estimating.Current;
+                    yield return Work.Of(EstimateDensity());
                     if (Density != null)
-                        using (var closing = SamplePicture.CloseSurfaces(canvas, Density,
-                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan))
-                            while (closing.MoveNext())
-                                yield return closing.Current;
+                        yield return Work.Of(SamplePicture.CloseSurfaces(canvas, Density,
+                            (Sample.Count - Sample.Substitutes) / (double)Math.Max(1, Sample.PointsInSource), Plan));
                 }
-                using (var drawing = SamplePicture.Draw(canvas, Sample.Points, Plan, progress))
-                    while (drawing.MoveNext())
-                        yield return drawing.Current;
-                using (var resolving = SamplePicture.Resolve(canvas, Sample.Points, Plan, m_options.Picture.Background))
-                    while (resolving.MoveNext())
-                        yield return resolving.Current;
+                yield return Work.Of(SamplePicture.Draw(canvas, Sample.Points, Plan, progress));
+                yield return Work.Of(SamplePicture.Resolve(canvas, Sample.Points, Plan, m_options.Picture.Background));
                 Image = canvas.ToImage();
             }
             progress?.End();
         }
 
         /// <summary>Work for a pump: the sample alone.</summary>
-        public IEnumerator<JobHandle> TakeSample(StageProgress progress)
+        public IEnumerator<Work> TakeSample(StageProgress progress)
         {
             m_watch.Restart();
             if (m_reader.HasBeginnings && !m_options.Exact)
             {
-                using (var sampling = TakeBeginnings(progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
+                yield return Work.Of(TakeBeginnings(progress));
                 if (!m_options.Quick && Sample.IsOfBeginning)
                     Drop();
             }
             if (Sample == null || !m_options.Quick && !Sample.IsWhole)
             {
-                using (var finding = FindBlocks(progress))
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                yield return Work.Of(FindBlocks(progress));
                 progress?.Begin("sample");
-                using (var sampling = m_options.Exact ? Scan(progress) : TakeWaves(progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
+                yield return Work.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
             }
 
             TellChanges();
@@ -130,11 +109,9 @@ namespace FastPoints.Draw
         }
 
         /// <summary>Work for a pump, with a sample: finds <see cref="Ranges"/> and <see cref="Plan"/>.</summary>
-        public IEnumerator<JobHandle> PlanPicture()
+        public IEnumerator<Work> PlanPicture()
         {
-            using (var measuring = MeasureSample())
-                while (measuring.MoveNext())
-                    yield return measuring.Current;
+            yield return Work.Of(MeasureSample());
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
             int most = PreviewSample.MaxPoints(Sample.Points.Schema);
             if (m_options.Points > most && Sample.PointsInSource > most)
@@ -144,7 +121,7 @@ namespace FastPoints.Draw
         }
 
         /// <summary>Work for a pump, with a sample: fills <see cref="Density"/>.</summary>
-        public IEnumerator<JobHandle> EstimateDensity()
+        public IEnumerator<Work> EstimateDensity()
         {
             Density?.Dispose();
             Density = null;
@@ -173,19 +150,17 @@ namespace FastPoints.Draw
         /// bare: the whole blocks take their place.</summary>
         public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
 
-        IEnumerator<JobHandle> MeasureSample()
+        IEnumerator<Work> MeasureSample()
         {
             Ranges = new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
             return Ranges.Measure(Sample.Points, Sample.Transform, m_options.Picture.UpAxis);
         }
 
-        IEnumerator<JobHandle> Scan(StageProgress progress)
+        IEnumerator<Work> Scan(StageProgress progress)
         {
             using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
             {
-                using (var sampling = uniform.Run(0, progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
+                yield return Work.Of(uniform.Run(0, progress));
                 Sample = uniform.TakeSample();
             }
             var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
@@ -193,44 +168,36 @@ namespace FastPoints.Draw
             yield return default;
         }
 
-        IEnumerator<JobHandle> TakeWaves(StageProgress progress)
+        IEnumerator<Work> TakeWaves(StageProgress progress)
         {
             bool refines = !m_options.Quick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.PointsBefore(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
-                using (var taking = Take(wanted, progress))
-                    while (taking.MoveNext())
-                        yield return taking.Current;
+                yield return Work.Of(Take(wanted, progress));
             if (!refines || Sample.IsWhole)
                 yield break;
-            using (var measuring = MeasureSample())
-                while (measuring.MoveNext())
-                    yield return measuring.Current;
+            yield return Work.Of(MeasureSample());
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves[m_waves.Count - 1].BytesRead;
             progress?.Begin(RefineStage);
             using (var sampler = new RefiningSampler(m_reader, m_options.Points, m_options.Seed, Sample, Ranges.Robust))
             {
                 sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-                using (var refining = sampler.Run(0, progress))
-                    while (refining.MoveNext())
-                        yield return refining.Current;
+                yield return Work.Of(sampler.Run(0, progress));
                 Sample.Dispose();
                 Sample = sampler.TakeSample();
             }
         }
 
         /// <summary>A sample of the blocks that are known.</summary>
-        IEnumerator<JobHandle> Take(int wanted, StageProgress progress)
+        IEnumerator<Work> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
             using (var sampler = PreviewSampler.Create(m_reader, wanted, m_options.Seed))
             {
                 sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
-                using (var sampling = sampler.Run(0, progress))
-                    while (sampling.MoveNext())
-                        yield return sampling.Current;
+                yield return Work.Of(sampler.Run(0, progress));
                 Sample = sampler.TakeSample();
             }
         }
@@ -245,16 +212,12 @@ namespace FastPoints.Draw
 
         /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the file: of its
         /// beginning, or all over it.</summary>
-        IEnumerator<JobHandle> TakeBeginnings(StageProgress progress)
+        IEnumerator<Work> TakeBeginnings(StageProgress progress)
         {
             progress?.Begin("sample");
             // Of those that are spread a sampler looks for as many as a wave needs.
-            using (var finding = m_reader.BeginningsAreSpread ? m_reader.FindBeginnings(1) : m_reader.FindBeginnings())
-                while (finding.MoveNext())
-                    yield return finding.Current;
-            using (var taking = Take(m_options.Points, progress))
-                while (taking.MoveNext())
-                    yield return taking.Current;
+            yield return Work.Of(m_reader.BeginningsAreSpread ? m_reader.FindBeginnings(1) : m_reader.FindBeginnings());
+            yield return Work.Of(Take(m_options.Points, progress));
             var estimate = m_reader.EstimatedPoints;
             Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
             Sample.IsOfBeginning = !Sample.IsWhole && !m_reader.BeginningsAreSpread;
@@ -276,14 +239,12 @@ namespace FastPoints.Draw
                     + " % of the points, and shows nothing of the rest");
         }
 
-        IEnumerator<JobHandle> FindBlocks(StageProgress progress)
+        IEnumerator<Work> FindBlocks(StageProgress progress)
         {
             if (m_reader.BlocksAreKnown)
                 yield break;
             progress?.Begin(FindBlocksStage);
-            using (var finding = m_reader.FindBlocks())
-                while (finding.MoveNext())
-                    yield return finding.Current;
+            yield return Work.Of(m_reader.FindBlocks());
         }
 
         void Drop()

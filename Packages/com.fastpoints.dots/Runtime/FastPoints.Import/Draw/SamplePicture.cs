@@ -16,7 +16,7 @@ namespace FastPoints.Draw
         const int PointsPerSlice = 1 << 17;
 
         /// <summary>Work for a pump: draws the points, on top of what the canvas has.</summary>
-        public static IEnumerator<JobHandle> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+        public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             StageProgress progress)
         {
             var drawing = plan.DrawingOf(points, canvas);
@@ -39,16 +39,14 @@ namespace FastPoints.Draw
         /// <summary>Work for a pump: finds the size of points where that is left to us, from the sample drawn with single
         /// pixels; leaves the canvas empty.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
-        public static IEnumerator<JobHandle> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
+        public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)
         {
             canvas.Clear();
             canvas.UseSize(plan.SizePx);
             if (!plan.WantsAutoSize || points.Count == 0)
                 yield break;
-            using (var drawing = Draw(canvas, points, plan, null))
-                while (drawing.MoveNext())
-                    yield return drawing.Current;
+            yield return Work.Of(Draw(canvas, points, plan, null));
             var measured = canvas.ScheduleChooseSizes(pointsToDraw / (double)points.Count, default);
             try
             {
@@ -65,7 +63,7 @@ namespace FastPoints.Draw
         /// <summary>Work for a pump, after <see cref="ChooseSize"/>: lets points grow where they leave a surface open.</summary>
         /// <param name="density">Of the cloud.</param>
         /// <param name="share">Of the cloud's points that are drawn.</param>
-        public static IEnumerator<JobHandle> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
+        public static IEnumerator<Work> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
             PicturePlan plan)
         {
             var cells = new NativeList<ThinCell>(Allocator.Persistent);
@@ -97,7 +95,7 @@ namespace FastPoints.Draw
         }
 
         /// <summary>Work for a pump: makes the colours of the picture, for <see cref="PictureCanvas.ToImage"/>.</summary>
-        public static IEnumerator<JobHandle> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
+        public static IEnumerator<Work> Resolve(PictureCanvas canvas, PointBatch points, PicturePlan plan, uint background)
         {
             var resolved = canvas.ScheduleResolve(plan.DrawingOf(points, canvas), background, plan.EdlStrength, default,
                 plan.FillsHoles);

@@ -1,11 +1,9 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Draw
 {
@@ -17,19 +15,15 @@ namespace FastPoints.Draw
         /// <param name="schema">See <see cref="LoadNodes.SchemaFor"/>.</param>
         /// <param name="ranges">Are filled.</param>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
-        public static IEnumerator<JobHandle> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
+        public static IEnumerator<Work> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
             UpAxis upAxis, DisplayRanges ranges)
         {
             selection.Choose(null, 0, 0, DrawStored.PointsToPlanWith);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             using (var batch = new PointBatch(schema, CheckedCount(folder, selection.Points), Allocator.Persistent))
             {
-                using (var loading = LoadNodes.Run(folder, selection, batch, null))
-                    while (loading.MoveNext())
-                        yield return loading.Current;
-                using (var measuring = ranges.Measure(batch, transform, upAxis))
-                    while (measuring.MoveNext())
-                        yield return measuring.Current;
+                yield return Work.Of(LoadNodes.Run(folder, selection, batch, null));
+                yield return Work.Of(ranges.Measure(batch, transform, upAxis));
             }
         }
 

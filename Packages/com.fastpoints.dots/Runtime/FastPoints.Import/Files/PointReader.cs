@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -34,7 +34,7 @@ namespace FastPoints.Files
         /// Work (for a pump) that finds the blocks by looking through the file once: line starts of an ascii file, a lost chunk
         /// table.
         /// </summary>
-        public virtual IEnumerator<JobHandle> FindBlocks()
+        public virtual IEnumerator<Work> FindBlocks()
         {
             yield break;
         }
@@ -46,7 +46,7 @@ namespace FastPoints.Files
         /// <summary>Work (for a pump) of bounded time that finds what can be read without looking through the file: afterwards
         /// the blocks are these, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> takes all in
         /// their place, when there are no slots.</summary>
-        public virtual IEnumerator<JobHandle> FindBeginnings() => FindBlocks();
+        public virtual IEnumerator<Work> FindBeginnings() => FindBlocks();
 
         /// <summary>Whether what <see cref="FindBeginnings()"/> finds lies all over the source, each point as likely as any
         /// other, and not in its beginning.</summary>
@@ -58,7 +58,7 @@ namespace FastPoints.Files
         /// <summary>As <see cref="FindBeginnings()"/>, until so many places were looked at; called again for more. The blocks
         /// come in an order of which every beginning is spread over the source, and those found before keep their
         /// numbers.</summary>
-        public virtual IEnumerator<JobHandle> FindBeginnings(int places) => FindBeginnings();
+        public virtual IEnumerator<Work> FindBeginnings(int places) => FindBeginnings();
 
         /// <summary>Points of the whole source, after <see cref="FindBeginnings()"/>.</summary>
         public virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
@@ -69,12 +69,12 @@ namespace FastPoints.Files
 
         /// <summary>Work (for a pump) that reads the pages of <see cref="Tree"/> that its first levels take, and no more:
         /// afterwards the blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
-        public IEnumerator<JobHandle> FindLevels(int levels) => FindBelow(default, levels);
+        public IEnumerator<Work> FindLevels(int levels) => FindBelow(default, levels);
 
         /// <summary>The same for one node and what is below it. Never opens or reads a file on the main thread.</summary>
         /// <param name="node">Its <see cref="SourceNode.Key"/>.</param>
         /// <param name="levels">Of the tree, counted from its root.</param>
-        public virtual IEnumerator<JobHandle> FindBelow(int4 node, int levels) => FindBlocks();
+        public virtual IEnumerator<Work> FindBelow(int4 node, int levels) => FindBlocks();
 
         /// <summary>Whether <see cref="FindBelow"/> has nothing to read.</summary>
         public virtual bool IsKnownBelow(int4 node, int levels) => BlocksAreKnown;

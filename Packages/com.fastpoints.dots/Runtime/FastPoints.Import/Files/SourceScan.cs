@@ -34,11 +34,11 @@ namespace FastPoints.Files
 
         /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
         /// <param name="slots">Blocks in flight: memory is that of so many blocks.</param>
-        public static IEnumerator<JobHandle> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
+        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             StageProgress progress) => Run(reader, wanted, consumer, slots, 0, reader.BlockCount, progress);
 
         /// <summary>The same for some blocks: from <paramref name="firstBlock"/> to before <paramref name="endBlock"/>.</summary>
-        public static IEnumerator<JobHandle> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
+        public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             int firstBlock, int endBlock, StageProgress progress)
         {
             int blockCount = endBlock - firstBlock;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Preview;
@@ -37,7 +38,7 @@ namespace FastPoints.Partition
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
         /// <param name="slots">Runs in flight.</param>
         /// <param name="take">Gets the sample at the end; the caller disposes it.</param>
-        public static IEnumerator<JobHandle> Read(PointReader reader, int slots, Action<SourceSample> take)
+        public static IEnumerator<Work> Read(PointReader reader, int slots, Action<SourceSample> take)
         {
             var sample = new SourceSample();
             var runs = SampleRuns.Choose(reader, MaxRuns, RunPoints);

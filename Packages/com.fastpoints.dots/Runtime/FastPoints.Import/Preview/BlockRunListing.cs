@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using Unity.Collections;
 using Unity.Jobs;
@@ -16,7 +17,7 @@ namespace FastPoints.Preview
         /// <param name="filled">1 at each place of <paramref name="strata"/> whose point is there.</param>
         /// <param name="points">That are there.</param>
         /// <param name="runs">Gets them, by place among the points that are there.</param>
-        public static IEnumerator<JobHandle> List(PointReader reader, SampleStrata strata, NativeArray<byte> filled, int points,
+        public static IEnumerator<Work> List(PointReader reader, SampleStrata strata, NativeArray<byte> filled, int points,
             NativeList<SampleRun> runs)
         {
             int blocks = reader.BlockCount;

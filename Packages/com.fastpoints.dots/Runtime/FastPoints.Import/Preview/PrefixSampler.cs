@@ -35,26 +35,22 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: as many as the wave is spread over, and more where these have too few points.</summary>
-        IEnumerator<JobHandle> FindBeginnings(int wanted)
+        IEnumerator<Work> FindBeginnings(int wanted)
         {
             for (long places = wanted / PrefixPlan.LeastPoints + 1L; ; places *= 2)
             {
-                using (var finding = Reader.FindBeginnings((int)Math.Min(places, Reader.MostBeginnings)))
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                yield return Work.Of(Reader.FindBeginnings((int)Math.Min(places, Reader.MostBeginnings)));
                 if (Reader.PointCount >= wanted || places >= Reader.MostBeginnings)
                     break;
             }
         }
 
-        private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
+        private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
         {
             // Slots for beginnings of another length than in the wave before.
             Free();
             if (Reader.BeginningsAreSpread && !Reader.BlocksAreKnown)
-                using (var finding = FindBeginnings(wanted))
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                yield return Work.Of(FindBeginnings(wanted));
             var prefixes = m_plan.Next(wanted);
             int longest = 0;
             foreach (var prefix in prefixes)
@@ -113,7 +109,7 @@ namespace FastPoints.Preview
             JobHandle.ScheduleBatchedJobs();
         }
 
-        private protected override IEnumerator<JobHandle> ListRuns(NativeList<SampleRun> runs)
+        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
         {
             // In the file's order, which is not that in which lines were found by jumping.
             m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)

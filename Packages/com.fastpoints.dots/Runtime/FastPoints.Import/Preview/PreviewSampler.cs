@@ -5,7 +5,6 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
@@ -72,7 +71,7 @@ namespace FastPoints.Preview
 
         /// <summary>Work for a pump.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
-        public IEnumerator<JobHandle> Run(int slots, StageProgress progress)
+        public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
@@ -81,23 +80,15 @@ namespace FastPoints.Preview
                 {
                     int first = EndPlace;
                     bool isLast = wave >= s_waves.Length || s_waves[wave] >= LeastShareOfLast * Buffer.Places;
-                    using (var reading = Read(isLast ? Buffer.Places : s_waves[wave], slots, progress))
-                        while (reading.MoveNext())
-                            yield return reading.Current;
+                    yield return Work.Of(Read(isLast ? Buffer.Places : s_waves[wave], slots, progress));
                     if (EndPlace > first)
                     {
-                        using (var closing = Buffer.Close(Reader.Info.Transform, first, EndPlace))
-                            while (closing.MoveNext())
-                                yield return closing.Current;
+                        yield return Work.Of(Buffer.Close(Reader.Info.Transform, first, EndPlace));
                         if (m_sample.StandsForStretches)
                         {
                             m_sample.RunList.Clear();
-                            using (var listing = ListRuns(m_sample.RunList))
-                                while (listing.MoveNext())
-                                    yield return listing.Current;
-                            using (var moving = Buffer.MoveRuns(m_sample.RunList, EndPlace))
-                                while (moving.MoveNext())
-                                    yield return moving.Current;
+                            yield return Work.Of(ListRuns(m_sample.RunList));
+                            yield return Work.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace));
                         }
                         TellWave();
                         Report(progress);
@@ -117,11 +108,11 @@ namespace FastPoints.Preview
         /// <summary>Work for a pump: brings more points into the places that follow, and moves <see cref="EndPlace"/> behind
         /// them.</summary>
         /// <param name="wanted">Places to come to, about; all of them for the last wave.</param>
-        private protected abstract IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress);
+        private protected abstract IEnumerator<Work> Read(int wanted, int slots, StageProgress progress);
 
         /// <summary>Work for a pump: lists what the waves so far have read, by place.</summary>
         /// <param name="runs">Empty.</param>
-        private protected abstract IEnumerator<JobHandle> ListRuns(NativeList<SampleRun> runs);
+        private protected abstract IEnumerator<Work> ListRuns(NativeList<SampleRun> runs);
 
         /// <summary>Frees what <see cref="Read"/> needs; jobs in flight are awaited. May run twice.</summary>
         private protected abstract void Free();

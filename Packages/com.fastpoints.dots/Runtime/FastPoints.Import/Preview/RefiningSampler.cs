@@ -6,7 +6,6 @@ using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;
-using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
@@ -92,16 +91,14 @@ namespace FastPoints.Preview
 
         /// <summary>Work for a pump, once.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor(PointReader, PointSchema)"/>.</param>
-        public IEnumerator<JobHandle> Run(int slots, StageProgress progress)
+        public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
             try
             {
                 Allocate(slots < 1 ? SourceScan.SlotsFor(m_reader, m_schema) : slots);
                 if (!m_plan.IsSliced && m_before != null)
-                    using (var beginning = m_others.Append(m_before))
-                        while (beginning.MoveNext())
-                            yield return beginning.Current;
+                    yield return Work.Of(m_others.Append(m_before));
                 foreach (double share in s_shares)
                 {
                     if (share < FirstShareOfAny && (m_plan.IsSliced || share * m_reader.PointCount < LeastPointsBeforeFifth))
@@ -109,17 +106,11 @@ namespace FastPoints.Preview
                     m_isLastWave = share == 1;
                     for (var ranges = m_plan.Next(share); ranges.Count > 0; ranges = m_plan.Next(share))
                     {
-                        using (var reading = Read(ranges, progress))
-                            while (reading.MoveNext())
-                                yield return reading.Current;
+                        yield return Work.Of(Read(ranges, progress));
                         while (!m_isLastWave && m_others.AreTooMany)
-                            using (var thinning = m_others.Coarsen(m_buffer))
-                                while (thinning.MoveNext())
-                                    yield return thinning.Current;
+                            yield return Work.Of(m_others.Coarsen(m_buffer));
                     }
-                    using (var ending = share < 1 ? Compose() : Close())
-                        while (ending.MoveNext())
-                            yield return ending.Current;
+                    yield return Work.Of(share < 1 ? Compose() : Close());
                     TellWave();
                     // Whoever steps the work has the wave to himself until the next step.
                     yield return default;
@@ -149,7 +140,7 @@ namespace FastPoints.Preview
             m_others = new SubstitutePoints(m_schema, m_reader.Info.Transform, m_strata.Count, m_bounds);
         }
 
-        IEnumerator<JobHandle> Read(List<BlockRange> ranges, StageProgress progress)
+        IEnumerator<Work> Read(List<BlockRange> ranges, StageProgress progress)
         {
             int slots = m_reads.Length;
             for (int i = 0; i < ranges.Count + slots; i++)
@@ -213,13 +204,11 @@ namespace FastPoints.Preview
         }
 
         /// <summary>A sample of what is there: its own points, and others where there are none.</summary>
-        IEnumerator<JobHandle> Compose()
+        IEnumerator<Work> Compose()
         {
             // A point of the first sample may have been come to again.
             if (!m_plan.IsSliced)
-                using (var thinning = m_others.Thin(m_buffer))
-                    while (thinning.MoveNext())
-                        yield return thinning.Current;
+                yield return Work.Of(m_others.Thin(m_buffer));
             // Of points in a row, no more strata than they are long are chosen from, and one at either end.
             long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
             var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
@@ -263,16 +252,10 @@ namespace FastPoints.Preview
                     yield return gathering;
                     gathering.Complete();
                 }
-                using (var closing = drawn.Close(m_reader.Info.Transform, 0, gathered.Value + others.Value.Points))
-                    while (closing.MoveNext())
-                        yield return closing.Current;
+                yield return Work.Of(drawn.Close(m_reader.Info.Transform, 0, gathered.Value + others.Value.Points));
                 Replace(drawn.TakeSample(m_reader.Info.Transform));
-                using (var listing = BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, gathered.Value, m_sample.RunList))
-                    while (listing.MoveNext())
-                        yield return listing.Current;
-                using (var moving = drawn.MoveRuns(m_sample.RunList, gathered.Value))
-                    while (moving.MoveNext())
-                        yield return moving.Current;
+                yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, gathered.Value, m_sample.RunList));
+                yield return Work.Of(drawn.MoveRuns(m_sample.RunList, gathered.Value));
                 m_sample.StandsForStretches = true;
                 m_sample.IsOfBlockBeginnings = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
@@ -289,11 +272,9 @@ namespace FastPoints.Preview
         }
 
         /// <summary>The full scan's sample.</summary>
-        IEnumerator<JobHandle> Close()
+        IEnumerator<Work> Close()
         {
-            using (var closing = m_buffer.Close(m_reader.Info.Transform))
-                while (closing.MoveNext())
-                    yield return closing.Current;
+            yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
             Replace(m_buffer.TakeSample(m_reader.Info.Transform));
             m_sample.PointsInSource = m_pointsFound;
             m_sample.IsFullScan = true;

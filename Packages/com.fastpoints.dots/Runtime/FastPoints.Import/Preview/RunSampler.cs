@@ -49,31 +49,25 @@ namespace FastPoints.Preview
             m_plan = plan;
         }
 
-        private protected override IEnumerator<JobHandle> Read(int wanted, int slots, StageProgress progress)
+        private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
         {
             if (m_reads == null)
             {
-                using (var trying = Try())
-                    while (trying.MoveNext())
-                        yield return trying.Current;
+                yield return Work.Of(Try());
                 Allocate(slots < 1 ? m_pace.Slots : slots);
             }
             int end = m_plan.RunsFor(wanted);
             if (end == m_endRank)
                 yield break;
-            using (var planning = PlanWave(m_endRank, end))
-                while (planning.MoveNext())
-                    yield return planning.Current;
-            using (var reading = ReadRuns(progress))
-                while (reading.MoveNext())
-                    yield return reading.Current;
+            yield return Work.Of(PlanWave(m_endRank, end));
+            yield return Work.Of(ReadRuns(progress));
             m_endRank = end;
             EndPlace = m_plan.PlaceOf(end);
         }
 
         /// <summary>Work for a pump: reads the first runs of the usual plan, and takes the other one where that is
         /// slow.</summary>
-        IEnumerator<JobHandle> Try()
+        IEnumerator<Work> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);
             if (m_plan.RunCount < ReadPace.Tries || m_plan.PlaceCount >= Reader.PointCount)
@@ -120,7 +114,7 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: finds the wave's runs, in the file's order.</summary>
-        IEnumerator<JobHandle> PlanWave(int firstRank, int endRank)
+        IEnumerator<Work> PlanWave(int firstRank, int endRank)
         {
             JobHandle planned = default;
             try
@@ -162,7 +156,7 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Brings the planned runs into their places.</summary>
-        IEnumerator<JobHandle> ReadRuns(StageProgress progress)
+        IEnumerator<Work> ReadRuns(StageProgress progress)
         {
             var runs = m_runs.AsArray();
             int slots = m_reads.Length;
@@ -192,7 +186,7 @@ namespace FastPoints.Preview
                 m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(begun, ended) / stretches);
         }
 
-        private protected override IEnumerator<JobHandle> ListRuns(NativeList<SampleRun> runs)
+        private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
         {
             runs.Capacity = Math.Max(runs.Capacity, m_endRank);
             for (int first = 0; first < m_ranks.Length; first += RunsPerSlice)

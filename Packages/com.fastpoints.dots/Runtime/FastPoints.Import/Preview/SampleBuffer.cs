@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Burst;
@@ -68,10 +69,10 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: closes the gaps; after all that fills.</summary>
-        public IEnumerator<JobHandle> Close(PositionTransform transform) => Close(transform, 0, Places);
+        public IEnumerator<Work> Close(PositionTransform transform) => Close(transform, 0, Places);
 
         /// <summary>As <see cref="Close(PositionTransform)"/>, for the places that follow those that are closed.</summary>
-        public IEnumerator<JobHandle> Close(PositionTransform transform, int begin, int end)
+        public IEnumerator<Work> Close(PositionTransform transform, int begin, int end)
         {
             for (int first = begin; first < end; first += PlacesPerSlice)
             {
@@ -102,7 +103,7 @@ namespace FastPoints.Preview
         /// cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">All within the places that are closed.</param>
         /// <param name="end">Of these places.</param>
-        public IEnumerator<JobHandle> MoveRuns(NativeList<SampleRun> runs, int end)
+        public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int end)
         {
             var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             pointOfPlace[0] = 0;

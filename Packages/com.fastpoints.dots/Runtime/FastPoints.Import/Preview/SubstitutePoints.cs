@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
@@ -90,7 +91,7 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: adds those of a sample's points that are needed.</summary>
-        public IEnumerator<JobHandle> Append(PreviewSample sample)
+        public IEnumerator<Work> Append(PreviewSample sample)
         {
             var columns = SampleBuffer.ColumnsOf(sample.Points);
             var all = new NativeReference<DecodeResult>(new DecodeResult { Points = sample.Count }, Allocator.Persistent);
@@ -112,7 +113,7 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Work for a pump: larger cells, then <see cref="Thin"/>.</summary>
-        public IEnumerator<JobHandle> Coarsen(SampleBuffer own)
+        public IEnumerator<Work> Coarsen(SampleBuffer own)
         {
             m_cells.CellsPerUnit /= CoarserCells;
             return Thin(own);
@@ -120,7 +121,7 @@ namespace FastPoints.Preview
 
         /// <summary>Work for a pump: marks the sample's own points anew, and keeps of the substitutes those that stand where none
         /// of these does.</summary>
-        public IEnumerator<JobHandle> Thin(SampleBuffer own)
+        public IEnumerator<Work> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;
             JobHandle thinning = default;

@@ -38,7 +38,7 @@ namespace FastPoints.Preview
 
         /// <summary>Work for a pump; afterwards <see cref="TakeSample"/>.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
-        public IEnumerator<JobHandle> Run(int slots, StageProgress progress)
+        public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
             if (slots < 1)
                 slots = SourceScan.SlotsFor(m_reader, m_schema);
@@ -46,12 +46,8 @@ namespace FastPoints.Preview
             try
             {
                 m_buffer = new SampleBuffer(m_schema, m_strata.Count);
-                using (var scan = SourceScan.Run(m_reader, m_schema, this, slots, progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
-                using (var close = m_buffer.Close(m_reader.Info.Transform))
-                    while (close.MoveNext())
-                        yield return close.Current;
+                yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
+                yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
 
                 m_sample = m_buffer.TakeSample(m_reader.Info.Transform);
                 m_sample.PointsInSource = m_pointsFound;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Preview;
@@ -114,7 +115,7 @@ namespace FastPoints.SourceFeeds
         /// <summary>Work for a pump: copies a sample in jobs. It stays as it is until the work has ended.</summary>
         /// <param name="path">Of the source, for messages.</param>
         /// <param name="copied">Takes the reader over.</param>
-        public static IEnumerator<JobHandle> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
+        public static IEnumerator<Work> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
         {
             var points = RoomFor(sample);
             JobHandle copying = default;

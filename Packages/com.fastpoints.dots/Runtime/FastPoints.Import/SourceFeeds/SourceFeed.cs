@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Draw;
@@ -8,7 +7,6 @@ using FastPoints.Picture;
 using FastPoints.Points;
 using FastPoints.Preview;
 using FastPoints.Streaming;
-using Unity.Jobs;
 
 namespace FastPoints.SourceFeeds
 {
@@ -83,22 +81,16 @@ namespace FastPoints.SourceFeeds
             m_reader = null;
         }
 
-        IEnumerator<JobHandle> OpenTree()
+        IEnumerator<Work> OpenTree()
         {
-            using (var finding = TreeSource.FindTop(m_reader))
-                while (finding.MoveNext())
-                    yield return finding.Current;
+            yield return Work.Of(TreeSource.FindTop(m_reader));
             PointBatch top = null;
             var ranges = NewRanges();
             try
             {
-                using (var reading = TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
-                    batch => top = batch))
-                    while (reading.MoveNext())
-                        yield return reading.Current;
-                using (var measuring = ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z))
-                    while (measuring.MoveNext())
-                        yield return measuring.Current;
+                yield return Work.Of(TreeTop.Read(m_reader, ColorModes.AttributesToMeasure(ColorMode.Auto), PointsOfTop,
+                    batch => top = batch));
+                yield return Work.Of(ranges.Measure(top, m_reader.Info.Transform, UpAxis.Z));
             }
             finally
             {
@@ -107,18 +99,16 @@ namespace FastPoints.SourceFeeds
             m_newest = Describe(CloudStage.Whole, ranges, m_reader.Tree.Cube);
         }
 
-        IEnumerator<JobHandle> TakePreview()
+        IEnumerator<Work> TakePreview()
         {
             using (var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = m_previewPoints }))
             {
                 preview.WaveReady += (sample, _) => m_wave = sample;
-                using (var sampling = preview.TakeSample(m_progress))
+                using (var sampling = new WorkSteps(preview.TakeSample(m_progress)))
                     while (!IsLeftToTheBuild && sampling.MoveNext())
                     {
                         if (m_wave != null)
-                            using (var keeping = KeepWave())
-                                while (keeping.MoveNext())
-                                    yield return keeping.Current;
+                            yield return Work.Of(KeepWave());
                         yield return sampling.Current;
                     }
             }
@@ -128,7 +118,7 @@ namespace FastPoints.SourceFeeds
         bool IsLeftToTheBuild => m_isHurried &&
             (m_progress.Current == PreviewCloud.RefineStage || m_progress.Current == PreviewCloud.FindBlocksStage);
 
-        IEnumerator<JobHandle> KeepWave()
+        IEnumerator<Work> KeepWave()
         {
             var wave = m_wave;
             m_wave = null;
@@ -136,14 +126,10 @@ namespace FastPoints.SourceFeeds
             bool isKept = false;
             try
             {
-                using (var copying = SampleReader.Copy(wave, m_path, copied => copy = copied))
-                    while (copying.MoveNext())
-                        yield return copying.Current;
+                yield return Work.Of(SampleReader.Copy(wave, m_path, copied => copy = copied));
                 copy.Info.Crs = m_reader.Info.Crs;
                 var ranges = NewRanges();
-                using (var measuring = ranges.Measure(copy.Points, wave.Transform, UpAxis.Z))
-                    while (measuring.MoveNext())
-                        yield return measuring.Current;
+                yield return Work.Of(ranges.Measure(copy.Points, wave.Transform, UpAxis.Z));
                 m_sample?.Dispose();
                 m_sample = copy;
                 m_newest = Describe(wave.IsWhole ? CloudStage.Whole : CloudStage.Preview, ranges, wave.Bounds);

@@ -1,4 +1,3 @@
-using System;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Partition;

@@ -6,7 +6,6 @@ using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 

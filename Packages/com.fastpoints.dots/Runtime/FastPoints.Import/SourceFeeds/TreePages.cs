@@ -30,7 +30,7 @@ namespace FastPoints.SourceFeeds
         readonly List<int> m_firstHangingOfPage = new List<int> { NotNumbered };
         readonly List<bool> m_isPageKnown = new List<bool> { true };
         NativeParallelHashMap<int4, int> m_nodeOfKey;
-        IEnumerator<JobHandle> m_reading;
+        WorkSteps m_reading;
         JobHandle m_step;
         JobHandle m_building;
         int m_nodes;
@@ -85,7 +85,7 @@ namespace FastPoints.SourceFeeds
                     m_read = m_wanted;
                     m_wanted = None;
                     var root = m_rootOfPage[m_read];
-                    m_reading = m_reader.FindBelow(root, LevelsOf(root));
+                    m_reading = new WorkSteps(m_reader.FindBelow(root, LevelsOf(root)));
                 }
                 if (m_reading.MoveNext())
                 {

@@ -77,7 +77,7 @@ namespace FastPoints.SourceFeeds
 
         /// <summary>Work for a pump that comes before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
-        public static IEnumerator<JobHandle> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
+        public static IEnumerator<Work> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
@@ -146,7 +146,7 @@ namespace FastPoints.SourceFeeds
             return new TreeNodeMaker(this, m_allPlanes);
         }
 
-        public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
+        public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)
         {
             PointReader reader = (Reader as SampleReader)?.Share();
             if (Reader is SampleReader && reader == null)
@@ -155,13 +155,9 @@ namespace FastPoints.SourceFeeds
             {
                 string path = Path;
                 if (reader == null)
-                    using (var opening = PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
-                        other => other.DisposeUnread()))
-                        while (opening.MoveNext())
-                            yield return opening.Current;
-                using (var finding = FindTop(reader))
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                    yield return Work.Of(PoolWork.Run(path, () => PointReaders.Open(path), other => reader = other,
+                        other => other.DisposeUnread()));
+                yield return Work.Of(FindTop(reader));
                 var source = new TreeSource(reader, AttributeNames.Classification);
                 reader = null;
                 opened(source);

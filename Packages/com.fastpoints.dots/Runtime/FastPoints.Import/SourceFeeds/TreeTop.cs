@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.SourceFeeds
 {
@@ -16,7 +16,7 @@ namespace FastPoints.SourceFeeds
         /// <param name="attributes">Beside the positions; those that the source has not are left out.</param>
         /// <param name="wanted">Points: whole nodes, until there are so many.</param>
         /// <param name="read">Takes the points over.</param>
-        public static IEnumerator<JobHandle> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
+        public static IEnumerator<Work> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();
             int points = 0, most = 1;

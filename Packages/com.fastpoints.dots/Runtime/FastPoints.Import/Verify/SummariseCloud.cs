@@ -42,14 +42,12 @@ namespace FastPoints.Verify
         /// <summary>Work for a pump, with the stages <c>find blocks</c> and <c>scan</c>.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         /// <exception cref="PointCloudException">The source cannot be read.</exception>
-        public IEnumerator<JobHandle> Run(StageProgress progress, int slots = 0)
+        public IEnumerator<Work> Run(StageProgress progress, int slots = 0)
         {
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewCloud.FindBlocksStage);
-                using (var finding = m_reader.FindBlocks())
-                    while (finding.MoveNext())
-                        yield return finding.Current;
+                yield return Work.Of(m_reader.FindBlocks());
             }
             progress?.Begin("scan");
             if (slots < 1)
@@ -57,9 +55,7 @@ namespace FastPoints.Verify
             m_slots = new SlotState[slots];
             try
             {
-                using (var scan = SourceScan.Run(m_reader, m_schema, this, slots, progress))
-                    while (scan.MoveNext())
-                        yield return scan.Current;
+                yield return Work.Of(SourceScan.Run(m_reader, m_schema, this, slots, progress));
             }
             finally
             {

@@ -46,7 +46,7 @@ namespace FastPoints.Verify
         /// <summary>Work for a pump. What is wrong with the cloud is in the result; nothing is thrown for it.</summary>
         /// <param name="against">The sources to compare with; none to leave that out.</param>
         /// <exception cref="PointCloudException">The path is no cloud at all, or a source cannot be read.</exception>
-        public static IEnumerator<JobHandle> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
+        public static IEnumerator<Work> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
             StageProgress progress)
         {
             if (!CloudFolder.IsCloud(path))
@@ -67,19 +67,13 @@ namespace FastPoints.Verify
             using (var verify = new VerifyCloud(folder, result))
             {
                 progress?.Begin("verify");
-                using (var work = verify.CheckFiles(progress))
-                    while (work.MoveNext())
-                        yield return work.Current;
-                using (var work = verify.MeasureAcrossChunks())
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(verify.CheckFiles(progress));
+                yield return Work.Of(verify.MeasureAcrossChunks());
                 verify.CheckTotals();
                 if (against.Count > 0)
                 {
                     progress?.Begin("compare");
-                    using (var work = verify.Compare(against, progress))
-                        while (work.MoveNext())
-                            yield return work.Current;
+                    yield return Work.Of(verify.Compare(against, progress));
                 }
                 progress?.End();
             }
@@ -94,14 +88,12 @@ namespace FastPoints.Verify
             m_store.Dispose();
         }
 
-        IEnumerator<JobHandle> CheckFiles(StageProgress progress)
+        IEnumerator<Work> CheckFiles(StageProgress progress)
         {
             if (m_folder.Upper.Nodes.Length > 0)
             {
-                using (var work = CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper,
-                    m_folder.Manifest.Root, StoreFormat.UpperMagic))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(CheckNodes(m_folder.UpperPath, m_folder.Manifest.UpperBytes, m_folder.Upper,
+                    m_folder.Manifest.Root, StoreFormat.UpperMagic));
             }
             for (int c = 0; c < m_folder.Chunks.Length; c++)
             {
@@ -117,16 +109,14 @@ namespace FastPoints.Verify
                 if (table == null)
                     continue;
                 using (table)
-                using (var work = CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
-                    m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic))
-                    while (work.MoveNext())
-                        yield return work.Current;
+                yield return Work.Of(CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
+                    m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic));
                 progress?.Report((c + 1) / (double)m_folder.Chunks.Length, m_result.Points, 0);
             }
         }
 
         /// <summary>Reads a whole file and checks every node of it.</summary>
-        IEnumerator<JobHandle> CheckNodes(string path, long fileBytes, NodeTable table, GridCube cube, ulong magic)
+        IEnumerator<Work> CheckNodes(string path, long fileBytes, NodeTable table, GridCube cube, ulong magic)
         {
             var spacing = new SpacingCheck(m_folder.Manifest, table, cube, magic == StoreFormat.UpperMagic);
             var verdicts = new NativeArray<NodeVerdict>(table.Nodes.Length, Allocator.Persistent);
@@ -220,7 +210,7 @@ namespace FastPoints.Verify
         }
 
         /// <summary>How near the sampled points of different chunks are: samplers keep their distance inside of chunks.</summary>
-        IEnumerator<JobHandle> MeasureAcrossChunks()
+        IEnumerator<Work> MeasureAcrossChunks()
         {
             var smallest = new NativeReference<double>(Allocator.Persistent);
             var near = new NativeReference<long>(Allocator.Persistent);
@@ -283,7 +273,7 @@ namespace FastPoints.Verify
             }
         }
 
-        IEnumerator<JobHandle> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
+        IEnumerator<Work> Compare(IReadOnlyList<PointReader> readers, StageProgress progress)
         {
             var manifest = m_folder.Manifest;
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
@@ -299,16 +289,12 @@ namespace FastPoints.Verify
                 if (!HasAttributes(reader))
                     yield break;
                 if (!reader.BlocksAreKnown)
-                    using (var blocks = reader.FindBlocks())
-                        while (blocks.MoveNext())
-                            yield return blocks.Current;
+                    yield return Work.Of(reader.FindBlocks());
                 var wanted = reader.Info.Schema.Select(names.ToArray());
                 using (var sums = new SumPoints(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock))
                 {
-                    using (var scan = SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress))
-                        while (scan.MoveNext())
-                            yield return scan.Current;
+                    yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
                     var found = sums.TakeFindings(out ulong second, attributes);
                     points += found.Count;
                     leftOut += found.LeftOut;

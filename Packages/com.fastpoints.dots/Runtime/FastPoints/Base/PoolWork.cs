@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using System.Threading.Tasks;
-using Unity.Jobs;
 
 namespace FastPoints.Base
 {
@@ -21,7 +20,7 @@ namespace FastPoints.Base
         /// <summary>The same as work for a pump; done where it is pumped, where that is a thread of the pool.</summary>
         /// <param name="done">Takes what came of it, on the pump's thread.</param>
         /// <param name="unwanted">Frees what came too late for that, on whatever thread that is.</param>
-        public static IEnumerator<JobHandle> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
+        public static IEnumerator<Work> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)
             {

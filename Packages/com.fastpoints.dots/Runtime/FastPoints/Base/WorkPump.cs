@@ -1,3 +1,4 @@
+using System.Collections;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
@@ -5,9 +6,99 @@ using Unity.Jobs;
 
 namespace FastPoints.Base
 {
+    /// <summary>One step of work: jobs that must be finished before the next step can run, or other work to do first.</summary>
+    public readonly struct Work
+    {
+        internal readonly JobHandle Jobs;
+        internal readonly IEnumerator<Work> Inner;
+
+        Work(JobHandle jobs, IEnumerator<Work> inner)
+        {
+            Jobs = jobs;
+            Inner = inner;
+        }
+
+        /// <summary>All steps of <paramref name="inner"/>; it is disposed when it ends, and when the work that yields it is.</summary>
+        public static Work Of(IEnumerator<Work> inner) => new Work(default, inner);
+
+        public static implicit operator Work(JobHandle jobs) => new Work(jobs, null);
+    }
+
+    /// <summary>The steps of work and of all that is nested in it, one after the other: each is the handle to await.</summary>
+    public sealed class WorkSteps : IEnumerator<JobHandle>
+    {
+        readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
+
+        public WorkSteps(IEnumerator<Work> work)
+        {
+            m_stack.Push(work);
+        }
+
+        public JobHandle Current { get; private set; }
+
+        object IEnumerator.Current => Current;
+
+        /// <summary>Runs the next step; where it throws, everything is disposed, from the inside out.</summary>
+        public bool MoveNext()
+        {
+            bool isWhole = false;
+            try
+            {
+                bool more = Next();
+                isWhole = true;
+                return more;
+            }
+            finally
+            {
+                if (!isWhole)
+                    Dispose();
+            }
+        }
+
+        /// <summary>Disposes what has not ended, from the inside out.</summary>
+        public void Dispose()
+        {
+            if (m_stack.Count == 0)
+                return;
+            try
+            {
+                m_stack.Pop().Dispose();
+            }
+            finally
+            {
+                Dispose();
+            }
+        }
+
+        void IEnumerator.Reset() => throw new System.NotSupportedException();
+
+        bool Next()
+        {
+            while (m_stack.Count > 0)
+            {
+                var innermost = m_stack.Peek();
+                if (!innermost.MoveNext())
+                {
+                    m_stack.Pop().Dispose();
+                }
+                else if (innermost.Current.Inner != null)
+                {
+                    m_stack.Push(innermost.Current.Inner);
+                }
+                else
+                {
+                    Current = innermost.Current.Jobs;
+                    return true;
+                }
+            }
+            Current = default;
+            return false;
+        }
+    }
+
     /// <summary>
     /// Drives work that is written as an iterator: each step schedules jobs and yields the handle that must be finished before
-    /// the next step can run. An editor calls <see cref="Tick"/> once an update and never waits; the converter calls
+    /// the next step can run, or work that is nested in it. An editor calls <see cref="Tick"/> once an update and never waits; the converter calls
     /// <see cref="RunToEnd"/>, which waits.
     /// </summary>
     /// <remarks>
@@ -16,13 +107,13 @@ namespace FastPoints.Base
     /// </remarks>
     public sealed class WorkPump
     {
-        readonly IEnumerator<JobHandle> m_work;
+        readonly WorkSteps m_work;
         readonly Stopwatch m_tickWatch = new Stopwatch();
         JobHandle m_awaited;
 
-        public WorkPump(IEnumerator<JobHandle> work)
+        public WorkPump(IEnumerator<Work> work)
         {
-            m_work = work;
+            m_work = new WorkSteps(work);
         }
 
         public bool IsDone { get; private set; }
@@ -51,7 +142,7 @@ namespace FastPoints.Base
 
         /// <summary>Runs the work on the calling thread until it is done.</summary>
         /// <exception cref="System.OperationCanceledException">The token was cancelled; everything is freed.</exception>
-        public static void RunToEnd(IEnumerator<JobHandle> work, CancellationToken cancellation = default)
+        public static void RunToEnd(IEnumerator<Work> work, CancellationToken cancellation = default)
         {
             var pump = new WorkPump(work);
             try

@@ -1,7 +1,6 @@
 using System;
 using FastPoints.Base;
 using FastPoints.Gpu;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

@@ -60,7 +60,7 @@ namespace FastPoints.Picking
         /// <param name="options">Null for what they are by themselves; left alone until the work is done.</param>
         /// <param name="result">What the work comes to: a fresh one.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or is damaged.</exception>
-        public IEnumerator<JobHandle> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
+        public IEnumerator<Work> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
         {
             if (m_isSearching)
                 throw new InvalidOperationException(Source.Path + ": is searched already");

@@ -152,7 +152,7 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Work for a pump: fills this from a batch. The batch must stay until the work is done.</summary>
-        public IEnumerator<JobHandle> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
+        public IEnumerator<Work> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
         {
             UpAxis = upAxis;
             string[] names =

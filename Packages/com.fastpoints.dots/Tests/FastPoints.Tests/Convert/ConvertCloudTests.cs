@@ -394,8 +394,8 @@ namespace FastPoints.Tests.Convert
         [Test]
         public void Convert_Cancelled_LeavesNothing()
         {
-            var work = ConvertCloud.Run(new[] { MemoryReader.Of(Uniform(30000, 1000), s_centimetres) }, Target(),
-                new ConvertSettings { PointsPerChunk = 3000 }, r => { }, null);
+            var work = new WorkSteps(ConvertCloud.Run(new[] { MemoryReader.Of(Uniform(30000, 1000), s_centimetres) }, Target(),
+                new ConvertSettings { PointsPerChunk = 3000 }, r => { }, null));
             for (int i = 0; i < 60 && work.MoveNext(); i++)
                 work.Current.Complete();
             work.Dispose();

@@ -13,7 +13,6 @@ using FastPoints.Tests.Samplers;
 using FastPoints.Verify;
 using FastPoints.Writing;
 using NUnit.Framework;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
 
@@ -190,15 +189,15 @@ namespace FastPoints.Tests.Convert
             Convert(Uneven(), "whole", InMemory());
             var wanted = Files("whole");
             int steps = 0;
-            for (var count = ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { },
-                null); count.MoveNext(); steps++)
+            for (var count = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("count"), InFiles(), r => { },
+                null)); count.MoveNext(); steps++)
                 count.Current.Complete();
             var random = new System.Random(4);
             int continued = 0;
             for (int attempt = 0; attempt < 6; attempt++)
             {
                 string name = "broken" + attempt, part = Target(name) + StoreFormat.PartSuffix, kept = part + "-kept";
-                var work = ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, null);
+                var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target(name), InFiles(), r => { }, null));
                 int stop = (int)((attempt + random.NextDouble()) / 6 * steps);
                 for (int i = 0; i < stop && work.MoveNext(); i++)
                     work.Current.Complete();
@@ -229,7 +228,7 @@ namespace FastPoints.Tests.Convert
         public void Convert_BrokenOffWithOtherSettings_BeginsAgain()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null);
+            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
             Copy(part, part + "-kept");
@@ -244,7 +243,7 @@ namespace FastPoints.Tests.Convert
         public void Convert_DamagedTemporaryFiles_FailsOrBeginsAgain()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null);
+            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             int tops = 0;
             while (tops < 3 && work.MoveNext())
             {
@@ -285,7 +284,7 @@ namespace FastPoints.Tests.Convert
         [Test]
         public void Convert_TwoOfOneTarget_TheSecondIsRefused()
         {
-            var first = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null);
+            var first = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             for (int i = 0; i < 30 && first.MoveNext(); i++)
                 first.Current.Complete();
             Assert.That(() => Convert(Uneven(), "cloud", InFiles()), Throws.TypeOf<PointCloudException>().With.Message.Contains(
@@ -300,7 +299,7 @@ namespace FastPoints.Tests.Convert
         public void Convert_CancelledWhileFilesAreThere_LeavesNothing()
         {
             string part = Target("cloud") + StoreFormat.PartSuffix;
-            var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null);
+            var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), InFiles(), r => { }, null));
             while (!File.Exists(Path.Combine(part, BuildFiles.JournalName)) && work.MoveNext())
                 work.Current.Complete();
             for (int i = 0; i < 20 && work.MoveNext(); i++)
@@ -323,7 +322,7 @@ namespace FastPoints.Tests.Convert
             string part = Target("cloud") + StoreFormat.PartSuffix;
             string manifest = Path.Combine(part, StoreFormat.ManifestName);
             long generation = 0, first = 0, last = 0;
-            using (var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null))
+            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
             {
                 while (work.MoveNext())
                 {
@@ -365,7 +364,7 @@ namespace FastPoints.Tests.Convert
             string manifest = Path.Combine(Target("cloud") + StoreFormat.PartSuffix, StoreFormat.ManifestName);
             long generation = 0, points = 0;
             int generations = 0;
-            using (var work = ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null))
+            using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
             {
                 while (work.MoveNext())
                 {

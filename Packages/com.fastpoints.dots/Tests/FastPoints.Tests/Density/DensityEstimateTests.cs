@@ -11,7 +11,6 @@ using FastPoints.Points;
 using FastPoints.Preview;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Density

@@ -6,7 +6,6 @@ using FastPoints.Draw;
 using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Preview;
-using FastPoints.Tests.Support;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Draw

@@ -3,7 +3,6 @@ using System.Linq;
 using FastPoints.Base;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -173,10 +172,10 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Reader(Positions(20_000, 1));
             using var comparison = new CompareSamples(reader, new PictureOptions(), 160, 90);
-            var work = comparison.Prepare(null);
+            var work = new WorkSteps(comparison.Prepare(null));
             for (int step = 0; step < steps; step++)
                 Assert.That(work.MoveNext(), Is.True);
-            new WorkPump(work).Cancel();
+            work.Dispose();
         }
     }
 }

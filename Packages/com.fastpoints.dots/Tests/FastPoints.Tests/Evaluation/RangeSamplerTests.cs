@@ -6,7 +6,6 @@ using FastPoints.Files;
 using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Jobs;
 
 namespace FastPoints.Tests.Evaluation
 {
@@ -84,10 +83,10 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Numbered(100_000, 100);
             using var sampler = new RangeSampler(reader, RangeSampler.Whole(reader), 1000);
-            IEnumerator<JobHandle> work = sampler.Run(null);
+            var work = new WorkSteps(sampler.Run(null));
             for (int step = 0; step < 5; step++)
                 Assert.That(work.MoveNext(), Is.True);
-            new WorkPump(work).Cancel();
+            work.Dispose();
         }
     }
 }

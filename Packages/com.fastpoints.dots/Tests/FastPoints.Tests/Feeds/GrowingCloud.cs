@@ -1,6 +1,6 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
+using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Feeds;
 using FastPoints.Points;
@@ -8,7 +8,6 @@ using FastPoints.SourceFeeds;
 using FastPoints.Store;
 using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Feeds
@@ -22,7 +21,7 @@ namespace FastPoints.Tests.Feeds
 
         readonly string m_scratch;
         readonly int3[] m_places = new int3[Points];
-        IEnumerator<JobHandle> m_build;
+        WorkSteps m_build;
 
         public GrowingCloud()
         {
@@ -57,12 +56,12 @@ namespace FastPoints.Tests.Feeds
         /// <summary>Goes on with the build for a step; begins it.</summary>
         public void Build()
         {
-            m_build ??= ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
+            m_build ??= new WorkSteps(ConvertCloud.Run(new[] { Open() }, Folder, new ConvertSettings
             {
                 PointsPerChunk = 20_000,
                 SecondsToFirstGeneration = 0,
                 SecondsPerGeneration = 0,
-            }, r => { }, null);
+            }, r => { }, null));
             if (IsBuilt)
                 return;
             IsBuilt = !m_build.MoveNext();

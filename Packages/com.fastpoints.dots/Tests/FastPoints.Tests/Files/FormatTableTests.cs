@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

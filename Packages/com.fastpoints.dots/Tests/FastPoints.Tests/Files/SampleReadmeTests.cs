@@ -5,7 +5,6 @@ using System.Text.RegularExpressions;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
-using FastPoints.Tests;
 using NUnit.Framework;
 using Unity.Mathematics;
 

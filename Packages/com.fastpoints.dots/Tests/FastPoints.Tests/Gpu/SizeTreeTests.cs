@@ -5,7 +5,6 @@ using FastPoints.Streaming;
 using FastPoints.Tests.Samplers;
 using FastPoints.Tests.Streaming;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 

@@ -4,7 +4,6 @@ using System.Linq;
 using FastPoints.Base;
 using FastPoints.Gpu;
 using FastPoints.Picking;
-using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
@@ -201,7 +200,7 @@ namespace FastPoints.Tests.Picking
             {
                 using (var picker = cloud.Picker())
                 {
-                    using (var work = picker.Find(of, m_geo, EveryPoint, new PickResult()))
+                    using (var work = new WorkSteps(picker.Find(of, m_geo, EveryPoint, new PickResult())))
                     {
                         for (int step = 0; step < steps && work.MoveNext(); step++)
                             if (step + 1 < steps)

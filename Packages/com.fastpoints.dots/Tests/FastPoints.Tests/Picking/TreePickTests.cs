@@ -196,7 +196,7 @@ namespace FastPoints.Tests.Picking
                 {
                     using (var picker = PickerOf(streamed))
                     {
-                        using (var work = picker.Find(ray, Geo(picker), EveryPoint, new PickResult()))
+                        using (var work = new WorkSteps(picker.Find(ray, Geo(picker), EveryPoint, new PickResult())))
                             for (int step = 0; step < steps && work.MoveNext(); step++)
                                 if (step + 1 < steps)
                                     work.Current.Complete();
@@ -205,7 +205,7 @@ namespace FastPoints.Tests.Picking
                     }
                 }
                 for (int steps = 0; steps < 4; steps++)
-                    using (var opening = streamed.OpenForPicking(opened => opened.Dispose()))
+                    using (var opening = new WorkSteps(streamed.OpenForPicking(opened => opened.Dispose())))
                         for (int step = 0; step < steps && opening.MoveNext(); step++)
                             opening.Current.Complete();
                 Assert.That(() => UnsafeUtility.CheckForLeaks(), Is.Zero.After(10_000, 10), "what opens is disposed when it has");

@@ -1,7 +1,6 @@
 using FastPoints.Picture;
 using NUnit.Framework;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Tests.Picture
 {

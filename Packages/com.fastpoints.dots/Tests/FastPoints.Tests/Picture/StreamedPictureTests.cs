@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using FastPoints.Base;
 using FastPoints.Draw;
 using FastPoints.Picture;

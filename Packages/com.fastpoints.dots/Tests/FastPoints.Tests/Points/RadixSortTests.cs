@@ -1,4 +1,3 @@
-using System;
 using System.Linq;
 using FastPoints.Points;
 using NUnit.Framework;

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Base;
-using FastPoints.Files;
 using FastPoints.Preview;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

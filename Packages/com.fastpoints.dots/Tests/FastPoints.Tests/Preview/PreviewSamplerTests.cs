@@ -8,7 +8,6 @@ using FastPoints.Points;
 using FastPoints.Preview;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Preview
@@ -249,11 +248,11 @@ namespace FastPoints.Tests.Preview
             for (int steps = 0; steps < 40; steps += 3)
             {
                 using var sampler = PreviewSampler.Create(reader, 25_000, 1);
-                IEnumerator<JobHandle> work = sampler.Run(3, null);
+                var work = new WorkSteps(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++)
                 {
                 }
-                new WorkPump(work).Cancel();
+                work.Dispose();
             }
         }
 

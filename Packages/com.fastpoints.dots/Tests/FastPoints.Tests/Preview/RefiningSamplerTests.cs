@@ -231,11 +231,11 @@ namespace FastPoints.Tests.Preview
             for (int steps = 0; steps < 400; steps += 23)
             {
                 using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
-                var work = sampler.Run(3, null);
+                var work = new WorkSteps(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++)
                 {
                 }
-                new WorkPump(work).Cancel();
+                work.Dispose();
                 Assert.That(sampler.Sample?.Count ?? 0,
                     Is.EqualTo(sampler.Waves.Count == 0 ? 0 : sampler.Waves[sampler.Waves.Count - 1].Points));
             }
@@ -246,7 +246,7 @@ namespace FastPoints.Tests.Preview
         {
             using var reader = Square(1600);
             using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds) { IsPaused = true };
-            var work = sampler.Run(3, null);
+            var work = new WorkSteps(sampler.Run(3, null));
             for (int step = 0; step < 1000; step++)
             {
                 Assert.That(work.MoveNext(), Is.True);
@@ -254,7 +254,8 @@ namespace FastPoints.Tests.Preview
             }
             Assert.That(sampler.Waves, Is.Empty);
             sampler.IsPaused = false;
-            WorkPump.RunToEnd(work);
+            while (work.MoveNext())
+                work.Current.Complete();
             Assert.That(sampler.Waves, Has.Count.EqualTo(3));
         }
     }

@@ -1,11 +1,8 @@
-using System;
-using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Preview;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Preview
@@ -167,10 +164,10 @@ namespace FastPoints.Tests.Preview
         {
             using var reader = new MemoryPointReader(Numbered(50_000), 500);
             using var sampler = new UniformSampler(reader, 5000, 1);
-            IEnumerator<JobHandle> work = sampler.Run(4, null);
+            var work = new WorkSteps(sampler.Run(4, null));
             for (int step = 0; step < 10; step++)
                 Assert.That(work.MoveNext(), Is.True);
-            new WorkPump(work).Cancel();
+            work.Dispose();
             Assert.That(sampler.TakeSample(), Is.Null);
         }
 

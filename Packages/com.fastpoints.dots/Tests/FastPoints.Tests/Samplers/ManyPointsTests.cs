@@ -4,15 +4,12 @@ using System.IO;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Convert;
-using FastPoints.Files;
 using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Samplers

@@ -117,7 +117,7 @@ namespace FastPoints.Tests.SourceFeeds
                             waves++;
                             succession.Add(new TreeSource(new SampleReader(sample, "scan"), StoreLayout.ColorName));
                         };
-                        using (var work = preview.TakeSample(new StageProgress()))
+                        using (var work = new WorkSteps(preview.TakeSample(new StageProgress())))
                             while (work.MoveNext())
                             {
                                 work.Current.Complete();
@@ -140,7 +140,7 @@ namespace FastPoints.Tests.SourceFeeds
                         SecondsPerGeneration = 0,
                     };
                     var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
-                    using (var work = ConvertCloud.Run(readers, path, settings, r => { }, null))
+                    using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
                         while (work.MoveNext())
                         {
                             work.Current.Complete();

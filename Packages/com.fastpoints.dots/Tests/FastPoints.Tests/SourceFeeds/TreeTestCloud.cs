@@ -1,11 +1,9 @@
 using System;
-using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.SourceFeeds;
 using FastPoints.Tests.Files;
 using FastPoints.Tests.Support;
-using NUnit.Framework;
 
 namespace FastPoints.Tests.SourceFeeds
 {

@@ -1,8 +1,6 @@
-using System.Runtime.InteropServices;
 using FastPoints.Points;
 using FastPoints.Store;
 using NUnit.Framework;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Store
 {

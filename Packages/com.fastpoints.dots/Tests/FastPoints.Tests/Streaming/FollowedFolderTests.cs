@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading;
+using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -57,8 +58,8 @@ namespace FastPoints.Tests.Streaming
             {
                 int generations = 0;
                 long seen = 0, most = 0;
-                using (var work = ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, path, settings, r => { },
-                    null))
+                using (var work = new WorkSteps(ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, path, settings, r => { },
+                    null)))
                 {
                     while (work.MoveNext())
                     {

@@ -5,7 +5,6 @@ using FastPoints.Base;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -56,14 +55,12 @@ namespace FastPoints.Files
 
         /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
         /// are about <paramref name="node"/> and what is below it.</summary>
-        public IEnumerator<JobHandle> Read(int4 node, int levels)
+        public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_pages.TryPeek(node, levels, out var next))
             {
                 // A page takes effect when it is read to its end, so that this work can be given up and begun again.
-                using (var page = Read(next))
-                    while (page.MoveNext())
-                        yield return page.Current;
+                yield return Work.Of(Read(next));
                 m_tree.PageCount++;
             }
         }
@@ -88,7 +85,7 @@ namespace FastPoints.Files
             m_command.Dispose();
         }
 
-        IEnumerator<JobHandle> Read(WaitingPage page)
+        IEnumerator<Work> Read(WaitingPage page)
         {
             var entries = new List<(CopcEntry Entry, long At)>();
             for (long done = 0; done < page.Bytes; done += PieceBytes)

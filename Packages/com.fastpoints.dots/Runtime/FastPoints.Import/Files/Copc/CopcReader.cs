@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Base;
-using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -71,17 +69,15 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 
-        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
         public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (m_tree.IsWhole)
                 yield break;
-            using (var pages = m_hierarchy.Read(default, int.MaxValue))
-                while (pages.MoveNext())
-                    yield return pages.Current;
+            yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
             m_hierarchy.TellRest();
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();

@@ -6,8 +6,6 @@ using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
-using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
@@ -139,7 +137,7 @@ namespace FastPoints.Files
             return (long)((section.End - section.DataStart) * (range.Count / (double)Math.Max(1, section.Records)));
         }
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (m_areBlocksKnown)
                 yield break;
@@ -154,9 +152,7 @@ namespace FastPoints.Files
                 else if (section.Scan.RecordsClaimed > 0)
                 {
                     using (var walk = new E57Walk(this, section))
-                    using (var steps = walk.Run())
-                        while (steps.MoveNext())
-                            yield return steps.Current;
+                    yield return Work.Of(walk.Run());
                     LimitPages(section);
                 }
                 section.FirstBlock = m_blockCount;

@@ -71,7 +71,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Work for a pump; afterwards the section has its marks and knows its records.</summary>
-        public IEnumerator<JobHandle> Run()
+        public IEnumerator<Work> Run()
         {
             while (!m_state.Value.IsDone)
             {

@@ -58,7 +58,7 @@ namespace FastPoints.Files
 
         /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
         /// are about <paramref name="node"/> and what is below it.</summary>
-        public IEnumerator<JobHandle> Read(int4 node, int levels)
+        public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_waiting.TryPeek(node, levels, out var page))
             {
@@ -67,12 +67,8 @@ namespace FastPoints.Files
                 string path = Path.Combine(m_index.Folder, HierarchyFolder, name + ".json");
                 using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
                 {
-                    using (var parsing = Parse(path, name, entries))
-                        while (parsing.MoveNext())
-                            yield return parsing.Current;
-                    using (var adding = Add(entries, path))
-                        while (adding.MoveNext())
-                            yield return adding.Current;
+                    yield return Work.Of(Parse(path, name, entries));
+                    yield return Work.Of(Add(entries, path));
                 }
                 m_waiting.Remove(page);
                 m_tree.PageCount++;
@@ -84,12 +80,10 @@ namespace FastPoints.Files
 
         /// <summary>A page's entries; none for one that is not there.</summary>
         /// <param name="name">Of the node that it begins with.</param>
-        IEnumerator<JobHandle> Parse(string path, string name, NativeList<EptEntry> entries)
+        IEnumerator<Work> Parse(string path, string name, NativeList<EptEntry> entries)
         {
             long length = FileSource.NoSuchFile;
-            using (var asking = PoolWork.Run(path, () => FileSource.LengthOf(path), found => length = found))
-                while (asking.MoveNext())
-                    yield return asking.Current;
+            yield return Work.Of(PoolWork.Run(path, () => FileSource.LengthOf(path), found => length = found));
             string problem = null;
             if (length == FileSource.NoSuchFile)
                 problem = "there is no " + Path.GetFileName(path);
@@ -136,7 +130,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>The nodes of a page, level by level: a parent comes before its children.</summary>
-        IEnumerator<JobHandle> Add(NativeList<EptEntry> entries, string path)
+        IEnumerator<Work> Add(NativeList<EptEntry> entries, string path)
         {
             int first = int.MaxValue, last = -1;
             for (int i = 0; i < entries.Length; i++)
@@ -160,15 +154,13 @@ namespace FastPoints.Files
                         step.Add(entries[i]);
                     if (step.Count < StepNodes && (level < last || i < entries.Length - 1))
                         continue;
-                    using (var adding = Add(step, path))
-                        while (adding.MoveNext())
-                            yield return adding.Current;
+                    yield return Work.Of(Add(step, path));
                     step.Clear();
                 }
         }
 
         /// <summary>Some nodes, with their files' lengths.</summary>
-        IEnumerator<JobHandle> Add(List<EptEntry> step, string path)
+        IEnumerator<Work> Add(List<EptEntry> step, string path)
         {
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)

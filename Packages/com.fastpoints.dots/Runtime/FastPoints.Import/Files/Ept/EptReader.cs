@@ -5,7 +5,6 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -124,17 +123,15 @@ namespace FastPoints.Files
             return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
         }
 
-        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
         public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (m_tree.IsWhole)
                 yield break;
-            using (var pages = m_hierarchy.Read(default, int.MaxValue))
-                while (pages.MoveNext())
-                    yield return pages.Current;
+            yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
             string found = "ept.json claims " + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture)
                 + " points, the nodes that are there hold " + m_pointCount.ToString(CultureInfo.InvariantCulture);
             if (m_pointCount == 0 && Info.PointsClaimed > 0)

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;

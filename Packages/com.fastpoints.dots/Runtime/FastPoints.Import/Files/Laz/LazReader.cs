@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Base;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -58,16 +57,14 @@ namespace FastPoints.Files
         /// found up to as many: about 50 ms of decoding.</summary>
         internal int PointsOfBeginning => Math.Min(LongChunkPoints, MaxPointsOfBeginning);
 
-        public override IEnumerator<JobHandle> FindBeginnings()
+        public override IEnumerator<Work> FindBeginnings()
         {
             if (!HasBeginnings)
                 yield break;
             Forget();
             if (m_isTableLost)
             {
-                using (var steps = new LazWalk(this, Source, m_checkpoints).WalkBeginning(Chunks))
-                    while (steps.MoveNext())
-                        yield return steps.Current;
+                yield return Work.Of(new LazWalk(this, Source, m_checkpoints).WalkBeginning(Chunks));
                 Source.Dispose();
             }
             for (int c = 0; c < Chunks.Count; c++)
@@ -77,21 +74,18 @@ namespace FastPoints.Files
             }
         }
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (m_areBlocksKnown)
                 yield break;
             Forget();
             var walk = new LazWalk(this, Source, m_checkpoints);
-            var steps = walk.Run(Chunks, m_isTableLost);
             try
             {
-                while (steps.MoveNext())
-                    yield return steps.Current;
+                yield return Work.Of(walk.Run(Chunks, m_isTableLost));
             }
             finally
             {
-                steps.Dispose();
                 Source.Dispose();
             }
             MakeBlocks(walk);

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using Unity.Jobs;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -49,7 +49,7 @@ namespace FastPoints.Files
 
         /// <param name="chunks">Known ones: looked into where they are long. Added to where <paramref
         /// name="isTableLost"/>.</param>
-        public IEnumerator<JobHandle> Run(LazChunkList chunks, bool isTableLost)
+        public IEnumerator<Work> Run(LazChunkList chunks, bool isTableLost)
         {
             if (isTableLost && m_format.IsLayered)
                 return WalkHeaders(chunks);
@@ -59,7 +59,7 @@ namespace FastPoints.Files
         /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PointsOfBeginning"/>
         /// points or a little more; one that is too long for a block is taken to be as long as it may be, and not
         /// walked.</summary>
-        public IEnumerator<JobHandle> WalkBeginning(LazChunkList chunks)
+        public IEnumerator<Work> WalkBeginning(LazChunkList chunks)
         {
             ulong claimed = m_reader.Info.PointsClaimed;
             if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_reader.LongChunkPoints)
@@ -75,12 +75,12 @@ namespace FastPoints.Files
             return NoSteps();
         }
 
-        static IEnumerator<JobHandle> NoSteps()
+        static IEnumerator<Work> NoSteps()
         {
             yield break;
         }
 
-        IEnumerator<JobHandle> WalkHeaders(LazChunkList chunks)
+        IEnumerator<Work> WalkHeaders(LazChunkList chunks)
         {
             int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
@@ -111,7 +111,7 @@ namespace FastPoints.Files
         }
 
         /// <param name="isBeginning">Stop at <see cref="LazReader.PointsOfBeginning"/>.</param>
-        IEnumerator<JobHandle> WalkStreams(LazChunkList chunks, bool isBeginning)
+        IEnumerator<Work> WalkStreams(LazChunkList chunks, bool isBeginning)
         {
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
@@ -125,9 +125,7 @@ namespace FastPoints.Files
                     long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(at, m_source.Length);
-                    var steps = WalkChunk(stream, wanted);
-                    while (steps.MoveNext())
-                        yield return steps.Current;
+                    yield return Work.Of(WalkChunk(stream, wanted));
                     if (stream.Point == 0)
                         break;
                     CloseChunk(chunks.Count, firstCheckpoint);
@@ -157,7 +155,7 @@ namespace FastPoints.Files
                 && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
-        IEnumerator<JobHandle> WalkLongChunks(LazChunkList chunks)
+        IEnumerator<Work> WalkLongChunks(LazChunkList chunks)
         {
             using (var stream = new LazWalkStream(m_reader, m_format))
             {
@@ -168,9 +166,7 @@ namespace FastPoints.Files
                         continue;
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
-                    var steps = WalkChunk(stream, chunk.Points);
-                    while (steps.MoveNext())
-                        yield return steps.Current;
+                    yield return Work.Of(WalkChunk(stream, chunk.Points));
                     CloseChunk(c, firstCheckpoint);
                     if (stream.Point == chunk.Points)
                         continue;
@@ -181,7 +177,7 @@ namespace FastPoints.Files
             }
         }
 
-        IEnumerator<JobHandle> WalkChunk(LazWalkStream stream, long points)
+        IEnumerator<Work> WalkChunk(LazWalkStream stream, long points)
         {
             bool isLong = points > m_reader.LongChunkPoints;
             int firstCheckpoint = m_checkpoints.Count;

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -72,18 +72,16 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<JobHandle> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+        public override IEnumerator<Work> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
 
-        public override IEnumerator<JobHandle> FindBeginnings(int places)
+        public override IEnumerator<Work> FindBeginnings(int places)
         {
             m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset);
-            using (var finding = m_stretches.Find(places))
-                while (finding.MoveNext())
-                    yield return finding.Current;
+            yield return Work.Of(m_stretches.Find(places));
             Take(m_stretches.Blocks);
         }
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using FastPoints.Points;
 using Unity.Burst;
 using Unity.Collections;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -53,7 +52,7 @@ namespace FastPoints.Files
 
         internal long OffsetOfPoint(long point) => m_dataOffset + point * m_recordBytes;
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -34,7 +34,7 @@ namespace FastPoints.Files
         /// <summary>Any range takes its whole block: where in it a vertex lies is not noted.</summary>
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Points;
-using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files

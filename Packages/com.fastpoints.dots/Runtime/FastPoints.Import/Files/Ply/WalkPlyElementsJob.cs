@@ -1,4 +1,3 @@
-using FastPoints.Points;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

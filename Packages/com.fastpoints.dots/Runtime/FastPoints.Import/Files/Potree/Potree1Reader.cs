@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -118,7 +117,7 @@ namespace FastPoints.Files
             var reader = new Potree1Reader(index, files, layout, las, laz, listed);
             try
             {
-                using (var steps = reader.FindLevels(1))
+                using (var steps = new WorkSteps(reader.FindLevels(1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -168,11 +167,11 @@ namespace FastPoints.Files
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !TryPeek(node, levels, out _);
 
-        private protected override IEnumerator<JobHandle> ReadPages(int4 node, int levels)
+        private protected override IEnumerator<Work> ReadPages(int4 node, int levels)
         {
             while (true)
             {
-                IEnumerator<JobHandle> looking;
+                IEnumerator<Work> looking;
                 if (m_found.Count > 0)
                     looking = PoolWork.Run(Info.Path, LookerFor(m_found.ToArray()), AddFound);
                 else if (FindNext())
@@ -181,9 +180,7 @@ namespace FastPoints.Files
                     looking = PoolWork.Run(Info.Path, ReaderOf(page), hierarchy => BeginPage(page, hierarchy));
                 else
                     break;
-                using (looking)
-                    while (looking.MoveNext())
-                        yield return looking.Current;
+                yield return Work.Of(looking);
             }
             Tree.IsWhole = Pages.Count == 0;
         }

@@ -91,7 +91,7 @@ namespace FastPoints.Files
             var reader = new Potree2Reader(index, path, bytes, octreeBytes);
             try
             {
-                using (var steps = reader.FindLevels(1))
+                using (var steps = new WorkSteps(reader.FindLevels(1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -161,15 +161,13 @@ namespace FastPoints.Files
         bool IsRecordRead => m_recordOffset >= m_records.FileOffset &&
             m_recordOffset + RecordBytes <= m_records.FileOffset + m_records.Length;
 
-        private protected override IEnumerator<JobHandle> ReadPages(int4 node, int levels)
+        private protected override IEnumerator<Work> ReadPages(int4 node, int levels)
         {
             int done = 0;
             while (m_nodesOfPage.Count > 0 || BeginPage(node, levels))
             {
                 if (HasRecord && !IsRecordRead)
-                    using (var reading = PoolWork.Run(m_hierarchyPath, ReaderOf(m_recordOffset), TakeRecords))
-                        while (reading.MoveNext())
-                            yield return reading.Current;
+                    yield return Work.Of(PoolWork.Run(m_hierarchyPath, ReaderOf(m_recordOffset), TakeRecords));
                 for (; m_nodesOfPage.Count > 0 && HasRecord && IsRecordRead && done < StepRecords; done++)
                     ReadRecord();
                 if (m_nodesOfPage.Count == 0 || !HasRecord)

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;

@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -78,14 +78,12 @@ namespace FastPoints.Files
         /// <summary>Pages of the hierarchy that are not read.</summary>
         private protected WaitingPages Pages { get; } = new WaitingPages(MaxLevels + 1);
 
-        public override IEnumerator<JobHandle> FindBlocks() => FindLevels(MaxLevels + 1);
+        public override IEnumerator<Work> FindBlocks() => FindLevels(MaxLevels + 1);
 
-        public override IEnumerator<JobHandle> FindBelow(int4 node, int levels)
+        public override IEnumerator<Work> FindBelow(int4 node, int levels)
         {
             if (!m_tree.IsWhole)
-                using (var reading = ReadPages(node, levels))
-                    while (reading.MoveNext())
-                        yield return reading.Current;
+                yield return Work.Of(ReadPages(node, levels));
             if (!m_tree.IsWhole)
                 yield break;
             Info.PointsReadable = m_pointCount;
@@ -95,7 +93,7 @@ namespace FastPoints.Files
 
         /// <summary>Work for a pump, which can be given up and begun again for another node: the parts of the hierarchy that the
         /// first levels take about a node and what is below it. Steps of some milliseconds at most.</summary>
-        private protected abstract IEnumerator<JobHandle> ReadPages(int4 node, int levels);
+        private protected abstract IEnumerator<Work> ReadPages(int4 node, int levels);
 
         /// <summary>Adds a node and its block.</summary>
         /// <param name="bytes">Of all its points in the file.</param>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -75,7 +76,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Work for a pump: looks for the next ones, until it is so many in all.</summary>
-        public IEnumerator<JobHandle> Find(int count)
+        public IEnumerator<Work> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;
             if (wanted <= 0)

@@ -6,7 +6,6 @@ using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -159,14 +158,12 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<JobHandle> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+        public override IEnumerator<Work> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
 
-        public override IEnumerator<JobHandle> FindBeginnings(int places)
+        public override IEnumerator<Work> FindBeginnings(int places)
         {
             m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset);
-            using (var finding = m_stretches.Find(places))
-                while (finding.MoveNext())
-                    yield return finding.Current;
+            yield return Work.Of(m_stretches.Find(places));
             var told = m_isTold;
             Take(m_stretches.Blocks);
             for (int block = 0; told != null && block < told.Length; block++)
@@ -174,7 +171,7 @@ namespace FastPoints.Files
             m_estimate = m_sniff.CountClaimed >= 0 ? new PointEstimate(m_sniff.CountClaimed, 0) : m_stretches.Estimate;
         }
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;

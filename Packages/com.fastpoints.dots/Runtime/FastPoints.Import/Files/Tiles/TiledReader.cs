@@ -4,7 +4,6 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {
@@ -126,7 +125,7 @@ namespace FastPoints.Files
             return new TiledRead(this, wanted, capacity, allocator);
         }
 
-        public override IEnumerator<JobHandle> FindBlocks()
+        public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -146,7 +145,7 @@ namespace FastPoints.Files
                 try
                 {
                     tile.Reader.MostJobs = MostJobs;
-                    using (var work = tile.Reader.FindBlocks())
+                    using (var work = new WorkSteps(tile.Reader.FindBlocks()))
                         while (Step(work, tile))
                             yield return work.Current;
                     if (tile.Reader.BlocksAreKnown)
@@ -162,7 +161,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>A step of a tile's work; of a folder, a tile that turns out to be broken is left out.</summary>
-        bool Step(IEnumerator<JobHandle> work, Tile tile)
+        bool Step(WorkSteps work, Tile tile)
         {
             try
             {

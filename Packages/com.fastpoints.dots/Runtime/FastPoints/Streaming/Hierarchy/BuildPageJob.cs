@@ -1,4 +1,3 @@
-using FastPoints.Points;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

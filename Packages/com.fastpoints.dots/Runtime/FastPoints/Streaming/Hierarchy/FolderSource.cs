@@ -98,7 +98,7 @@ namespace FastPoints.Streaming
         public override string Describe(int page, NativeArray<byte> table, TableProblem problem) =>
             NodeTable.Describe(problem, JobFor(page, table, default, default).Check);
 
-        public override IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened)
+        public override IEnumerator<Work> OpenForPicking(Action<NodeSource> opened)
         {
             string path = Path;
             return PoolWork.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());

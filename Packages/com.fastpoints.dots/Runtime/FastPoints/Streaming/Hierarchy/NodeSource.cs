@@ -94,7 +94,7 @@ namespace FastPoints.Streaming
         /// on another thread. Comes to nothing where the cloud was in memory alone, and its source is disposed.</summary>
         /// <param name="opened">Takes the source over.</param>
         /// <exception cref="PointCloudException">The cloud is not there any more, or damaged.</exception>
-        public abstract IEnumerator<JobHandle> OpenForPicking(Action<NodeSource> opened);
+        public abstract IEnumerator<Work> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();
     }

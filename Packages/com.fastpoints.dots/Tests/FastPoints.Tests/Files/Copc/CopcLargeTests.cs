@@ -6,7 +6,6 @@ using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.LazEncoding;
 using FastPoints.Points;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 

@@ -116,7 +116,7 @@ namespace FastPoints.Tests.Files
             using (var reader = PointReaders.Open(file.Path))
             {
                 for (int steps = 1; steps < 9; steps++)
-                    using (var work = reader.FindBlocks())
+                    using (var work = new WorkSteps(reader.FindBlocks()))
                         for (int i = 0; i < steps && work.MoveNext(); i++)
                             work.Current.Complete();
                 WorkPump.RunToEnd(reader.FindBlocks());

@@ -1,8 +1,6 @@
 using System.Linq;
-using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;

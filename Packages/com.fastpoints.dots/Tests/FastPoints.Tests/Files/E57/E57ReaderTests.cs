@@ -2,8 +2,6 @@ using System;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Tests;
 using NUnit.Framework;
 using Unity.Collections;
 using static FastPoints.Tests.Files.E57TestScans;

@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Linq;
 using FastPoints.Files;
 using FastPoints.Tests.Support;
 using NUnit.Framework;

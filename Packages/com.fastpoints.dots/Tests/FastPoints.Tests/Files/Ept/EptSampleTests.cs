@@ -1,7 +1,6 @@
 using System.IO;
 using System.Linq;
 using FastPoints.Files;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -4,7 +4,6 @@ using System.IO;
 using System.Text;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Tests;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files

@@ -4,7 +4,6 @@ using System.IO;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.LazEncoding;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,13 +1,8 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
-using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.LazEncoding;
-using FastPoints.Tests;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
-using Unity.Collections;
 
 namespace FastPoints.Tests.Files
 {

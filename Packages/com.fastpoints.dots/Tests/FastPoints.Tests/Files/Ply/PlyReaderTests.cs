@@ -458,7 +458,7 @@ namespace FastPoints.Tests.Files
                 file.Save();
                 using (var reader = PlyReader.Open(file.Path))
                 {
-                    var work = reader.FindBlocks();
+                    var work = new WorkSteps(reader.FindBlocks());
                     Assert.That(work.MoveNext(), Is.True);
                     work.Dispose();
                     Assert.That(reader.BlocksAreKnown, Is.False);

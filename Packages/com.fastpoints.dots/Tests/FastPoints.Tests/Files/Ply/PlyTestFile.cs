@@ -1,8 +1,6 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Points;
 
 namespace FastPoints.Tests.Files
 {

@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using FastPoints.Base;
 using FastPoints.Files;
-using FastPoints.Points;
 using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;

@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using FastPoints.Files;
-using FastPoints.Tests;
 using NUnit.Framework;
 
 namespace FastPoints.Tests.Files

@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Files
             return places;
         }
 
-        static void Pump(IEnumerator<Unity.Jobs.JobHandle> work) => WorkPump.RunToEnd(work);
+        static void Pump(IEnumerator<Work> work) => WorkPump.RunToEnd(work);
 
         static void FindBlocks(PointReader reader)
         {
