@@ -98,8 +98,8 @@ namespace FastPoints.Base
 
     /// <summary>
     /// Drives work that is written as an iterator: each step schedules jobs and yields the handle that must be finished before
-    /// the next step can run, or work that is nested in it. An editor calls <see cref="Tick"/> once an update and never waits; the converter calls
-    /// <see cref="RunToEnd"/>, which waits.
+    /// the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
+    /// converter calls <see cref="RunToEnd"/>, which waits.
     /// </summary>
     /// <remarks>
     /// Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when <see cref="Cancel"/>

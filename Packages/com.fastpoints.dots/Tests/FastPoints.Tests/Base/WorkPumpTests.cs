@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using FastPoints.Base;
+using NUnit.Framework;
+
+namespace FastPoints.Tests.Base
+{
+    public class WorkPumpTests
+    {
+        readonly List<string> m_events = new List<string>();
+        Action m_atInnermost;
+
+        [SetUp]
+        public void Forget()
+        {
+            m_events.Clear();
+            m_atInnermost = () => { };
+        }
+
+        /// <summary>A step, what is nested, a step.</summary>
+        IEnumerator<Work> Level(int levels)
+        {
+            try
+            {
+                m_events.Add("begin " + levels);
+                if (levels == 1)
+                    m_atInnermost();
+                yield return default;
+                if (levels > 1)
+                    yield return Work.Of(Level(levels - 1));
+                yield return default;
+                m_events.Add("end " + levels);
+            }
+            finally
+            {
+                m_events.Add("free " + levels);
+            }
+        }
+
+        [Test]
+        public void RunToEnd_NestedWork_IsDoneWhereItStands()
+        {
+            WorkPump.RunToEnd(Level(3));
+            Assert.That(m_events, Is.EqualTo(new[]
+            {
+                "begin 3", "begin 2", "begin 1", "end 1", "free 1", "end 2", "free 2", "end 3", "free 3",
+            }));
+        }
+
+        [Test]
+        public void MoveNext_StepsOfAllLevels_AreCounted()
+        {
+            int steps = 0;
+            using (var work = new WorkSteps(Level(3)))
+                while (work.MoveNext())
+                    steps++;
+            Assert.That(steps, Is.EqualTo(6));
+        }
+
+        [Test]
+        public void RunToEnd_CancelledInTheInnermostLevel_FreesFromTheInsideOut()
+        {
+            using var cancellation = new CancellationTokenSource();
+            m_atInnermost = cancellation.Cancel;
+            Assert.That(() => WorkPump.RunToEnd(Level(3), cancellation.Token), Throws.InstanceOf<OperationCanceledException>());
+            Assert.That(m_events, Is.EqualTo(new[] { "begin 3", "begin 2", "begin 1", "free 1", "free 2", "free 3" }));
+        }
+
+        [Test]
+        public void RunToEnd_FaultInTheInnermostLevel_FreesAllAndIsThrown()
+        {
+            m_atInnermost = () => throw new InvalidOperationException("broken");
+            Assert.That(() => WorkPump.RunToEnd(Level(3)), Throws.InvalidOperationException.With.Message.EqualTo("broken"));
+            Assert.That(m_events, Is.EqualTo(new[] { "begin 3", "begin 2", "begin 1", "free 1", "free 2", "free 3" }));
+        }
+
+        [Test]
+        public void Dispose_WhereFreeingFails_FreesTheOtherLevels()
+        {
+            var work = new WorkSteps(FailingToFree());
+            for (int i = 0; i < 2; i++)
+                Assert.That(work.MoveNext(), Is.True);
+            Assert.That(() => work.Dispose(), Throws.InvalidOperationException);
+            Assert.That(m_events, Is.EqualTo(new[] { "free inner", "free outer" }));
+            Assert.That(work.MoveNext(), Is.False);
+        }
+
+        IEnumerator<Work> FailingToFree()
+        {
+            try
+            {
+                yield return default;
+                yield return Work.Of(Inner());
+            }
+            finally
+            {
+                m_events.Add("free outer");
+            }
+
+            IEnumerator<Work> Inner()
+            {
+                try
+                {
+                    yield return default;
+                }
+                finally
+                {
+                    m_events.Add("free inner");
+                    throw new InvalidOperationException("freeing failed");
+                }
+            }
+        }
+    }
+}
