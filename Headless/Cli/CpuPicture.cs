@@ -8,7 +8,7 @@ namespace FastPoints.Cli
     {
         readonly StreamedPicture m_picture = new(options);
 
-        public override void Add(int cloud, PicturePlan plan) =>
+        internal override void Add(int cloud, PicturePlan plan) =>
             m_picture.Add(new StreamedBlocks(stream, cloud, plan), plan.Mode);
 
         public override RgbaImage Draw(in Camera camera) => m_picture.Draw(camera);

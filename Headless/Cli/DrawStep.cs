@@ -28,7 +28,7 @@ namespace FastPoints.Cli
         public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
 
         /// <summary>Against another picture, where one was given.</summary>
-        public ImageError? Error { get; set; }
+        internal ImageError? Error { get; set; }
 
         /// <param name="budget">Points to draw at most; 0 for all.</param>
         public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)

@@ -23,13 +23,13 @@ namespace FastPoints.Cli
 
         /// <summary>Adds a cloud to a stream.</summary>
         /// <returns>What it looks like.</returns>
-        public static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+        internal static PicturePlan Add(string path, StreamContext stream, PictureOptions options, CancellationToken cancellation,
             out DisplayRanges ranges, out int number) => CloudFolder.IsCloud(path) || !Path.Exists(path)
                 ? AddFolder(path, stream, options, cancellation, out ranges, out number)
                 : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
 
         /// <param name="reader">Becomes the stream's.</param>
-        public static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
+        internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
             out DisplayRanges ranges, out int number)
         {
             try

@@ -7,7 +7,7 @@ namespace FastPoints.Cli
     public abstract class FlightPicture : IDisposable
     {
         /// <summary>One more of the stream's clouds.</summary>
-        public abstract void Add(int cloud, PicturePlan plan);
+        internal abstract void Add(int cloud, PicturePlan plan);
 
         public abstract RgbaImage Draw(in Camera camera);
 

@@ -38,7 +38,7 @@ namespace FastPoints.Cli
             m_target.Create();
         }
 
-        public override void Add(int cloud, PicturePlan plan)
+        internal override void Add(int cloud, PicturePlan plan)
         {
             m_edlStrength = Math.Max(m_edlStrength, plan.EdlStrength);
             m_renderer.List.SetLook(cloud, CloudLooks.Of(plan.Colors, m_stream.Clouds[cloud].Source, plan.HiddenClasses));

@@ -11,7 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Cli
 {
     /// <summary>Returns of a scan as binary little-endian PLY: double coordinates, since floats would not hold them.</summary>
-    public sealed class PlyOutput : IReturnSink
+    internal sealed class PlyOutput : IReturnSink
     {
         const int RecordBytes = 3 * 8 + 3 + 2 + 1;
 

@@ -15,7 +15,7 @@ namespace FastPoints.Cli
         public required bool IsWhole { get; init; }
         public required IReadOnlyList<TreeLevel> Levels { get; init; }
 
-        public static TreeFacts Of(SourceTree tree) => new()
+        internal static TreeFacts Of(SourceTree tree) => new()
         {
             Nodes = tree.NodeCount,
             NodesWithoutPoints = tree.NodesWithoutPoints(),

@@ -13,7 +13,7 @@ namespace FastPoints.Cli
         public long Points { get; private set; }
         public int MostPoints { get; private set; }
 
-        public static IReadOnlyList<TreeLevel> Of(SourceTree tree)
+        internal static IReadOnlyList<TreeLevel> Of(SourceTree tree)
         {
             var levels = new List<TreeLevel>();
             for (int i = 0; i < tree.LevelCount; i++)

@@ -8,7 +8,7 @@ namespace FastPoints.Cli
     /// Zstandard (RFC 8878) by the system's libzstd, which Debian, Fedora and others have always installed: .NET has no decoder
     /// of its own before version 11. The package knows it by <see cref="Decompressors.Zstandard"/> only.
     /// </summary>
-    public sealed unsafe class ZstandardDecompressor : StreamDecompressor
+    internal sealed unsafe class ZstandardDecompressor : StreamDecompressor
     {
         /// <summary>A frame that wants more memory (32 MiB) is refused: its header may claim anything.</summary>
         private const int MaxWindowLog = 25;

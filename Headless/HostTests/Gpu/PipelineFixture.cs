@@ -33,7 +33,7 @@ namespace FastPoints.HostTests.Gpu
 
         protected PointCloudSystemGroup Group { get; private set; }
 
-        protected PointScene Scene { get; private set; }
+        internal PointScene Scene { get; private set; }
 
         protected void Begin(string pipeline) => m_pipeline = PipelineHost.Make(pipeline);
 
@@ -78,7 +78,7 @@ namespace FastPoints.HostTests.Gpu
         }
 
         /// <summary>A cloud of the world's, around its origin.</summary>
-        protected PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
+        internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
         {
             var plan = FlightCloud.Add(m_cloud, reference, options, default, out var ranges, out int number);
             placement = reference.Clouds[number].Placement;

@@ -14,7 +14,7 @@ namespace FastPoints.Evaluation
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;
-        public PositionColumns Positions;
+        internal PositionColumns Positions;
         public PositionTransform Transform;
         public ErrorGrid Grid;
 
@@ -25,7 +25,7 @@ namespace FastPoints.Evaluation
             Result.Value.Points, Grid, (ulong*)CellsOf128th.GetUnsafePtr(), (long*)PointsOfBlock.GetUnsafePtr());
 
         /// <summary>Counts points <paramref name="first"/> and on of a batch's memory.</summary>
-        public static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
+        internal static unsafe void Count(byte* bytes, in PositionColumns positions, in PositionTransform transform, int first,
             int count, in ErrorGrid grid, ulong* cellsOf128th, long* pointsOfBlock)
         {
             double* x = stackalloc double[ColumnValues.RunLength];
@@ -51,7 +51,7 @@ namespace FastPoints.Evaluation
     public struct CountSampledCellsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Sample;
-        public PositionColumns Positions;
+        internal PositionColumns Positions;
         public PositionTransform Transform;
         public int First;
         public int Count;

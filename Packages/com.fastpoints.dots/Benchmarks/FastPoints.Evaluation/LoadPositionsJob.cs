@@ -12,7 +12,7 @@ namespace FastPoints.Evaluation
     public struct LoadPositionsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Bytes;
-        public PositionColumns Positions;
+        internal PositionColumns Positions;
         public PositionTransform Transform;
         public int First;
         public int Count;

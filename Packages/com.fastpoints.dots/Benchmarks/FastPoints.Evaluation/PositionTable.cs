@@ -105,7 +105,7 @@ namespace FastPoints.Evaluation
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;
-        public PositionColumns Columns;
+        internal PositionColumns Columns;
         public PositionTransform Transform;
         [ReadOnly] public NativeArray<double3> Slots;
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> States;

@@ -18,10 +18,10 @@ namespace FastPoints.Evaluation
         public CellError Cells;
 
         /// <summary>The three views (top, front, iso) together, against those of the full cloud.</summary>
-        public ImageError Picture;
+        internal ImageError Picture;
 
         /// <summary>The same against the views of a uniform sample of as many points; null where there was none.</summary>
-        public ImageError? PictureAtSameCount;
+        internal ImageError? PictureAtSameCount;
 
         /// <summary>The views: top, front, iso.</summary>
         public RgbaImage[] Views;

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
 {
     /// <summary>What the importers of handles and of point cloud files have in common. They read headers and nothing else, and
     /// nothing but the asset's own file, and know no settings, so that they run in import workers and their results may come from a cache.</summary>
-    public abstract class CloudImporter : ScriptedImporter
+    internal abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised where the asset comes out otherwise.</summary>
         protected const int Version = 4;

@@ -9,7 +9,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The inspector of a cloud's asset: what it is, how far it is converted, and what can be done with it.</summary>
     [CustomEditor(typeof(CloudImporter), true)]
-    public sealed class CloudImporterEditor : ScriptedImporterEditor
+    internal sealed class CloudImporterEditor : ScriptedImporterEditor
     {
         CloudHandle m_handle;
         CatalogCloud m_cloud;

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line
     /// in the Progress window.</summary>
-    public sealed class CloudTransfers : IDisposable
+    internal sealed class CloudTransfers : IDisposable
     {
         sealed class Transfer
         {

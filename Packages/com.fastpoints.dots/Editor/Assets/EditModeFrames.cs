@@ -7,7 +7,7 @@ namespace FastPoints.Editor
     /// <summary>In edit mode worlds are updated only when something in the scene changes: clouds that come need frames of their
     /// own, and views that are drawn again.</summary>
     [InitializeOnLoad]
-    public static class EditModeFrames
+    internal static class EditModeFrames
     {
         static World s_world;
         static PointCloudSystemGroup s_group;

@@ -6,7 +6,7 @@ namespace FastPoints.Editor
     /// <summary>Clouds are drawn in edit mode too, in whatever pipelines are installed: their assemblies are known by the
     /// attribute alone.</summary>
     [InitializeOnLoad]
-    public static class EditModePasses
+    internal static class EditModePasses
     {
         static EditModePasses()
         {

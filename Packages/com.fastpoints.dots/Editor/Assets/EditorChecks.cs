@@ -7,7 +7,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Has converted clouds verified, one at a time, with a line in the Progress window; what has come of it is in the
     /// Console and is kept for inspectors.</summary>
-    public sealed class EditorChecks : IDisposable
+    internal sealed class EditorChecks : IDisposable
     {
         int m_progress;
 

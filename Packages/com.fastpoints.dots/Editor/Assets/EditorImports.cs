@@ -24,7 +24,7 @@ namespace FastPoints.Editor
         bool m_isShowing;
         string m_problem;
 
-        public EditorImports(ProjectPaths paths, FastPointsSettings settings)
+        internal EditorImports(ProjectPaths paths, FastPointsSettings settings)
         {
             Paths = paths;
             m_settings = settings;
@@ -34,18 +34,18 @@ namespace FastPoints.Editor
             Catalog = new CloudCatalog(paths);
         }
 
-        public ProjectPaths Paths { get; }
-        public ImportQueue Queue { get; }
-        public CloudCatalog Catalog { get; }
+        internal ProjectPaths Paths { get; }
+        internal ImportQueue Queue { get; }
+        internal CloudCatalog Catalog { get; }
 
         /// <summary>Clouds that somebody wants verified.</summary>
-        public EditorChecks Checks { get; } = new EditorChecks();
+        internal EditorChecks Checks { get; } = new EditorChecks();
 
         /// <summary>Clouds that are copied out and in.</summary>
-        public CloudTransfers Transfers { get; } = new CloudTransfers();
+        internal CloudTransfers Transfers { get; } = new CloudTransfers();
 
         /// <summary>Pictures of clouds for the Project window.</summary>
-        public CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
+        internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
         /// <summary>Bytes of a file that may be copied into the project.</summary>
         public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
@@ -140,12 +140,12 @@ namespace FastPoints.Editor
 
         /// <summary>What an asset says of its cloud.</summary>
         /// <exception cref="PointCloudException">The handle cannot be read.</exception>
-        public CloudHandle HandleOf(string asset) => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase)
+        internal CloudHandle HandleOf(string asset) => asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase)
             ? HandleFile.Read(Paths.Absolute(asset))
             : OfPointFile(asset);
 
         /// <summary>An asset's request in the queue, or null.</summary>
-        public ImportRequest RequestOf(string asset)
+        internal ImportRequest RequestOf(string asset)
         {
             string guid = AssetDatabase.AssetPathToGUID(asset);
             foreach (var request in Queue.Requests)
@@ -156,7 +156,7 @@ namespace FastPoints.Editor
 
         /// <summary>Has the picture of a handle's cloud drawn: of the cloud where it is converted, of its files where it is
         /// not.</summary>
-        public void AddThumbnail(CloudHandle handle)
+        internal void AddThumbnail(CloudHandle handle)
         {
             string cloud = Paths.Absolute(handle.CloudPath);
             if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))

@@ -7,7 +7,7 @@ namespace FastPoints.Editor
 {
     /// <summary>What a project says of its imports: in <c>ProjectSettings/FastPoints.asset</c>, for version control.</summary>
     [FilePath("ProjectSettings/FastPoints.asset", FilePathAttribute.Location.ProjectFolder)]
-    public sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
+    internal sealed class FastPointsSettings : ScriptableSingleton<FastPointsSettings>
     {
         public Sampler Sampler = Sampler.Random;
 

@@ -9,7 +9,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The picture of a cloud's asset in the Project window: what <see cref="CloudThumbnails"/> has drawn.</summary>
     [CustomEditor(typeof(PointCloudAsset))]
-    public sealed class PointCloudAssetEditor : UnityEditor.Editor
+    internal sealed class PointCloudAssetEditor : UnityEditor.Editor
     {
         /// <returns>Null, and Unity shows the type's icon, where there is no picture yet.</returns>
         public override Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height)

@@ -27,7 +27,7 @@ namespace FastPoints.Editor
         public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
 
         /// <summary>As the settings say.</summary>
-        public static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
+        internal static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 

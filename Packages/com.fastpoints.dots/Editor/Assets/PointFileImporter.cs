@@ -9,7 +9,7 @@ namespace FastPoints.Editor
     /// that claim one extension lock each other out, and others claim these (<see cref="PointFilePostprocessor"/> chooses
     /// it).</summary>
     [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
-    public sealed class PointFileImporter : CloudImporter
+    internal sealed class PointFileImporter : CloudImporter
     {
         protected override CloudHandle Describe(AssetImportContext context, string guid)
         {
@@ -28,7 +28,7 @@ namespace FastPoints.Editor
 
     /// <summary>Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer is in charge of,
     /// and has them converted.</summary>
-    public sealed class PointFilePostprocessor : AssetPostprocessor
+    internal sealed class PointFilePostprocessor : AssetPostprocessor
     {
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
             string[] movedFromAssetPaths)

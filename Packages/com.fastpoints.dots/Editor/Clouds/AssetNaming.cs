@@ -5,7 +5,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Names for converted clouds and their handles: allowed on every system and not hidden by Unity; none is given
     /// twice, whatever the case.</summary>
-    public static class AssetNaming
+    internal static class AssetNaming
     {
         /// <summary>In UTF-8, without extension: paths in a project stay short.</summary>
         public const int MostBytes = 100;

@@ -10,7 +10,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
     /// that their content gives them.</summary>
-    public sealed class CloudCatalog
+    internal sealed class CloudCatalog
     {
         struct Seen
         {
@@ -144,7 +144,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>A converted cloud of the project.</summary>
-    public sealed class CatalogCloud
+    internal sealed class CatalogCloud
     {
         /// <summary>Its folder: a whole path, under the name that it has when it is finished.</summary>
         public string Path;
@@ -162,7 +162,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>How a handle's cloud was found.</summary>
-    public enum CatalogMatch
+    internal enum CatalogMatch
     {
         /// <summary>Nowhere.</summary>
         None,

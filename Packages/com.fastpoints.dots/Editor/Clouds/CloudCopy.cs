@@ -11,7 +11,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Copies a converted cloud on a thread of the pool, for another project to take. The copy has its name when it is
     /// whole; cancelled or failed, it leaves nothing.</summary>
-    public sealed class CloudCopy : IDisposable
+    internal sealed class CloudCopy : IDisposable
     {
         const string TemporarySuffix = ".copy";
         const int PieceBytes = 1 << 20;

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     /// What a <c>.pointcloud</c> file says: a small asset that stands for a cloud of any size. Where the converted cloud and its
     /// source are, and what is known of them without opening either. Text in, text out, no I/O.
     /// </summary>
-    public sealed class CloudHandle
+    internal sealed class CloudHandle
     {
         public const string Extension = ".pointcloud";
         const int Version = 1;

@@ -8,7 +8,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Which files and folders are taken for point clouds, by their names alone: nothing is opened while something is
     /// dragged.</summary>
-    public static class CloudSources
+    internal static class CloudSources
     {
         /// <summary>Of files that an importer takes where they lie in a project's assets.</summary>
         public static readonly string[] ImportedExtensions = { "las", "laz", "ply" };
@@ -65,7 +65,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>What becomes of files that are dropped.</summary>
-    public enum DropKind
+    internal enum DropKind
     {
         /// <summary>Others decide: there is something else among them.</summary>
         NotOurs,

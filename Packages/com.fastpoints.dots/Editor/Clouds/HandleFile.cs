@@ -11,7 +11,7 @@ using Unity.Mathematics;
 namespace FastPoints.Editor
 {
     /// <summary>Handles on disk: made for a source, read, and brought up to date.</summary>
-    public static class HandleFile
+    internal static class HandleFile
     {
         /// <exception cref="PointCloudException">It cannot be read, or is no handle.</exception>
         public static CloudHandle Read(string path) => CloudHandle.FromJson(StoreFile.ReadText(path), path);

@@ -6,7 +6,7 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>Where a cloud is in a player: below its streaming assets.</summary>
-    public static class PlayerPath
+    internal static class PlayerPath
     {
         /// <summary>As in the project, where the cloud is in the place of converted clouds; else by its name and its
         /// asset.</summary>

@@ -7,7 +7,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Where a project and its converted clouds are. What lies in the project is written down relative to it with '/',
     /// so that it is found after the project has moved; anything else by its whole path.</summary>
-    public sealed class ProjectPaths
+    internal sealed class ProjectPaths
     {
         public const string DefaultClouds = "PointClouds";
 

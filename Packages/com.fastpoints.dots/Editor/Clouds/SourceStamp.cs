@@ -16,7 +16,7 @@ namespace FastPoints.Editor
     /// </summary>
     /// <remarks>A change in the middle that keeps the size is seen by its time alone, and where that was put back, not at
     /// all.</remarks>
-    public sealed unsafe class SourceStamp
+    internal sealed unsafe class SourceStamp
     {
         /// <summary>Bytes at each end that are hashed.</summary>
         public const int EdgeBytes = 64 << 10;
@@ -141,7 +141,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>What became of a cloud's source since it was converted.</summary>
-    public enum SourceChange
+    internal enum SourceChange
     {
         /// <summary>Its bytes are the same, as far as is looked; its time may be another.</summary>
         None,

@@ -6,7 +6,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The stamp of a source that has no handle to keep it, a file in <c>Assets</c>: beside the converted
     /// cloud.</summary>
-    public static class StampFile
+    internal static class StampFile
     {
         const string Extension = ".source.json";
         const int Version = 1;

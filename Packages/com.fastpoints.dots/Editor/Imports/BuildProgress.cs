@@ -6,7 +6,7 @@ using FastPoints.Convert;
 namespace FastPoints.Editor
 {
     /// <summary>One figure for a whole build of its stages' own.</summary>
-    public static class BuildProgress
+    internal static class BuildProgress
     {
         struct Weight
         {

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     /// </summary>
     /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what cannot be left alone: a
     /// header that is being read, slices that are running, the writer.</remarks>
-    public sealed class BuildSession : IDisposable
+    internal sealed class BuildSession : IDisposable
     {
         readonly string m_target;
         readonly ConvertSettings m_settings;
@@ -154,7 +154,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>Where a <see cref="BuildSession"/> stands.</summary>
-    public enum BuildState
+    internal enum BuildState
     {
         /// <summary>The sources' headers are being read.</summary>
         Opening,

@@ -8,7 +8,7 @@ namespace FastPoints.Editor
 {
     /// <summary>The proof of a converted cloud, a slice of it an update: every file, table, hash, point and count. Main
     /// thread.</summary>
-    public sealed class CloudCheck : IDisposable
+    internal sealed class CloudCheck : IDisposable
     {
         readonly WorkPump m_work;
         readonly StageProgress m_progress = new StageProgress();

@@ -13,7 +13,7 @@ namespace FastPoints.Editor
     /// from the first wave of a preview, of converted clouds from the top of their octrees. Main thread; one at a time, the
     /// others wait.
     /// </summary>
-    public sealed class CloudThumbnails : IDisposable
+    internal sealed class CloudThumbnails : IDisposable
     {
         /// <summary>Of each side.</summary>
         public const int SizePx = 256;

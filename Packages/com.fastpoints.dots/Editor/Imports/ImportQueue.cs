@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     /// on: after a reload of scripts, a crash or a loss of power the same clouds are converted, from where they were.
     /// </summary>
     /// <remarks>Main thread. Neither its file nor its lock is there while there is nothing to do.</remarks>
-    public sealed class ImportQueue : IDisposable
+    internal sealed class ImportQueue : IDisposable
     {
         public const string FileName = "imports.json";
         public const string LockName = "imports.lock";
@@ -302,7 +302,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>Where an <see cref="ImportRequest"/> stands. One that was imported is no longer in the queue.</summary>
-    public enum ImportState
+    internal enum ImportState
     {
         Waiting,
         Running,

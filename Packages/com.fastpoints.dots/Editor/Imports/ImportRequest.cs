@@ -6,7 +6,7 @@ using FastPoints.Samplers;
 namespace FastPoints.Editor
 {
     /// <summary>A cloud that is to be converted. Paths are written as <see cref="ProjectPaths.Stored"/> does.</summary>
-    public sealed class ImportRequest
+    internal sealed class ImportRequest
     {
         /// <summary>Whom the cloud is for: what identifies the asset, whatever its path.</summary>
         public string Asset;

@@ -4,7 +4,7 @@ using FastPoints.Picture;
 namespace FastPoints.Editor
 {
     /// <summary>A picture at another size, as a texture has it.</summary>
-    public static class ThumbnailImage
+    internal static class ThumbnailImage
     {
         /// <summary>Bytes of an RGBA texture, from the bottom row on: each pixel the mean of what it covers.</summary>
         public static byte[] Resized(RgbaImage image, int width, int height)

@@ -9,7 +9,7 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>What the built scenes, and the prefabs that they refer to, draw points with.</summary>
-    public sealed class BuiltLooks
+    internal sealed class BuiltLooks
     {
         const string Package = "Packages/com.fastpoints.dots/";
 

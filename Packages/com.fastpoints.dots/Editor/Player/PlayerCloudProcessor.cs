@@ -13,7 +13,7 @@ namespace FastPoints.Editor
     /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and tells their sizes:
     /// converted ones, and those that can be streamed as they are. One that is neither ends the build: without it the player
     /// would show nothing.</summary>
-    public sealed class PlayerCloudProcessor : BuildPlayerProcessor
+    internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
         {
@@ -51,7 +51,7 @@ namespace FastPoints.Editor
 
     /// <summary>Has code stripping keep the readers of point cloud files where a player has clouds that are not converted:
     /// nothing else in it refers to them.</summary>
-    public sealed class PlayerReaders : IUnityLinkerProcessor
+    internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string Kept = "<linker>\n" +
             "  <assembly fullname=\"FastPoints.Import\">\n" +

@@ -9,7 +9,7 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>The converted clouds that go into a player, and how large they are.</summary>
-    public sealed class PlayerClouds
+    internal sealed class PlayerClouds
     {
         /// <summary>A cloud's folder or file, and its place.</summary>
         public struct Entry

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
     /// where it builds them, and not where it takes them from an earlier build: where that one lacks a variant, the build says
     /// so.
     /// </summary>
-    public sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
+    internal sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
     {
         // Unity makes an instance for each of the interfaces.
         static PlayerVariants s_wanted;
@@ -104,7 +104,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>Which variants of the package's shaders go into players.</summary>
-    public enum VariantChoice
+    internal enum VariantChoice
     {
         /// <summary>Those that the built scenes need; all where scripts, asset bundles or Addressables may need others.</summary>
         Automatic,

@@ -9,7 +9,7 @@ using FastPoints.Rendering;
 namespace FastPoints.Editor
 {
     /// <summary>The variants of the package's shaders that a player may ask for, by name: the pass and its keywords.</summary>
-    public sealed class PlayerVariants
+    internal sealed class PlayerVariants
     {
         /// <summary>What names of the package's shaders begin with.</summary>
         public const string ShaderPrefix = "Hidden/FastPoints/";
@@ -104,7 +104,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>What points may be drawn with beside their style.</summary>
-    public struct DrawnOptions
+    internal struct DrawnOptions
     {
         /// <summary>Clip boxes.</summary>
         public bool Clipped;

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
 {
     /// <summary><em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples, and for those who have no
     /// scan at hand. Made in slices beside other work, then imported like any other file.</summary>
-    public static class SampleScan
+    internal static class SampleScan
     {
         public const string AssetPath = "Assets/street.pointcloud";
 

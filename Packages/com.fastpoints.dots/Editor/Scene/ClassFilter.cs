@@ -6,7 +6,7 @@ using FastPoints.Points;
 namespace FastPoints.Editor
 {
     /// <summary>The list of classes that an inspector shows, and what switching one does.</summary>
-    public static class ClassFilter
+    internal static class ClassFilter
     {
         /// <summary>Classes that a cloud may have: all from its least to its largest that mean something, and those that are
         /// hidden

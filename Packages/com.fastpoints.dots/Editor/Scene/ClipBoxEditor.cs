@@ -9,7 +9,7 @@ namespace FastPoints.Editor
     /// <summary>Handles on the sides of a clip box in the Scene view, which move and scale its GameObject; F frames it.</summary>
     [CustomEditor(typeof(PointCloudClipBox))]
     [CanEditMultipleObjects]
-    public sealed class ClipBoxEditor : UnityEditor.Editor
+    internal sealed class ClipBoxEditor : UnityEditor.Editor
     {
         /// <summary>A box that was dragged flat could not be dragged open again.</summary>
         const float Thinnest = 1e-3f;

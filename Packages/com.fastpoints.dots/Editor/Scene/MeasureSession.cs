@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Editor
 {
     /// <summary>Points that are picked one after the other, two at most, and what is to be told of them.</summary>
-    public sealed class MeasureSession : IDisposable
+    internal sealed class MeasureSession : IDisposable
     {
         readonly ScenePicker m_picker = new ScenePicker();
         readonly List<StreamPick> m_picks = new List<StreamPick>();

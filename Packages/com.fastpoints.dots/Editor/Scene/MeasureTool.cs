@@ -9,7 +9,7 @@ namespace FastPoints.Editor
     /// <summary>The Scene view's tool <em>Measure points</em>: a click picks a point and tells its coordinates and attributes, a
     /// second one the distance; Escape begins anew.</summary>
     [EditorTool("Measure points")]
-    public sealed class MeasureTool : EditorTool
+    internal sealed class MeasureTool : EditorTool
     {
         /// <summary>How far from the pointer a point may be, in points of the window.</summary>
         const double Radius = 5;

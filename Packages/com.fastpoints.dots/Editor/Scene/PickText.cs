@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Editor
 {
     /// <summary>Picked points and what lies between them, in words: coordinates with all of their digits.</summary>
-    public static class PickText
+    internal static class PickText
     {
         const int MostDecimals = 12;
 

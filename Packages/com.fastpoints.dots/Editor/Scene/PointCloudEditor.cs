@@ -16,7 +16,7 @@ namespace FastPoints.Editor
     /// look like, and what the last frame did. F frames it.</summary>
     [CustomEditor(typeof(PointCloud))]
     [CanEditMultipleObjects]
-    public sealed class PointCloudEditor : UnityEditor.Editor
+    internal sealed class PointCloudEditor : UnityEditor.Editor
     {
         bool m_showsClasses;
         bool m_showsFrame = true;
@@ -165,7 +165,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>What the last frame of a world did, in words: of all its clouds together.</summary>
-    public static class FrameText
+    internal static class FrameText
     {
         /// <summary>Pairs of a name and a value.</summary>
         public static List<KeyValuePair<string, string>> Describe(in FrameStats stats, long budgetPoints, long limitBytes)

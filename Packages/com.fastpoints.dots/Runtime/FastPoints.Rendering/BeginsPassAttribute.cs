@@ -6,7 +6,7 @@ namespace FastPoints.Rendering
     /// The editor calls it when it has loaded scripts; players do by an attribute of Unity's, which edit mode does not look
     /// at.</summary>
     [AttributeUsage(AttributeTargets.Method)]
-    public sealed class BeginsPassAttribute : Attribute
+    internal sealed class BeginsPassAttribute : Attribute
     {
     }
 }

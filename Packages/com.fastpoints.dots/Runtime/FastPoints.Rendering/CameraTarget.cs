@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>What a pipeline's pass draws one camera's picture into, and from where.</summary>
-    public struct CameraTarget
+    internal struct CameraTarget
     {
         /// <summary>It is set already, all slices of it where it has several; a style that needs a layer of its own sets it
         /// again, the viewport being the whole picture.</summary>

@@ -8,7 +8,7 @@ using FastPoints.Streaming;
 namespace FastPoints.Rendering
 {
     /// <summary>From what a picture decides to what shaders are told: both colour a point alike.</summary>
-    public static class CloudLooks
+    internal static class CloudLooks
     {
         /// <summary>What a mode streams beside the position.</summary>
         /// <param name="hidesClasses">Whether it matters what class a point has.</param>

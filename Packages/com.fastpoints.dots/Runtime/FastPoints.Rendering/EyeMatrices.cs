@@ -4,7 +4,7 @@ using UnityEngine;
 namespace FastPoints.Rendering
 {
     /// <summary>Where one eye is and what it sees: a camera's, or one of the two of a headset.</summary>
-    public struct EyeMatrices
+    internal struct EyeMatrices
     {
         /// <summary>World to camera, which looks along its negative Z.</summary>
         public Matrix4x4 View;

@@ -68,7 +68,7 @@ namespace FastPoints.Rendering
     }
 
     /// <summary>How nodes get from jobs into a <see cref="GraphicsNodePool"/>: one upload at a time. Main thread.</summary>
-    public abstract unsafe class PoolUpload : IDisposable
+    internal abstract unsafe class PoolUpload : IDisposable
     {
         /// <summary>Of its own memory.</summary>
         public abstract long AllocatedBytes { get; }

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>A buffer that is written to anew whenever something is drawn, and grows as it must.</summary>
-    public sealed class GrowingBuffer : IDisposable
+    internal sealed class GrowingBuffer : IDisposable
     {
         readonly GraphicsBuffer.Target m_target;
         readonly int m_strideBytes;

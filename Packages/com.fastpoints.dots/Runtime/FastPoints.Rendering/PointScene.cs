@@ -12,7 +12,7 @@ namespace FastPoints.Rendering
     /// All clouds of a world, for every camera that draws them: what a pipeline's pass needs to know. A camera that is about to
     /// be drawn is announced, so that the next frame selects for it, and then recorded. Main thread.
     /// </summary>
-    public sealed class PointScene : IDisposable
+    internal sealed class PointScene : IDisposable
     {
         /// <summary>A camera that was not drawn for so many frames gives its buffers back.</summary>
         const int FramesToForget = 120;

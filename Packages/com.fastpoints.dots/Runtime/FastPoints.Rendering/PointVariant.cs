@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace FastPoints.Rendering
 {
     /// <summary>A variant of the package's Points.shader: the keywords that a draw needs.</summary>
-    public readonly struct PointVariant
+    internal readonly struct PointVariant
     {
         /// <summary>Numbers that variants have; no draw needs all of them.</summary>
         internal const int Count = Shapes << 5;

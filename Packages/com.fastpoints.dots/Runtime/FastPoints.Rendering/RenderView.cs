@@ -30,12 +30,12 @@ namespace FastPoints.Rendering
         /// being the whole picture.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
-        public TargetEye Eye;
+        internal TargetEye Eye;
         public PointStyle Style;
     }
 
     /// <summary>Which slice of a target is drawn into.</summary>
-    public enum TargetEye
+    internal enum TargetEye
     {
         /// <summary>The target as it is.</summary>
         Whole,

@@ -6,7 +6,7 @@ namespace FastPoints.Rendering
 {
     /// <summary>Views of a picture's camera, where there is no camera of the engine's. Depth is reversed: 1 near, 0
     /// far.</summary>
-    public static class RenderViews
+    internal static class RenderViews
     {
         /// <summary>Of the distance of which a perspective camera sees nothing: as near as floats tell depths apart at any
         /// distance.</summary>

@@ -11,7 +11,7 @@ namespace FastPoints.Rendering
     /// One upload on its way: mapped memory that jobs write nodes to, each from a page on, and which page goes where. Mapped
     /// memory may not be cached: it is written front to back and never read.
     /// </summary>
-    public sealed unsafe class StagingBuffer : IDisposable
+    internal sealed unsafe class StagingBuffer : IDisposable
     {
         /// <summary>Of one dispatch, on any GPU.</summary>
         const int MostGroups = 65535;

@@ -7,7 +7,7 @@ namespace FastPoints.Rendering
 {
     /// <summary>Uploads through mapped buffers, one after the other, that a compute shader copies from: one is written to again
     /// when the GPU is sure to have read it.</summary>
-    public sealed unsafe class StagingRing : PoolUpload
+    internal sealed unsafe class StagingRing : PoolUpload
     {
         /// <summary>Frames that the GPU is usually behind at most: an editor or player queues two, three where it is asked to.
         /// Where it tells what it has done, it may be behind by more.</summary>

@@ -9,7 +9,7 @@ using Unity.Jobs;
 namespace FastPoints.Scenes
 {
     /// <summary>A scan as a LAS 1.4 file of point format 7. Disposed before <see cref="Complete"/>, it leaves nothing.</summary>
-    public sealed class LasReturnSink : IReturnSink, IDisposable
+    internal sealed class LasReturnSink : IReturnSink, IDisposable
     {
         const int PointsAtOnce = 65_536;
 

@@ -7,7 +7,7 @@ namespace FastPoints.Scenes
 {
     /// <summary>The order in which returns are to be written: a stable counting sort by tile or class, or a shuffle.</summary>
     [BurstCompile]
-    public struct OrderReturnsJob : IJob
+    internal struct OrderReturnsJob : IJob
     {
         const int TileGrid = 50_000;
         const int TilesPerRow = 10;

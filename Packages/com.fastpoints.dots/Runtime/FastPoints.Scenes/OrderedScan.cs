@@ -8,7 +8,7 @@ namespace FastPoints.Scenes
 {
     /// <summary>A <see cref="TerrestrialScan"/> in any order. All but <see cref="ScanOrder.Strip"/> keep the whole scan in
     /// memory.</summary>
-    public static class OrderedScan
+    internal static class OrderedScan
     {
         /// <summary>Of an order other than as acquired: 44 bytes each are kept.</summary>
         public const int MostPoints = 32_000_000;
@@ -73,7 +73,7 @@ namespace FastPoints.Scenes
     }
 
     /// <summary>Where the returns of a scan go. Called on the main thread; what it gets is valid only during the call.</summary>
-    public interface IReturnSink
+    internal interface IReturnSink
     {
         void Append(NativeArray<ScanReturn> returns);
 

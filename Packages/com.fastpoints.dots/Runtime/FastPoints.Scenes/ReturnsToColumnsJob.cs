@@ -8,7 +8,7 @@ namespace FastPoints.Scenes
 {
     /// <summary>Some returns, in an order of their own or as they come, to the columns of a batch.</summary>
     [BurstCompile]
-    public unsafe struct ReturnsToColumnsJob : IJob
+    internal unsafe struct ReturnsToColumnsJob : IJob
     {
         /// <summary>The attributes of LAS point format 7 that a scan fills.</summary>
         public static PointSchema Schema => new PointSchema(new[]

@@ -1,7 +1,7 @@
 namespace FastPoints.Scenes
 {
     /// <summary>One return of one laser pulse, as LAS point format 7 keeps it.</summary>
-    public struct ScanReturn
+    internal struct ScanReturn
     {
         /// <summary>Adjusted standard GPS seconds: rising from pulse to pulse, the same for all returns of one.</summary>
         public double GpsTime;

@@ -4,7 +4,7 @@ namespace FastPoints.Scenes
 {
     /// <summary>The ground of the scene: a street along x through gentle grassland. Heights in metres over the scene's
     /// zero.</summary>
-    public static class SceneGround
+    internal static class SceneGround
     {
         /// <summary>Half the width of the carriageway, and where the pavement beside it ends.</summary>
         public const float RoadHalf = 4;

@@ -6,7 +6,7 @@ namespace FastPoints.Scenes
     /// Random numbers by counting: a value depends only on what it is for (seed, line, ray, purpose), never on the order in
     /// which threads ask. The mixer is the 32-bit finaliser of MurmurHash3.
     /// </summary>
-    public static class SceneHash
+    internal static class SceneHash
     {
         public static uint Mix(uint x)
         {

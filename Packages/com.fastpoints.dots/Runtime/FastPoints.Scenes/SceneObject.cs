@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>What stands in the scene: see <see cref="SceneTrace"/> for their shapes.</summary>
-    public enum SceneShape : byte
+    internal enum SceneShape : byte
     {
         /// <summary>Walls with windows under a gable roof; its ridge runs along the object's x axis.</summary>
         House,
@@ -16,7 +16,7 @@ namespace FastPoints.Scenes
     }
 
     /// <summary>One object of the scene, in the scene's own metres (x east, y north, z up).</summary>
-    public struct SceneObject
+    internal struct SceneObject
     {
         /// <summary>Middle of the base; middle of the body for a crown.</summary>
         public float3 Center;

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>Where rays meet the objects of the scene. Directions have length 1.</summary>
-    public static class SceneTrace
+    internal static class SceneTrace
     {
         public const byte Unclassified = 1;
         public const byte Ground = 2;
@@ -229,7 +229,7 @@ namespace FastPoints.Scenes
     }
 
     /// <summary>Where a pulse meets something solid.</summary>
-    public struct SceneHit
+    internal struct SceneHit
     {
         /// <summary>Metres along the ray; infinity where it meets nothing.</summary>
         public float Distance;

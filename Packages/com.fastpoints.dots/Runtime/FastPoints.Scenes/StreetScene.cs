@@ -9,7 +9,7 @@ namespace FastPoints.Scenes
     /// A street of houses with trees, lamps and parked cars, and open land behind them: what the scanner looks at. All of it
     /// follows from the seed.
     /// </summary>
-    public sealed class StreetScene : IDisposable
+    internal sealed class StreetScene : IDisposable
     {
         /// <summary>Half the length of the street, metres.</summary>
         public const float HalfLength = 130;

@@ -9,7 +9,7 @@ namespace FastPoints.Scenes
     /// What the sun does not reach: for each cell of the ground plane z = 0, the height at which the ray from the sun to that
     /// cell first met an object. Any point on that ray below this height lies in the shade.
     /// </summary>
-    public struct SunShadow
+    internal struct SunShadow
     {
         const float CellSize = 0.25f;
         const int CellsX = 1280;

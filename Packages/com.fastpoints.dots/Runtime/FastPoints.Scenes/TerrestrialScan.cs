@@ -13,7 +13,7 @@ namespace FastPoints.Scenes
     /// A seeded terrestrial laser scan of a <see cref="StreetScene"/> from its three stations: exactly the points asked for, the
     /// same bytes for a seed whatever the threads, in bounded memory.
     /// </summary>
-    public static class TerrestrialScan
+    internal static class TerrestrialScan
     {
         /// <summary>Metres of one grid step.</summary>
         public const double Step = 0.001;
@@ -166,7 +166,7 @@ namespace FastPoints.Scenes
 
     /// <summary>Closes the gaps between the lines' returns, in place.</summary>
     [BurstCompile]
-    public struct CompactReturnsJob : IJob
+    internal struct CompactReturnsJob : IJob
     {
         public NativeArray<ScanReturn> Returns;
         [ReadOnly] public NativeArray<int> CountOfLine;

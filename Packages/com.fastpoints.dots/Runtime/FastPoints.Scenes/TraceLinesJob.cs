@@ -10,7 +10,7 @@ namespace FastPoints.Scenes
     /// that the density falls with the square of the distance.
     /// </summary>
     [BurstCompile]
-    public struct TraceLinesJob : IJobFor
+    internal struct TraceLinesJob : IJobFor
     {
         public const int MaxReturns = 4;
         public const float LowestElevation = -1.08f;

@@ -10,7 +10,7 @@ namespace FastPoints.LazEncoding
     public static class LazEncoder
     {
         /// <summary>One chunk of any compressor.</summary>
-        public static byte[] Chunk(LazItem[] items, IReadOnlyList<byte[]> records) =>
+        internal static byte[] Chunk(LazItem[] items, IReadOnlyList<byte[]> records) =>
             items[0].Type == LazItemType.Point14 ? LayeredChunk(items, records) : PointwiseChunk(items, records);
 
         static byte[] PointwiseChunk(LazItem[] items, IReadOnlyList<byte[]> records)

@@ -10,7 +10,7 @@ namespace FastPoints.LazEncoding
     public static class LazItems
     {
         /// <param name="version">Of the items: 1 or 2 for point formats 0 to 5, 3 or 4 above.</param>
-        public static LazItem[] Of(int pointFormat, int version, int extraBytes)
+        internal static LazItem[] Of(int pointFormat, int version, int extraBytes)
         {
             var items = new List<LazItem>();
             bool isExtended = pointFormat >= 6;
@@ -40,7 +40,7 @@ namespace FastPoints.LazEncoding
         /// <summary>The whole LASzip VLR.</summary>
         /// <param name="compressor">One of <see cref="LazCompressor"/>.</param>
         /// <param name="chunkPoints">Points of a chunk.</param>
-        public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
+        internal static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
             var vlr = new BinaryWriter(new MemoryStream());
             vlr.Write((ushort)0);

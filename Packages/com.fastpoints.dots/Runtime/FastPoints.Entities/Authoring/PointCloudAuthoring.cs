@@ -28,7 +28,7 @@ namespace FastPoints.Entities
     }
 
     /// <summary>Bakers run in a process without a screen: the folder is not opened here.</summary>
-    public sealed class PointCloudBaker : Baker<PointCloudAuthoring>
+    internal sealed class PointCloudBaker : Baker<PointCloudAuthoring>
     {
         public override void Bake(PointCloudAuthoring authoring)
         {

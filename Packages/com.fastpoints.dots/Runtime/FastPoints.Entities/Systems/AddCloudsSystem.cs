@@ -8,7 +8,7 @@ namespace FastPoints.Entities
     /// states take the place of older ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
-    public partial class AddCloudsSystem : StreamSystem
+    internal partial class AddCloudsSystem : StreamSystem
     {
         EntityQuery m_coming;
         EntityQuery m_streamed;

@@ -8,7 +8,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(OpenCloudsSystem))]
-    public partial class ApplyBudgetSystem : StreamSystem
+    internal partial class ApplyBudgetSystem : StreamSystem
     {
         EntityQuery m_budgets;
 

@@ -10,7 +10,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(AddCloudsSystem))]
-    public partial class ClipCloudsSystem : StreamSystem
+    internal partial class ClipCloudsSystem : StreamSystem
     {
         EntityQuery m_clips;
 

@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(ApplyBudgetSystem))]
-    public partial class CollectViewsSystem : StreamSystem
+    internal partial class CollectViewsSystem : StreamSystem
     {
         protected override void OnUpdate()
         {

@@ -8,7 +8,7 @@ namespace FastPoints.Entities
 {
     /// <summary>Finds where entities of nodes are not what the cache says.</summary>
     [BurstCompile]
-    public struct CompareSlotsJob : IJob
+    internal struct CompareSlotsJob : IJob
     {
         [ReadOnly] public NativeArray<CacheSlot> Slots;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;

@@ -8,7 +8,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(ReceiveNodesSystem))]
-    public partial class ControlNodesSystem : StreamSystem
+    internal partial class ControlNodesSystem : StreamSystem
     {
         EntityQuery m_hidden;
         EntityQuery m_pinned;

@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(RequestNodesSystem))]
-    public partial class ListNodesSystem : StreamSystem
+    internal partial class ListNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.List(Group.Stream, ref Group.Stats);
     }

@@ -13,7 +13,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(AddCloudsSystem))]
-    public partial class OpenCloudsSystem : StreamSystem
+    internal partial class OpenCloudsSystem : StreamSystem
     {
         /// <summary>Of the main thread, a frame: for all previews together.</summary>
         const double BudgetMs = 2;

@@ -11,7 +11,7 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(OpenCloudsSystem))]
     [UpdateBefore(typeof(AddCloudsSystem))]
-    public partial class PlaceCloudsSystem : StreamSystem
+    internal partial class PlaceCloudsSystem : StreamSystem
     {
         EntityQuery m_placed;
 

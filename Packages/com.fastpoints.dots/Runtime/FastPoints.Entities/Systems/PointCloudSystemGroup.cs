@@ -53,7 +53,7 @@ namespace FastPoints.Entities
         public StreamContext Stream { get; private set; }
 
         /// <summary>What passes draw; null where <see cref="Begin"/> was called by hand.</summary>
-        public PointScene Scene { get; private set; }
+        internal PointScene Scene { get; private set; }
 
         /// <summary>What the frame has done up to here; after the update, what it did.</summary>
         public ref FrameStats Stats => ref m_stats;

@@ -6,7 +6,7 @@ namespace FastPoints.Entities
     /// <summary>Takes what arrived since the last frame.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
-    public partial class ReceiveNodesSystem : StreamSystem
+    internal partial class ReceiveNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.Receive(Group.Stream, ref Group.Stats);
     }

@@ -8,7 +8,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     [UpdateAfter(typeof(TrackNodesSystem))]
-    public partial class ReportFailuresSystem : StreamSystem
+    internal partial class ReportFailuresSystem : StreamSystem
     {
         protected override void OnUpdate()
         {

@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(UploadNodesSystem))]
-    public partial class RequestNodesSystem : StreamSystem
+    internal partial class RequestNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.Request(Group.Stream, ref Group.Stats);
     }

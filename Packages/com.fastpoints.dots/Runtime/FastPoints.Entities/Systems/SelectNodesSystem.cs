@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(ControlNodesSystem))]
-    public partial class SelectNodesSystem : StreamSystem
+    internal partial class SelectNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.Select(Group.Stream, Group.Views.AsArray(), ref Group.Stats);
     }

@@ -9,7 +9,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateBefore(typeof(ReceiveNodesSystem))]
-    public partial class ShowCloudsSystem : StreamSystem
+    internal partial class ShowCloudsSystem : StreamSystem
     {
         EntityQuery m_shown;
         EntityQuery m_styles;

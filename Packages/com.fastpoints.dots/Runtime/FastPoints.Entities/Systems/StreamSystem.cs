@@ -3,7 +3,7 @@ using Unity.Entities;
 namespace FastPoints.Entities
 {
     /// <summary>One step of <see cref="PointCloudSystemGroup"/>.</summary>
-    public abstract partial class StreamSystem : SystemBase
+    internal abstract partial class StreamSystem : SystemBase
     {
         protected PointCloudSystemGroup Group { get; private set; }
 

@@ -9,7 +9,7 @@ namespace FastPoints.Entities
     /// happens at rest.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
-    public unsafe partial class TrackNodesSystem : StreamSystem
+    internal unsafe partial class TrackNodesSystem : StreamSystem
     {
         /// <summary>Structural changes of one frame at most, of each kind.</summary>
         const int MostChanges = 512;
@@ -136,7 +136,7 @@ namespace FastPoints.Entities
     }
 
     /// <summary>What is known of a slot of the cache: the entity of the node that lies there.</summary>
-    public struct TrackedSlot
+    internal struct TrackedSlot
     {
         public const byte IsResident = 1;
         public const byte IsDrawn = 2;

@@ -7,7 +7,7 @@ namespace FastPoints.Entities
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(SelectNodesSystem))]
-    public partial class UploadNodesSystem : StreamSystem
+    internal partial class UploadNodesSystem : StreamSystem
     {
         protected override void OnUpdate() => FrameStep.Upload(Group.Stream, ref Group.Stats);
     }

@@ -7,7 +7,7 @@ using FastPoints.Points;
 namespace FastPoints.Convert
 {
     /// <summary>Which attributes of its sources a cloud keeps.</summary>
-    public static class AttributeChoice
+    internal static class AttributeChoice
     {
         /// <summary>The first source's attributes but its position, which every source must have alike.</summary>
         /// <param name="names">Those wanted; null for all.</param>

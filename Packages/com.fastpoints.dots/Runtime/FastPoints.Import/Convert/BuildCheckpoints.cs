@@ -11,7 +11,7 @@ namespace FastPoints.Convert
 {
     /// <summary>A build's journal and the moments it is written at: what a killed build is continued from.</summary>
     /// <remarks>Only a build that keeps its points in files writes it; one in memory begins again.</remarks>
-    public sealed class BuildCheckpoints : IDisposable
+    internal sealed class BuildCheckpoints : IDisposable
     {
         readonly CloudFolderWriter m_folder;
         readonly RecordFiles m_files;

@@ -17,7 +17,7 @@ namespace FastPoints.Convert
     /// Makes a build that is under way a cloud that can be opened, again and again: the finished chunks, and for the others
     /// what a sample shows of them, as chunks' tops that the same sampler made. A reader follows the generations of cloud.json.
     /// </summary>
-    public sealed class BuildGenerations : IDisposable
+    internal sealed class BuildGenerations : IDisposable
     {
         readonly ProvisionalSample m_sample;
         readonly CloudFolderWriter m_folder;

@@ -11,7 +11,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Convert
 {
     /// <summary>Tells whether a build that was killed is this one.</summary>
-    public static class BuildIdentity
+    internal static class BuildIdentity
     {
         /// <summary>What the stored bytes and the temporary files depend on.</summary>
         public static unsafe ulong Of(IReadOnlyList<PointReader> readers, PointSchema attributes, GridChoice grid,

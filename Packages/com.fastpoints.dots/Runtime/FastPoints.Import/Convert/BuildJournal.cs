@@ -10,7 +10,7 @@ namespace FastPoints.Convert
     /// How far a build has come, as far as it lies on disk: what a build that was killed is continued from. Text in, text out,
     /// no I/O.
     /// </summary>
-    public sealed class BuildJournal
+    internal sealed class BuildJournal
     {
         /// <summary>The stages that a build can be taken up in.</summary>
         public enum Stage

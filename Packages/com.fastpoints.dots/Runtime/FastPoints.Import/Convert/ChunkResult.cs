@@ -12,7 +12,7 @@ namespace FastPoints.Convert
     /// know.
     /// Between chunk and merge it is kept in memory, or in a file that also shows, after a kill, which chunks are done.
     /// </summary>
-    public sealed unsafe class ChunkResult
+    internal sealed unsafe class ChunkResult
     {
         struct Header
         {

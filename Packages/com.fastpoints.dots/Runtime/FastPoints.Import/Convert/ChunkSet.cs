@@ -10,7 +10,7 @@ using Unity.Jobs;
 namespace FastPoints.Convert
 {
     /// <summary>All points of the cloud, by chunk: disjoint cubes of the octree, in memory or in temporary files.</summary>
-    public sealed class ChunkSet : IDisposable
+    internal sealed class ChunkSet : IDisposable
     {
         const int SplitLevels = 3;
         const int PagesPerBatch = 64;

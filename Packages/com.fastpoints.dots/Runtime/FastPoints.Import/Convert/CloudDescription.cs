@@ -13,7 +13,7 @@ namespace FastPoints.Convert
 {
     /// <summary>Puts what a build has found out about its points into the cloud's manifest, and what is odd about them into the
     /// sources' warnings.</summary>
-    public static class CloudDescription
+    internal static class CloudDescription
     {
         /// <summary>One entry a file, tiles of a reader apart.</summary>
         /// <param name="findings">By reader.</param>

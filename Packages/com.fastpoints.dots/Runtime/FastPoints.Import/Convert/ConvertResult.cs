@@ -33,7 +33,7 @@ namespace FastPoints.Convert
     }
 
     /// <summary>What a conversion goes through, in this order, as its progress names it.</summary>
-    public static class BuildStages
+    internal static class BuildStages
     {
         /// <summary>Some points of the source decide on the partition.</summary>
         public const string Sample = "sample";

@@ -7,7 +7,7 @@ namespace FastPoints.Convert
     /// <summary>Neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes
     /// that
     /// have no more than some number of points.</summary>
-    public static class CubeGroups
+    internal static class CubeGroups
     {
         /// <summary>Consecutive items. A group of one keeps its own cube.</summary>
         public struct Group

@@ -9,7 +9,7 @@ namespace FastPoints.Convert
     /// of
     /// a record and the memory that was allowed: not on how many threads there are.
     /// </summary>
-    public sealed class MemoryPlan
+    internal sealed class MemoryPlan
     {
         const long MaxPointsPerChunk = 1000000;
 

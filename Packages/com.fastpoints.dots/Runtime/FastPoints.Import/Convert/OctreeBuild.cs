@@ -15,7 +15,7 @@ namespace FastPoints.Convert
 {
     /// <summary>From chunks of records to a stored octree: each chunk into its file, the tops of all into the upper
     /// levels.</summary>
-    public sealed class OctreeBuild : IDisposable
+    internal sealed class OctreeBuild : IDisposable
     {
         /// <summary>A chunk in work, and what comes of it.</summary>
         sealed class Slot : IDisposable

@@ -12,7 +12,7 @@ using Unity.Jobs;
 namespace FastPoints.Convert
 {
     /// <summary>The first partition of a cloud, by how dense samples of its sources say it is where.</summary>
-    public static class PartitionPlan
+    internal static class PartitionPlan
     {
         /// <summary>Pages for each planned chunk: its last one, which is not full, others of it, and of chunks that no sample
         /// knew of.</summary>

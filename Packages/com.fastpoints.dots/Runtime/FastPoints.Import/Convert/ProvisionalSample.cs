@@ -12,7 +12,7 @@ namespace FastPoints.Convert
 {
     /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they stand for what is not
     /// built yet. Owns its records.</summary>
-    public sealed class ProvisionalSample : IDisposable
+    internal sealed class ProvisionalSample : IDisposable
     {
         /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
         /// cover.</summary>

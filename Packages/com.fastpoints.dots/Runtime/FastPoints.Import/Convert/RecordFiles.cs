@@ -9,7 +9,7 @@ namespace FastPoints.Convert
     /// The records that memory has no room for: one file a chunk in the target's folder, written at its end only, by the one
     /// writer thread, with one file open at a time. Pages that are written may be used again.
     /// </summary>
-    public sealed class RecordFiles : IDisposable
+    internal sealed class RecordFiles : IDisposable
     {
         struct Handed
         {

@@ -10,7 +10,7 @@ using Unity.Jobs;
 namespace FastPoints.Convert
 {
     /// <summary>Reads records of temporary files back into pages, in the background.</summary>
-    public sealed unsafe class RecordLoad : IDisposable
+    internal sealed unsafe class RecordLoad : IDisposable
     {
         readonly RecordFiles m_files;
         readonly int m_strideBytes;
@@ -119,7 +119,7 @@ namespace FastPoints.Convert
     }
 
     /// <summary>Some consecutive records of a temporary file.</summary>
-    public struct RecordRun
+    internal struct RecordRun
     {
         public int File;
         public long First;

@@ -12,7 +12,7 @@ namespace FastPoints.Convert
 {
     /// <summary>Takes every block of a source into the chunks of a partition: into memory, and on to files where that has no more
     /// room. Owns the records in memory until they are handed over.</summary>
-    public sealed class ScatterPoints : IThrottledConsumer, IDisposable
+    internal sealed class ScatterPoints : IThrottledConsumer, IDisposable
     {
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;

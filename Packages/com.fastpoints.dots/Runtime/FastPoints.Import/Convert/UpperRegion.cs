@@ -9,7 +9,7 @@ namespace FastPoints.Convert
     /// as a
     /// chunk's, belongs to the region above; the root's has none above. Owns its table.
     /// </summary>
-    public sealed class UpperRegion : IDisposable
+    internal sealed class UpperRegion : IDisposable
     {
         /// <summary>Records and planes of the nodes, as the writer made them.</summary>
         public NativeArray<byte> Table;
@@ -50,7 +50,7 @@ namespace FastPoints.Convert
     }
 
     /// <summary>What the merge takes next: a chunk's top, or a region's.</summary>
-    public sealed class UpperItem
+    internal sealed class UpperItem
     {
         public FastPoints.Points.GridCube Cube;
         public ChunkTop Top;

@@ -6,7 +6,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Convert
 {
     /// <summary>The one table of the upper levels, from the tables of its regions.</summary>
-    public static unsafe class UpperTable
+    internal static unsafe class UpperTable
     {
         /// <summary>In breadth-first order, a node's children one after the other.</summary>
         /// <param name="regions">Each after the region above it: the root is the first. Their first nodes' numbers are set

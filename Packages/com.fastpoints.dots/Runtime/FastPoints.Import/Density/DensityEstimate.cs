@@ -18,7 +18,7 @@ namespace FastPoints.Density
     /// runs and text do; beginnings of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
     /// no sample of beginnings knows.
     /// </remarks>
-    public sealed class DensityEstimate : IDisposable
+    internal sealed class DensityEstimate : IDisposable
     {
         /// <summary>A cell that fewer stretches have points in is not divided: half of its parts would have two or
         /// three.</summary>
@@ -140,7 +140,7 @@ namespace FastPoints.Density
     }
 
     /// <summary>A cell of a <see cref="DensityEstimate"/> that is not divided any more.</summary>
-    public readonly struct DensityLeaf
+    internal readonly struct DensityLeaf
     {
         /// <summary>Lowest corner, georeferenced, in CRS units.</summary>
         public readonly double3 Min;

@@ -3,7 +3,7 @@ using System;
 namespace FastPoints.Density
 {
     /// <summary>What the stretches of a sample, one after the other in the file's order, have in one cell. Blittable.</summary>
-    public struct DensitySum
+    internal struct DensitySum
     {
         public double Points;
         public double SquaresOfDifferences;
@@ -58,7 +58,7 @@ namespace FastPoints.Density
     }
 
     /// <summary>How many points of a cloud lie in a cell, as far as a sample tells.</summary>
-    public readonly struct DensityCell
+    internal readonly struct DensityCell
     {
         /// <summary>Estimate; 0 also where nothing is known.</summary>
         public readonly double Points;

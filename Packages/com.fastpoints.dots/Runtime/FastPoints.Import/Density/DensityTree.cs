@@ -16,7 +16,7 @@ namespace FastPoints.Density
     /// Two levels at a time: a brick has the 8 cells of one and the 64 of the next, of which those that are divided have a brick
     /// each. It is the same for any number of threads.
     /// </remarks>
-    public sealed class DensityTree : IDisposable
+    internal sealed class DensityTree : IDisposable
     {
         /// <summary>Cells of all levels by number: the whole cube, what is outside of it, then the bricks.</summary>
         public const int Root = 0, Outside = 1;

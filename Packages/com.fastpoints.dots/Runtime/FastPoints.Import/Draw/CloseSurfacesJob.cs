@@ -11,7 +11,7 @@ namespace FastPoints.Draw
     /// tile's pixels look denser than that surface is.
     /// </summary>
     [BurstCompile]
-    public struct CloseSurfacesJob : IJob
+    internal struct CloseSurfacesJob : IJob
     {
         /// <summary>Of the face of its cube, what the points of a cell lie in: a surface goes through few cells as a whole. By
         /// trial on ca13_d and lion: more leave fewer pixels bare and blur more.</summary>
@@ -70,7 +70,7 @@ namespace FastPoints.Draw
     }
 
     /// <summary>A cell of a cloud, and how many points of it are drawn.</summary>
-    public struct ThinCell
+    internal struct ThinCell
     {
         /// <summary>Georeferenced.</summary>
         public double3 Center;

@@ -12,7 +12,7 @@ namespace FastPoints.Draw
     /// Planes are checked before they are read; a damaged node is marked and not unpacked.
     /// </summary>
     [BurstCompile]
-    public unsafe struct DecodeNodesJob : IJobParallelFor
+    internal unsafe struct DecodeNodesJob : IJobParallelFor
     {
         [ReadOnly] public NativeArray<byte> File;
 

@@ -17,7 +17,7 @@ namespace FastPoints.Draw
     /// A picture of every point of a source, block by block in bounded memory: a small sample decides on camera, colours and
     /// size, then each block is drawn as it is decoded. Or of a budget of points, which are sampled.
     /// </summary>
-    public sealed class DrawCloud : IBlockConsumer
+    internal sealed class DrawCloud : IBlockConsumer
     {
         /// <summary>Points that the choices are made from.</summary>
         const int PointsToPlanWith = 500_000;
@@ -113,7 +113,7 @@ namespace FastPoints.Draw
     /// <summary>Draws a decoded block; index i is its i-th piece of <see cref="RasterizePointsJob.PointsPerPiece"/>
     /// points.</summary>
     [BurstCompile]
-    public struct DrawBlockJob : IJobFor
+    internal struct DrawBlockJob : IJobFor
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeReference<DecodeResult> Result;

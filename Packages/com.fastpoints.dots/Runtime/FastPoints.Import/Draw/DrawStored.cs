@@ -9,7 +9,7 @@ namespace FastPoints.Draw
 {
     /// <summary>A picture of a stored cloud under a budget of points: the top of the octree decides on camera, colours and size,
     /// then the nodes that the camera needs most are drawn.</summary>
-    public sealed class DrawStored
+    internal sealed class DrawStored
     {
         public const long DefaultBudget = 2000000;
 

@@ -9,7 +9,7 @@ using Unity.Jobs;
 namespace FastPoints.Draw
 {
     /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
-    public static class LoadNodes
+    internal static class LoadNodes
     {
         /// <summary>What the batch will have: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
@@ -190,7 +190,7 @@ namespace FastPoints.Draw
     }
 
     /// <summary>One node to decode: where its blocks are in a file's bytes, and where its points go. Blittable.</summary>
-    public struct ChosenNode
+    internal struct ChosenNode
     {
         public int FirstBlock;
         public int BlockCount;

@@ -13,7 +13,7 @@ namespace FastPoints.Draw
     /// Which nodes of a stored cloud a picture is drawn from: what streaming would choose (<see cref="SelectNodesJob"/>), but
     /// whole: chunks' tables are loaded as the selection gets to them.
     /// </summary>
-    public sealed unsafe class NodeSelection : IDisposable
+    internal sealed unsafe class NodeSelection : IDisposable
     {
         /// <summary>The file of the upper levels.</summary>
         public const int UpperFile = -1;

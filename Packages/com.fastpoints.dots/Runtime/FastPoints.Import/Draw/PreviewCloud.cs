@@ -52,10 +52,10 @@ namespace FastPoints.Draw
 
         /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of
         /// sources whose sample does not tell. Goes by the sample as it was then.</summary>
-        public DensityEstimate Density { get; private set; }
+        internal DensityEstimate Density { get; private set; }
 
         /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
-        public PicturePlan Plan { get; private set; }
+        internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null before the work has ended.</summary>
         public RgbaImage Image { get; private set; }

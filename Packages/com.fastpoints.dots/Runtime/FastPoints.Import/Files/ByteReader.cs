@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// Little-endian fields of a piece of a file, addressed by their offset in the piece. A field that the piece does not hold
     /// is a failure that names the byte in the file.
     /// </summary>
-    public readonly struct ByteReader
+    internal readonly struct ByteReader
     {
         public readonly byte[] Bytes;
         public readonly string Path;

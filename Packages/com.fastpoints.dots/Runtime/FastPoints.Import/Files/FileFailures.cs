@@ -5,7 +5,7 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>Turns what the system throws at files into the one-line failure that the package's callers handle.</summary>
-    public static class FileFailures
+    internal static class FileFailures
     {
         // HResult of a full disk: errno ENOSPC where the runtime hands errno on, ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL as
         // Windows codes otherwise.

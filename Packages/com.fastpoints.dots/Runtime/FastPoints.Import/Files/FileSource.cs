@@ -12,7 +12,7 @@ namespace FastPoints.Files
     /// The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a later
     /// read opens it again.
     /// </remarks>
-    public sealed class FileSource : IDisposable
+    internal sealed class FileSource : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;
 

@@ -65,7 +65,7 @@ namespace FastPoints.Files
 
         /// <summary>The octree that the source brings along, or null. Its blocks come level by level within each page of the
         /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
-        public virtual SourceTree Tree => null;
+        internal virtual SourceTree Tree => null;
 
         /// <summary>Work (for a pump) that reads the pages of <see cref="Tree"/> that its first levels take, and no more:
         /// afterwards the blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>

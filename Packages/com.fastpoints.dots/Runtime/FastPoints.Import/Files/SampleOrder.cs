@@ -9,7 +9,7 @@ namespace FastPoints.Files
     /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order one lies in
     /// each 2^-k of the strata (give or take the places beyond the last stratum, which are passed over).
     /// </remarks>
-    public readonly struct SampleOrder
+    internal readonly struct SampleOrder
     {
         readonly int m_bits;
         readonly uint m_seed;

@@ -5,7 +5,7 @@ using FastPoints.Store;
 namespace FastPoints.Files
 {
     /// <summary>What kind of point cloud a folder is, by the index file that lies in it.</summary>
-    public static class SourceFolder
+    internal static class SourceFolder
     {
         /// <summary>Names under which writers leave an index; what is in it decides.</summary>
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };

@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// The JSON index of a source (Potree's cloud.js and metadata.json, ept.json), read whole, whose members are asked for by
     /// name; one that is missing or of another type is a failure that names the file and the member.
     /// </summary>
-    public sealed class SourceJson
+    internal sealed class SourceJson
     {
         /// <summary>A larger text is not parsed: its objects would take some 50 times its bytes.</summary>
         public const int MaxBytes = 4 << 20;

@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>Every point of a source once, block by block, several blocks in flight, in bounded memory.</summary>
-    public static class SourceScan
+    internal static class SourceScan
     {
         /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);

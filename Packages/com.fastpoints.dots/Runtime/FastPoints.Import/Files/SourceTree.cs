@@ -13,7 +13,7 @@ namespace FastPoints.Files
     /// Nodes are only ever added, a parent before its children, so an index stays what it was while pages are read. Memory:
     /// 24 bytes a node.
     /// </remarks>
-    public sealed class SourceTree : IDisposable
+    internal sealed class SourceTree : IDisposable
     {
         NativeList<SourceNode> m_nodes;
 
@@ -74,7 +74,7 @@ namespace FastPoints.Files
 
     /// <summary>A node of a source's own octree. One whose points are more than a block's is there several times, a block
     /// each.</summary>
-    public struct SourceNode
+    internal struct SourceNode
     {
         /// <summary>0 for the root; a node of level L has an edge of the cube's over 2^L.</summary>
         public int Level;

@@ -4,7 +4,7 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>What of a CRS in well-known text is shown: name, EPSG codes, length of the unit. WKT 1 and 2.</summary>
-    public static class WktCoordinateSystem
+    internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
         static readonly string[] s_compound = { "COMPD_CS", "COMPOUNDCRS" };

@@ -6,7 +6,7 @@ namespace FastPoints.Files
     /// One <c>KEYWORD[...]</c> of well-known text (OGC 01-009, ISO 19162), with its quoted and plain values and the nodes
     /// inside it.
     /// </summary>
-    public sealed class WktNode
+    internal sealed class WktNode
     {
         /// <summary>Deeper text than any CRS has is not followed.</summary>
         const int MaxDepth = 64;

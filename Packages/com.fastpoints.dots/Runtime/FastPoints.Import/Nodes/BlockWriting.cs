@@ -6,7 +6,7 @@ namespace FastPoints.Nodes
 {
     /// <summary>Writes one block of a plane, from values that were gathered for it: the layout of
     /// <see cref="PlaneShape"/>.</summary>
-    public static unsafe class BlockWriting
+    internal static unsafe class BlockWriting
     {
         /// <summary>Where a column of 64-bit values is gathered.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

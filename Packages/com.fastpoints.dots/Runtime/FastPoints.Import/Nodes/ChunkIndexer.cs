@@ -11,7 +11,7 @@ namespace FastPoints.Nodes
     /// Makes one chunk at a time into nodes: order, gather, sample, write into memory. Its memory is as large as its largest
     /// chunk was and is used again for the next.
     /// </summary>
-    public sealed class ChunkIndexer : IDisposable
+    internal sealed class ChunkIndexer : IDisposable
     {
         // How often the samplers look at a point, in most clouds.
         const int UsualLevels = 12;

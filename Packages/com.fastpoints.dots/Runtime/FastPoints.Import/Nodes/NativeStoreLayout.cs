@@ -6,7 +6,7 @@ using Unity.Collections;
 namespace FastPoints.Nodes
 {
     /// <summary>A cloud's planes and columns as jobs read them.</summary>
-    public sealed class NativeStoreLayout : IDisposable
+    internal sealed class NativeStoreLayout : IDisposable
     {
         public NativeStoreLayout(StoreLayout layout)
         {

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Nodes
 {
     /// <summary>A run of points of one node, that becomes blocks of its own.</summary>
-    public unsafe struct PackedRun
+    internal unsafe struct PackedRun
     {
         /// <summary>Numbers of the records.</summary>
         [NativeDisableUnsafePtrRestriction] public uint* Points;
@@ -16,7 +16,7 @@ namespace FastPoints.Nodes
     }
 
     /// <summary>Packs planes of nodes from records in memory, in the layout of <see cref="PlaneShape"/>.</summary>
-    public unsafe struct PlanePacker
+    internal unsafe struct PlanePacker
     {
         [NativeDisableUnsafePtrRestriction] public byte* Records;
         public RecordLayout Layout;

@@ -9,7 +9,7 @@ namespace FastPoints.Nodes
 {
     /// <summary>Prepares the chunks' tops, which are in order already, for the sampling of the upper levels.</summary>
     [BurstCompile]
-    public unsafe struct PrepareUpperJob : IJob
+    internal unsafe struct PrepareUpperJob : IJob
     {
         /// <summary>Takes about 4 ms.</summary>
         public const int PointsOfSlice = 100000;

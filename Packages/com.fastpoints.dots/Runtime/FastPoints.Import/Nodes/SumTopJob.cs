@@ -9,7 +9,7 @@ namespace FastPoints.Nodes
 {
     /// <summary>Adds up the hashes of a top's points: the checksum of a cloud that has nothing below them.</summary>
     [BurstCompile]
-    public unsafe struct SumTopJob : IJob
+    internal unsafe struct SumTopJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
 

@@ -16,7 +16,7 @@ namespace FastPoints.Nodes
     /// </summary>
     /// <remarks>One run of the job is a slice: it is run until it is done. A node is written at once.</remarks>
     [BurstCompile]
-    public unsafe struct WriteNodesJob : IJob
+    internal unsafe struct WriteNodesJob : IJob
     {
         /// <summary>What the next slice goes on with.</summary>
         public enum Stage

@@ -5,7 +5,7 @@ using Unity.Collections;
 namespace FastPoints.Nodes
 {
     /// <summary>Where a <see cref="WriteNodesJob"/> stands between two slices, and the memory it works in.</summary>
-    public struct WriteScratch : IDisposable
+    internal struct WriteScratch : IDisposable
     {
         /// <summary>Where the job stands.</summary>
         public struct State

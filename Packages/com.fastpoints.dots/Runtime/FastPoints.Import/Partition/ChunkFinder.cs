@@ -4,7 +4,7 @@ using FastPoints.Points;
 namespace FastPoints.Partition
 {
     /// <summary>The blittable half of a <see cref="PartitionMap"/>: from a place to its chunk.</summary>
-    public readonly struct ChunkFinder
+    internal readonly struct ChunkFinder
     {
         readonly CellFinder m_cells;
         readonly int m_partLog2;

@@ -9,7 +9,7 @@ namespace FastPoints.Partition
 {
     /// <summary>The Morton codes of the cells of a <see cref="DensityTree"/> that a source's sample lies in.</summary>
     [BurstCompile]
-    public struct CodeSampleJob : IJob
+    internal struct CodeSampleJob : IJob
     {
         [ReadOnly] public NativeArray<double3> Stored;
         public SourceGrid Grid;

@@ -7,7 +7,7 @@ namespace FastPoints.Partition
 {
     /// <summary>Measures a sample: where it lies, and how fine its numbers are.</summary>
     [BurstCompile]
-    public struct MeasureSampleJob : IJob
+    internal struct MeasureSampleJob : IJob
     {
         [ReadOnly] public NativeArray<double3> Stored;
         public NativeReference<SampleFindings> Findings;
@@ -47,7 +47,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>What the stored positions of a sample show, axis by axis. Blittable.</summary>
-    public struct SampleFindings
+    internal struct SampleFindings
     {
         /// <summary>Of the finite ones; min above max where there are none.</summary>
         public double3 Min;

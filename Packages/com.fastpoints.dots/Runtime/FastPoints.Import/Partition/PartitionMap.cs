@@ -12,7 +12,7 @@ namespace FastPoints.Partition
     /// of its parts where many points lie in one cell. Chunks are cubes of the octree; places outside the cube have a chunk of
     /// their own, the last.
     /// </summary>
-    public sealed class PartitionMap : IDisposable
+    internal sealed class PartitionMap : IDisposable
     {
         /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
         public const int MaxLevels = 6;
@@ -148,7 +148,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>From a place to its cell, of a cube in 8^n. Blittable.</summary>
-    public struct CellFinder
+    internal struct CellFinder
     {
         public Grid3 Corner;
         public int SideLog2;

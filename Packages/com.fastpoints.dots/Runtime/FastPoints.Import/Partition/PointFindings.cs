@@ -3,7 +3,7 @@ using FastPoints.Points;
 namespace FastPoints.Partition
 {
     /// <summary>What the points of one slot showed, of those that are kept. Blittable.</summary>
-    public struct PointFindings
+    internal struct PointFindings
     {
         public long Count;
 
@@ -36,7 +36,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>What all values of one attribute showed. Blittable.</summary>
-    public struct AttributeFindings
+    internal struct AttributeFindings
     {
         /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
         public ulong Min;

@@ -6,7 +6,7 @@ namespace FastPoints.Partition
 {
     /// <summary>The cube of the whole octree: first guessed, for the partition; then grown and shrunk to what the points
     /// show.</summary>
-    public static class RootCube
+    internal static class RootCube
     {
         /// <summary>The smallest cube around a box, the box in its middle, so that points a little beyond are inside all the
         /// same.</summary>

@@ -5,7 +5,7 @@ using FastPoints.Files;
 namespace FastPoints.Partition
 {
     /// <summary>Runs of records spread evenly over a source: what a sample of it reads.</summary>
-    public static class SampleRuns
+    internal static class SampleRuns
     {
         const int MinRuns = 16;
 

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Partition
 {
     /// <summary>How one axis of a source's numbers becomes the cloud's grid. Blittable.</summary>
-    public struct SourceAxis
+    internal struct SourceAxis
     {
         /// <summary>Whole numbers: grid = stored * <see cref="Factor"/> + <see cref="Shift"/>, exact.</summary>
         public bool IsInteger;
@@ -19,7 +19,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>From one source's stored positions to places on the cloud's grid. Blittable, for jobs.</summary>
-    public struct SourceGrid
+    internal struct SourceGrid
     {
         /// <summary>Places further out are left out, so that sums of places and sides stay within a long.</summary>
         public const long Limit = CommonGrid.Limit;

@@ -14,7 +14,7 @@ namespace FastPoints.Partition
     /// Stored positions of some points of one source, spread evenly over its records: enough to guess how dense it is where, read
     /// in milliseconds. A guess: nothing that follows relies on it.
     /// </summary>
-    public sealed class SourceSample : IDisposable
+    internal sealed class SourceSample : IDisposable
     {
         // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then came out a tenth off its target.
         const int MaxRuns = 1024;

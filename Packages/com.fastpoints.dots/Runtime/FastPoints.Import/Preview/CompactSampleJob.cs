@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Preview
 {
     /// <summary>How far <see cref="CompactSampleJob"/> has come.</summary>
-    public struct CompactedSample
+    internal struct CompactedSample
     {
         /// <summary>Points kept so far: the first places of each column.</summary>
         public int Kept;
@@ -21,7 +21,7 @@ namespace FastPoints.Preview
     /// position is not finite, which are counted. Measures the bounds on the way.
     /// </summary>
     [BurstCompile]
-    public struct CompactSampleJob : IJob
+    internal struct CompactSampleJob : IJob
     {
         const int RunLength = ColumnValues.RunLength;
 

@@ -14,7 +14,7 @@ namespace FastPoints.Preview
     /// that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion they
     /// are longer for as many bare cells. Its many slices took twice the time.
     /// </remarks>
-    public sealed class DepthPlan
+    internal sealed class DepthPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
         public const int MostSlicedBlocks = 128;

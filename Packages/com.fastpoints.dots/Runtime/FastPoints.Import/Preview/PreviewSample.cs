@@ -64,7 +64,7 @@ namespace FastPoints.Preview
 
         /// <summary>The points that lie together in the file, in its order, substitutes apart; empty where each stands for a
         /// stretch of its own.</summary>
-        public NativeArray<SampleRun> Runs => RunList.AsArray();
+        internal NativeArray<SampleRun> Runs => RunList.AsArray();
 
         /// <summary>For who fills it.</summary>
         internal NativeList<SampleRun> RunList
@@ -110,7 +110,7 @@ namespace FastPoints.Preview
     }
 
     /// <summary>Points of a sample that lie together in the file: all that is known of one stretch of it.</summary>
-    public struct SampleRun
+    internal struct SampleRun
     {
         /// <summary>Number of the stretch, in the file's order; several entries in a row may be of one.</summary>
         public int Stretch;

@@ -16,7 +16,7 @@ namespace FastPoints.Preview
     /// The sample is the same for the same source, seed and number of points, whatever the threads, slots and the disk. All
     /// members belong to the thread of the pump.
     /// </remarks>
-    public abstract class PreviewSampler : IDisposable
+    internal abstract class PreviewSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
@@ -148,7 +148,7 @@ namespace FastPoints.Preview
     }
 
     /// <summary>What a preview keeps of each point: its position and what it can be coloured by.</summary>
-    public static class SampleSchema
+    internal static class SampleSchema
     {
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PointSchema Of(SourceInfo info)

@@ -8,7 +8,7 @@ namespace FastPoints.Preview
     /// points, and a coarser one: there are these two plans and no others, so that the sample is the same wherever the same one
     /// was taken.
     /// </remarks>
-    public readonly struct ReadPace
+    internal readonly struct ReadPace
     {
         /// <summary>Reads that are tried first, of which the quickest counts: anything may keep the others waiting.</summary>
         public const int Tries = 4;

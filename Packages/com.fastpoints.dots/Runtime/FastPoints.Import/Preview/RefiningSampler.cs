@@ -18,7 +18,7 @@ namespace FastPoints.Preview
     /// that would be bare although points of it were read (spatial thinning). It is the same for any number of threads and slots.
     /// All members belong to the pump's thread; disposing of the work stops at once, and leaves the last wave's sample.
     /// </remarks>
-    public sealed class RefiningSampler : IDisposable
+    internal sealed class RefiningSampler : IDisposable
     {
         /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding of some million points
         /// does, for the states that are kept and the sample that is put together: one more, at a fifteenth, kept all others

@@ -13,7 +13,7 @@ namespace FastPoints.Preview
     /// at its beginning. Strata differ by one point in length, runs by one point in count; a sample of nearly all points may so
     /// lack one point a run, and the places of one of all points have gaps.
     /// </remarks>
-    public readonly struct RunPlan
+    internal readonly struct RunPlan
     {
         /// <summary>Points of a usual run: a page of the file costs the same whether one is wanted of it or sixteen.</summary>
         const int PointsPerUsualRun = 16;

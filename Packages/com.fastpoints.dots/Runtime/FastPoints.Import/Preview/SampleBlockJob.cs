@@ -12,7 +12,7 @@ namespace FastPoints.Preview
     /// any number of these may run at once.
     /// </summary>
     [BurstCompile]
-    public struct SampleBlockJob : IJob
+    internal struct SampleBlockJob : IJob
     {
         const int RunLength = ColumnValues.RunLength;
 

@@ -4,7 +4,7 @@ namespace FastPoints.Preview
     /// So many points in file order, cut into equal strata (their lengths differ by at most one), and one place chosen in each by
     /// a seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.
     /// </summary>
-    public readonly struct SampleStrata
+    internal readonly struct SampleStrata
     {
         public readonly long Points;
 

@@ -16,7 +16,7 @@ namespace FastPoints.Preview
     /// After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without hierarchical
     /// acceleration structures", 2020, whose shuffled order this replaces by a hashed place in each stratum.
     /// </remarks>
-    public sealed class UniformSampler : IBlockConsumer, IDisposable
+    internal sealed class UniformSampler : IBlockConsumer, IDisposable
     {
         readonly PointReader m_reader;
         readonly PointSchema m_schema;

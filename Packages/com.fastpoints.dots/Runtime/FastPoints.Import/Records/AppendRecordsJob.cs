@@ -11,7 +11,7 @@ namespace FastPoints.Records
     /// largest are relieved of theirs.
     /// </summary>
     [BurstCompile]
-    public unsafe struct AppendRecordsJob : IJob
+    internal unsafe struct AppendRecordsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> FirstOfChunk;

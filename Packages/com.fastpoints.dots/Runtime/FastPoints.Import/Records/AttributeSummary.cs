@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Records
 {
     /// <summary>From what a cloud's attributes showed to what its manifest says of them.</summary>
-    public static unsafe class AttributeSummary
+    internal static unsafe class AttributeSummary
     {
         /// <summary>Sets divisors and ranges.</summary>
         public static void Describe(PointSchema attributes, AttributeFindings[] found, CloudManifest manifest)

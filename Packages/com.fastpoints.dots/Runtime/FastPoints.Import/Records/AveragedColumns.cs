@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace FastPoints.Records
 {
     /// <summary>The columns that are averaged, at most four, and the averages of a chunk's points. Blittable, for jobs.</summary>
-    public unsafe struct AveragedColumns
+    internal unsafe struct AveragedColumns
     {
         /// <summary>None where nothing is averaged.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
@@ -60,7 +60,7 @@ namespace FastPoints.Records
     }
 
     /// <summary>What a sampled point stands for. Blittable.</summary>
-    public struct PointAverage
+    internal struct PointAverage
     {
         /// <summary>Points of the cloud, itself included.</summary>
         public double Points;

@@ -7,7 +7,7 @@ namespace FastPoints.Records
 {
     /// <summary>How many of a chunk's records lie in each cell: exact, where the first partition had but a sample.</summary>
     [BurstCompile]
-    public unsafe struct CountCellsJob : IJob
+    internal unsafe struct CountCellsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;

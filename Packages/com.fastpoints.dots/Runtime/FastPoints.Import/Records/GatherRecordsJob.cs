@@ -10,7 +10,7 @@ namespace FastPoints.Records
     /// <summary>Puts some of a chunk's records in order, one after the other, and prepares the sampling: where cubes end in the
     /// order, and each record's priority. The slices of a chunk follow one another.</summary>
     [BurstCompile]
-    public unsafe struct GatherRecordsJob : IJob
+    internal unsafe struct GatherRecordsJob : IJob
     {
         /// <summary>Takes about 4 ms.</summary>
         public const int PointsOfSlice = 30000;
@@ -79,7 +79,7 @@ namespace FastPoints.Records
     }
 
     /// <summary>What every sampler stands on.</summary>
-    public static unsafe class Sampling
+    internal static unsafe class Sampling
     {
         /// <summary>No node yet.</summary>
         public const int Unassigned = -1;

@@ -12,7 +12,7 @@ namespace FastPoints.Records
     /// Chooses the one grid of a cloud and how each source's numbers become places on it. Whole numbers with scales and offsets
     /// keep every digit where the scales and offsets have a common step; floats get a step that is a power of two.
     /// </summary>
-    public sealed class GridChoice
+    internal sealed class GridChoice
     {
         /// <summary>A float source's extent takes at most 2^31 steps, so that offsets in the octree fit 32 bits.</summary>
         const int FloatExtentLog2 = 31;

@@ -14,7 +14,7 @@ namespace FastPoints.Records
     /// ranges, checksum, how many have no place.
     /// </summary>
     [BurstCompile]
-    public unsafe struct GroupRecordsJob : IJob
+    internal unsafe struct GroupRecordsJob : IJob
     {
         const int RunPoints = 256;
 

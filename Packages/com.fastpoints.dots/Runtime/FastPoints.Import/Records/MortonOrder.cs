@@ -6,7 +6,7 @@ namespace FastPoints.Records
 {
     /// <summary>The order along the Morton curve of places of any size, without making their codes. Coordinates are not
     /// negative.</summary>
-    public static class MortonOrder
+    internal static class MortonOrder
     {
         /// <summary>Negative where a comes first, 0 at one place.</summary>
         public static int Compare(Grid3 a, Grid3 b)

@@ -22,7 +22,7 @@ namespace FastPoints.Records
     /// runs that are equal so far are sorted by comparing records. One run of the job is a slice: it is run until it is done.
     /// </remarks>
     [BurstCompile]
-    public unsafe struct OrderChunkJob : IJob
+    internal unsafe struct OrderChunkJob : IJob
     {
         /// <summary>What the next slice goes on with.</summary>
         public enum Stage

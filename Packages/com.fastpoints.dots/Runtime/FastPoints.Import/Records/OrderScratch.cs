@@ -4,7 +4,7 @@ using Unity.Collections;
 namespace FastPoints.Records
 {
     /// <summary>Where an <see cref="OrderChunkJob"/> stands between two slices, and the memory it works in.</summary>
-    public struct OrderScratch : IDisposable
+    internal struct OrderScratch : IDisposable
     {
         /// <summary>Where the job stands.</summary>
         public struct State

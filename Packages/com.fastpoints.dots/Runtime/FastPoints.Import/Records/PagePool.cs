@@ -7,7 +7,7 @@ namespace FastPoints.Records
     /// The memory of record pages: slabs that are used again and again, and freed all at once. What is resident is thus what was
     /// in use at most, whatever the allocator below makes of many small blocks. Blittable; one job at a time may use it.
     /// </summary>
-    public unsafe struct PagePool
+    internal unsafe struct PagePool
     {
         struct Slab
         {

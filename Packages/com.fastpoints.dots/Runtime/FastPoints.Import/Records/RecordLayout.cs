@@ -12,7 +12,7 @@ namespace FastPoints.Records
     /// </code>
     /// Blittable, for jobs.
     /// </summary>
-    public unsafe struct RecordLayout
+    internal unsafe struct RecordLayout
     {
         public bool IsWide;
 

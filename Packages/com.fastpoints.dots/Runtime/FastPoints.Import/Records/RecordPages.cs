@@ -8,7 +8,7 @@ namespace FastPoints.Records
     /// and are given back without moving a record. Pages come from a <see cref="PagePool"/>. Blittable; one job at a time may
     /// change a list.
     /// </summary>
-    public unsafe struct RecordPages
+    internal unsafe struct RecordPages
     {
         /// <summary>Records of one page; a power of two, so that a record's number splits into page and place.</summary>
         public const int RecordsPerPage = 1 << RecordsPerPageLog2;
@@ -118,7 +118,7 @@ namespace FastPoints.Records
     }
 
     /// <summary>Full pages of one chunk that memory has no more room for. Blittable.</summary>
-    public struct DetachedPages
+    internal struct DetachedPages
     {
         public int Chunk;
         public RecordPages Pages;

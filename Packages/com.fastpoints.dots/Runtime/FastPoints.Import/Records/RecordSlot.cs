@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Records
 {
     /// <summary>What one block in flight needs to become records, grouped by chunk, and what its points showed so far.</summary>
-    public sealed class RecordSlot : IDisposable
+    internal sealed class RecordSlot : IDisposable
     {
         readonly RecordLayout m_layout;
         readonly PartitionMap m_map;
@@ -120,7 +120,7 @@ namespace FastPoints.Records
     }
 
     /// <summary>From a column of a batch to its place in a record. Blittable.</summary>
-    public struct RecordField
+    internal struct RecordField
     {
         public PointColumn Column;
 

@@ -5,7 +5,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Records
 {
     /// <summary>A chunk's records by number: page * <see cref="RecordPages.RecordsPerPage"/> + place in the page.</summary>
-    public unsafe struct RecordTable
+    internal unsafe struct RecordTable
     {
         [NativeDisableUnsafePtrRestriction] public RecordPages.Page** Pages;
         public RecordLayout Layout;

@@ -8,7 +8,7 @@ namespace FastPoints.Records
 {
     /// <summary>Copies records to the cubes that contain them. Those in none are left out.</summary>
     [BurstCompile]
-    public unsafe struct RegroupCubesJob : IJob
+    internal unsafe struct RegroupCubesJob : IJob
     {
         /// <summary>They stay as they are.</summary>
         public RecordPages Pages;

@@ -9,7 +9,7 @@ namespace FastPoints.Records
     /// <summary>Distributes one chunk's records over the chunks that it is split into, and gives its pages
     /// back as they are done.</summary>
     [BurstCompile]
-    public unsafe struct RegroupPagesJob : IJob
+    internal unsafe struct RegroupPagesJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;

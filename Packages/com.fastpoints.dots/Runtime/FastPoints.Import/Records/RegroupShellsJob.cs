@@ -11,7 +11,7 @@ namespace FastPoints.Records
     /// cube that contains it, and there to one of the seven octants that are not the cube before.
     /// </summary>
     [BurstCompile]
-    public unsafe struct RegroupShellsJob : IJob
+    internal unsafe struct RegroupShellsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;

@@ -7,7 +7,7 @@ namespace FastPoints.Records
 {
     /// <summary>How long single runs of jobs took: Unity's queue has no priorities, and so nothing else of the frame gets a
     /// worker meanwhile. Jobs that follow one another share one; each adds its run.</summary>
-    public struct SliceTimes : IDisposable
+    internal struct SliceTimes : IDisposable
     {
         /// <summary>One bucket is 0.1 ms; the last has all that is longer.</summary>
         const int Buckets = 8192;

@@ -2,7 +2,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>A node as a sampler makes it: which points are its own stands in the array of nodes by point.
     /// Blittable.</summary>
-    public struct NodeDraft
+    internal struct NodeDraft
     {
         /// <summary>All points of the node's cube are among these: a range of the sorted points.</summary>
         public int First;
@@ -22,7 +22,7 @@ namespace FastPoints.Samplers
     }
 
     /// <summary>A chunk's part in the merge: its top node's points, in order, and what is below them. Blittable.</summary>
-    public struct ChunkTop
+    internal struct ChunkTop
     {
         /// <summary>Range of the merged points.</summary>
         public int First;

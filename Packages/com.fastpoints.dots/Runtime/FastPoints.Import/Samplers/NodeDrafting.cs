@@ -6,7 +6,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>What the samplers do alike: which cubes become leaves, chains or chunks' tops, how fine cells may be, and how a
     /// cube's points are divided. Points that belong to no node yet have a negative number.</summary>
-    public unsafe struct NodeDrafting
+    internal unsafe struct NodeDrafting
     {
         [NativeDisableUnsafePtrRestriction] public byte* CommonCubeLog2;
         [NativeDisableUnsafePtrRestriction] public int* NodeOfPoint;

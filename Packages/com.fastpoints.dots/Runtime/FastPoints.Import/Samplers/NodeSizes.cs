@@ -3,7 +3,7 @@ using FastPoints.Store;
 namespace FastPoints.Samplers
 {
     /// <summary>How large nodes are and how finely they are sampled. Blittable.</summary>
-    public struct NodeSizes
+    internal struct NodeSizes
     {
         /// <summary>Sampling cells along an edge of a node that is no leaf: 2^this, fewer where the node became too
         /// large.</summary>

@@ -145,7 +145,7 @@ namespace FastPoints.Samplers
     }
 
     /// <summary>A point that was taken, in the hash grid that keeps others away from it. Blittable.</summary>
-    public struct PoissonSample
+    internal struct PoissonSample
     {
         /// <summary>In grid steps from the corner.</summary>
         public Grid3 Place;

@@ -8,7 +8,7 @@ namespace FastPoints.Samplers
     /// apart by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the
     /// hash grid's neighbourhood in the cache; before each class come at least four times as many points by chance alone.
     /// </summary>
-    public static class PoissonPriority
+    internal static class PoissonPriority
     {
         const int Octaves = 16;
 

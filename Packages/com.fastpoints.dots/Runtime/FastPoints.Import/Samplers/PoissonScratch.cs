@@ -5,7 +5,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>Where a Poisson sampler stands between two slices, and the memory it works in. Used again for the next
     /// chunk.</summary>
-    public struct PoissonScratch : IDisposable
+    internal struct PoissonScratch : IDisposable
     {
         /// <summary>Where the sampler stands.</summary>
         public struct State

@@ -4,7 +4,7 @@ using Unity.Collections;
 namespace FastPoints.Samplers
 {
     /// <summary>Where a <see cref="SampleRandomJob"/> stands between two slices, and the memory it works in.</summary>
-    public struct RandomScratch : IDisposable
+    internal struct RandomScratch : IDisposable
     {
         /// <summary>Where the sampler stands.</summary>
         public struct State

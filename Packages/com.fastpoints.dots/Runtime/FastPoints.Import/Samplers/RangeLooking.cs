@@ -4,7 +4,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>A <see cref="RangeLook"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
     /// has all of its points. Blittable.</summary>
-    public unsafe struct RangeLooking
+    internal unsafe struct RangeLooking
     {
         public SampledRange Range;
 

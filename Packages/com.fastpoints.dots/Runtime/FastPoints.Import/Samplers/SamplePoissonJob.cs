@@ -23,7 +23,7 @@ namespace FastPoints.Samplers
     /// nothing but the points themselves. One run of the job is a slice: it is run until it is done.
     /// </remarks>
     [BurstCompile]
-    public unsafe struct SamplePoissonJob : IJob
+    internal unsafe struct SamplePoissonJob : IJob
     {
         /// <summary>What the next slice goes on with.</summary>
         public enum Stage

@@ -21,7 +21,7 @@ namespace FastPoints.Samplers
     /// until it is done.
     /// </remarks>
     [BurstCompile]
-    public unsafe struct SampleRandomJob : IJob
+    internal unsafe struct SampleRandomJob : IJob
     {
         /// <summary>What the next slice goes on with.</summary>
         public enum Stage

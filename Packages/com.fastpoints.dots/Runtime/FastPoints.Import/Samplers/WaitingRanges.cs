@@ -7,7 +7,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
     /// come from, each with the next one's number.</summary>
-    public unsafe struct WaitingRanges : IDisposable
+    internal unsafe struct WaitingRanges : IDisposable
     {
         NativeList<SampledRange> m_ranges;
 
@@ -83,7 +83,7 @@ namespace FastPoints.Samplers
     }
 
     /// <summary>The points of one cube, while a sampler works on them: a range of the ordered points. Blittable.</summary>
-    public struct SampledRange
+    internal struct SampledRange
     {
         public int First;
         public int End;

@@ -10,7 +10,7 @@ namespace FastPoints.SourceFeeds
 {
     /// <summary>Makes a page of the hierarchy: a node of a source's own octree and what is below it, some levels deep.</summary>
     [BurstCompile]
-    public unsafe struct BuildTreePageJob : IJob
+    internal unsafe struct BuildTreePageJob : IJob
     {
         /// <summary>All that are known of the source.</summary>
         [ReadOnly] public NativeArray<SourceNode> Nodes;

@@ -14,7 +14,7 @@ namespace FastPoints.SourceFeeds
     /// curve, so that neighbours share a block. A node of several slices is several runs along the curve.
     /// </summary>
     [BurstCompile]
-    public unsafe struct OrderNodeJob : IJob
+    internal unsafe struct OrderNodeJob : IJob
     {
         /// <summary>About 3 ms.</summary>
         public const int PointsOfSlice = 1 << 16;
@@ -129,7 +129,7 @@ namespace FastPoints.SourceFeeds
     }
 
     /// <summary>How far the packing of a node is, from slice to slice.</summary>
-    public struct PackState
+    internal struct PackState
     {
         /// <summary>The source did not give the node's points, or one lies where no packed number reaches.</summary>
         public bool IsDamaged;

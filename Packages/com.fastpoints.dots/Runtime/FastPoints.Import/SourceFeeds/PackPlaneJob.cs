@@ -12,7 +12,7 @@ namespace FastPoints.SourceFeeds
     /// <summary>A slice of a node's plane: packs some blocks, behind those of the slice before. The planes of a node come one
     /// behind the other.</summary>
     [BurstCompile]
-    public unsafe struct PackPlaneJob : IJob
+    internal unsafe struct PackPlaneJob : IJob
     {
         /// <summary>About 2 ms.</summary>
         public const int BlocksOfSlice = 512;

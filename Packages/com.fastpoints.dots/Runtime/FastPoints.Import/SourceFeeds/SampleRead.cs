@@ -61,7 +61,7 @@ namespace FastPoints.SourceFeeds
 
     /// <summary>Every so manieth point of a batch, to the beginning of another.</summary>
     [BurstCompile]
-    public unsafe struct CopyStrideJob : IJob
+    internal unsafe struct CopyStrideJob : IJob
     {
         [ReadOnly] public NativeArray<byte> From;
 

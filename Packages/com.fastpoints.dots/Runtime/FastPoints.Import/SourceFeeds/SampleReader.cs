@@ -80,7 +80,7 @@ namespace FastPoints.SourceFeeds
         /// <summary>From a point of a block to its next.</summary>
         internal int Step => m_blocks;
 
-        public override SourceTree Tree => m_tree;
+        internal override SourceTree Tree => m_tree;
         public override int BlockCount => m_blocks;
         public override int MaxPointsPerBlock => m_blocks == 0 ? 0 : PointsInBlock(0);
 
@@ -178,7 +178,7 @@ namespace FastPoints.SourceFeeds
 
     /// <summary>A slice of a column, from one batch to another.</summary>
     [BurstCompile]
-    public unsafe struct CopyColumnJob : IJob
+    internal unsafe struct CopyColumnJob : IJob
     {
         /// <summary>About 3 ms, where the memory is touched for the first time.</summary>
         public const int BytesOfSlice = 4 << 20;

@@ -10,7 +10,7 @@ namespace FastPoints.SourceFeeds
 {
     /// <summary>Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers
     /// stay what they are. Blittable, for jobs.</summary>
-    public struct TreeGrid
+    internal struct TreeGrid
     {
         public CloudGrid Grid;
 

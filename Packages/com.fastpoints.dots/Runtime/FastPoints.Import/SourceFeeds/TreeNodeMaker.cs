@@ -77,7 +77,7 @@ namespace FastPoints.SourceFeeds
             }
         }
 
-        public override MakeOutcome End(out StreamFailure failure)
+        internal override MakeOutcome End(out StreamFailure failure)
         {
             failure = default;
             m_done.Complete();

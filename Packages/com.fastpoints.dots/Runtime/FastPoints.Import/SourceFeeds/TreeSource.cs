@@ -93,7 +93,7 @@ namespace FastPoints.SourceFeeds
 
         public override string PathOf(int page) => Path;
 
-        public override FilePiece TableOf(int page) => new FilePiece { Path = Path };
+        internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
 
         public override bool CanBuild(int page) => m_pages.IsKnown(page);
 

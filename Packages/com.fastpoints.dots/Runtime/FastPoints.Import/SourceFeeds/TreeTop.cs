@@ -9,7 +9,7 @@ namespace FastPoints.SourceFeeds
 {
     /// <summary>The points of the upper levels of a source that brings its octree along: what colours and ranges are decided
     /// by.</summary>
-    public static class TreeTop
+    internal static class TreeTop
     {
         /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Nodes that are damaged give what they
         /// have.</summary>

@@ -9,7 +9,7 @@ namespace FastPoints.Verify
     /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the
     /// points at the sides of the file's cube, which other files' points may come near to.</summary>
     [BurstCompile]
-    public unsafe struct MeasureSpacingJob : IJob
+    internal unsafe struct MeasureSpacingJob : IJob
     {
         /// <summary>One after the other, level by level.</summary>
         public NativeArray<SampledRun> Runs;
@@ -53,7 +53,7 @@ namespace FastPoints.Verify
 
     /// <summary>Where a file's points of one level that were sampled together lie among all of its sampled points.
     /// Blittable.</summary>
-    public struct SampledRun
+    internal struct SampledRun
     {
         public int First;
         public int Count;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Verify
 {
     /// <summary>Distances to nearest neighbours up to a limit, by a hash grid with cells of the limit's size.</summary>
-    public static unsafe class NearestNeighbours
+    internal static unsafe class NearestNeighbours
     {
         // Rounding of double coordinates is far below this; a distance that is exactly the limit is not within it.
         const double Tolerance = 1e-9;

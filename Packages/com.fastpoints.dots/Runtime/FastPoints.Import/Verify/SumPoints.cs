@@ -17,7 +17,7 @@ namespace FastPoints.Verify
     /// order changes. Two different multisets of points have equal sums with a probability of about 2^-128; nothing but a
     /// deliberate construction against these hashes does better.
     /// </summary>
-    public sealed class SumPoints : IBlockConsumer, IDisposable
+    internal sealed class SumPoints : IBlockConsumer, IDisposable
     {
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;
@@ -95,7 +95,7 @@ namespace FastPoints.Verify
 
     /// <summary>Adds up the second hash of grouped records: see <see cref="RecordHash.SecondSeed"/>.</summary>
     [BurstCompile]
-    public unsafe struct SumRecordsJob : IJob
+    internal unsafe struct SumRecordsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> FirstOfChunk;

@@ -135,7 +135,7 @@ namespace FastPoints.Verify
 
     /// <summary>Range and sum of each column of a decoded block, and the bounds of its positions.</summary>
     [BurstCompile]
-    public struct SummariseBlockJob : IJob
+    internal struct SummariseBlockJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Block;
         [ReadOnly] public NativeArray<PointColumn> Columns;

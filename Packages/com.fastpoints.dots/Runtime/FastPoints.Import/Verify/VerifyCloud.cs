@@ -334,7 +334,7 @@ namespace FastPoints.Verify
 
     /// <summary>How many points have another one nearer than a spacing, and how near the nearest two are.</summary>
     [BurstCompile]
-    public unsafe struct CountNearJob : IJob
+    internal unsafe struct CountNearJob : IJob
     {
         [ReadOnly] public NativeList<double3> Points;
         public double Spacing;

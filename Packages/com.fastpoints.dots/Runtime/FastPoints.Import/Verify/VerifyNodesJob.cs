@@ -10,7 +10,7 @@ namespace FastPoints.Verify
 {
     /// <summary>Reads every point of a file's nodes: hashes, shapes, cubes, bounds, sums. The table has been checked.</summary>
     [BurstCompile]
-    public unsafe struct VerifyNodesJob : IJobParallelFor
+    internal unsafe struct VerifyNodesJob : IJobParallelFor
     {
         [ReadOnly] public NativeArray<byte> File;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
@@ -173,7 +173,7 @@ namespace FastPoints.Verify
     }
 
     /// <summary>What reading one node's points showed. Blittable.</summary>
-    public struct NodeVerdict
+    internal struct NodeVerdict
     {
         /// <summary>What is wrong with a node; 0 for nothing.</summary>
         public enum Fault

@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FastPoints.Writing
 {
     /// <summary>Names in a folder in the making, of what is gone when the cloud is whole.</summary>
-    public static class BuildFiles
+    internal static class BuildFiles
     {
         /// <summary>How far the build is: what a killed one is continued from.</summary>
         public const string JournalName = "build.json";

@@ -16,7 +16,7 @@ namespace FastPoints.Writing
     /// </summary>
     /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing, or what <see cref="Keep"/> keeps. A lock file keeps a
     /// second build of the same target out.</remarks>
-    public sealed unsafe class CloudFolderWriter : IDisposable
+    internal sealed unsafe class CloudFolderWriter : IDisposable
     {
         const string LockName = "build.lock";
 

@@ -15,7 +15,7 @@ namespace FastPoints.Writing
     /// <remarks>Not the system's own locks on files: these do not hold between processes on every system and runtime that Unity
     /// runs on (mono/mono#19763). Where a runtime cannot tell processes apart, as IL2CPP, it keeps others out in its own process
     /// alone.</remarks>
-    public sealed class FolderLock : IDisposable
+    internal sealed class FolderLock : IDisposable
     {
         /// <summary>The owner renews it about so often.</summary>
         public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);

@@ -6,7 +6,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Writing
 {
     /// <summary>Puts hierarchy.bin together: the upper nodes' table and one record a chunk.</summary>
-    public static unsafe class HierarchyFile
+    internal static unsafe class HierarchyFile
     {
         /// <summary>The whole file; the caller disposes it. The manifest gets its size and hash.</summary>
         /// <param name="table">The upper nodes, then their planes' ranges in upper.bin.</param>

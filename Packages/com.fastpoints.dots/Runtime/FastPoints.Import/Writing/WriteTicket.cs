@@ -4,7 +4,7 @@ using System.Threading;
 namespace FastPoints.Writing
 {
     /// <summary>One file that is on its way to the disk.</summary>
-    public sealed class WriteTicket
+    internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
         bool m_isDone;

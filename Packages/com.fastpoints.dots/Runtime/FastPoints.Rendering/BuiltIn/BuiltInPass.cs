@@ -6,7 +6,7 @@ namespace FastPoints.Rendering.BuiltIn
 {
     /// <summary>Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded anew
     /// before each picture. Nothing has to be set up.</summary>
-    public static class BuiltInPass
+    internal static class BuiltInPass
     {
         const CameraEvent Place = CameraEvent.AfterForwardOpaque;
 

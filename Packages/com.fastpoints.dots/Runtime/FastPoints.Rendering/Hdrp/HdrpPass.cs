@@ -6,7 +6,7 @@ namespace FastPoints.Rendering.Hdrp
 {
     /// <summary>Draws the clouds in HDRP, after opaque meshes and the sky: a custom pass of all cameras, without a
     /// volume.</summary>
-    public sealed class HdrpPass : CustomPass
+    internal sealed class HdrpPass : CustomPass
     {
         const CustomPassInjectionPoint Place = CustomPassInjectionPoint.AfterOpaqueAndSky;
 

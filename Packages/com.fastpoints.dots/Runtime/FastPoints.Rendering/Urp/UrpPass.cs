@@ -7,7 +7,7 @@ namespace FastPoints.Rendering.Urp
 {
     /// <summary>Draws the clouds in URP, after opaque meshes: enqueued for each camera as it comes, so that no renderer asset
     /// has to be changed.</summary>
-    public sealed class UrpPass : ScriptableRenderPass
+    internal sealed class UrpPass : ScriptableRenderPass
     {
         static UrpPass s_pass;
 

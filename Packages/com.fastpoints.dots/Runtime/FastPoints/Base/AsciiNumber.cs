@@ -12,7 +12,7 @@ namespace FastPoints.Base
     /// as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any sign). Not hexadecimal.
     /// On failure the pointer stays at the number's start.
     /// </remarks>
-    public static unsafe class AsciiNumber
+    internal static unsafe class AsciiNumber
     {
         const int MaxExactDigits = 19;
 
@@ -320,7 +320,7 @@ namespace FastPoints.Base
 
     /// <summary>A decimal number as its text gives it: <see cref="Mantissa"/> * 10^<see cref="Exponent"/>, and the text's digits
     /// where these are more than a mantissa holds.</summary>
-    public unsafe struct DecimalDigits
+    internal unsafe struct DecimalDigits
     {
         /// <summary>The first 19 significant digits, or all where there are fewer.</summary>
         public ulong Mantissa;

@@ -11,7 +11,7 @@ namespace FastPoints.Base
     /// </summary>
     /// <remarks>Own code because the view side carries no JSON library into a player, and Unity's fills fields of a class without
     /// telling what was missing or of the wrong type.</remarks>
-    public sealed class JsonReader
+    internal sealed class JsonReader
     {
         const int MaxDepth = 64;
 

@@ -5,7 +5,7 @@ namespace FastPoints.Base
 {
     /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, doubles so that they read back the
     /// same.</summary>
-    public sealed class JsonWriter
+    internal sealed class JsonWriter
     {
         readonly StringBuilder m_text = new StringBuilder();
         int m_depth;

@@ -11,7 +11,7 @@ namespace FastPoints.Base
     /// Unity's editor runs, writes up to 17 ("848935.20000000007") and reads many a long text one unit in the last place too
     /// low. After Steele and White, "How to print floating-point numbers accurately", 1990; slow and plain: files have few numbers.
     /// </remarks>
-    public static class NumberText
+    internal static class NumberText
     {
         public static string Of(double value)
         {

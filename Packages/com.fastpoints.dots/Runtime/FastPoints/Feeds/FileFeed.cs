@@ -8,7 +8,7 @@ namespace FastPoints.Feeds
     /// The states of a cloud that has files and, now or one day, a converted folder: what the files show until the folder is
     /// there, which takes over as it is built. A build that is broken off leaves the cloud to its files again.
     /// </summary>
-    public sealed class FileFeed : CloudFeed
+    internal sealed class FileFeed : CloudFeed
     {
         readonly string m_folder;
         readonly IReadOnlyList<string> m_files;

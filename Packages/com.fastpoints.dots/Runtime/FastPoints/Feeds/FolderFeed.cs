@@ -5,7 +5,7 @@ using FastPoints.Streaming;
 namespace FastPoints.Feeds
 {
     /// <summary>The states of a converted cloud: what was built, or the generations of a build in progress.</summary>
-    public sealed class FolderFeed : CloudFeed
+    internal sealed class FolderFeed : CloudFeed
     {
         readonly FolderGenerations m_generations;
         CloudFacts m_facts;

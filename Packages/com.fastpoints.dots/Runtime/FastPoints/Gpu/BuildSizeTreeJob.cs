@@ -12,7 +12,7 @@ namespace FastPoints.Gpu
     /// points, the levels between get nodes of the parent's gap. A node of its parent's own cube takes no place below it.
     /// </summary>
     [BurstCompile]
-    public unsafe struct BuildSizeTreeJob : IJob
+    internal unsafe struct BuildSizeTreeJob : IJob
     {
         /// <summary>Parents before children.</summary>
         [ReadOnly] public NativeArray<DrawnNode> Drawn;

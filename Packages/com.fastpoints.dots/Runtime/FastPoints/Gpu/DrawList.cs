@@ -39,23 +39,23 @@ namespace FastPoints.Gpu
         public bool IsCreated => m_nodes.IsCreated;
 
         /// <summary>By number of the cloud.</summary>
-        public NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
-        public NativeArray<GpuNode> Nodes => m_nodes.AsArray();
+        internal NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
+        internal NativeArray<GpuNode> Nodes => m_nodes.AsArray();
 
         /// <summary>By block: index in <see cref="Nodes"/>.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
 
         /// <summary>One for each bank that something is drawn from.</summary>
-        public NativeArray<BankDraw> Draws => m_draws.AsArray();
+        internal NativeArray<BankDraw> Draws => m_draws.AsArray();
 
         /// <summary>What points are clipped by.</summary>
-        public NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
+        internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 
         /// <summary>Whether any cloud hides points by their class.</summary>
         public bool HidesClasses { get; private set; }
 
         /// <summary>What adaptive sizes are looked up in; empty where none are.</summary>
-        public NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
+        internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
 
         /// <summary>Of the nodes that the camera sees.</summary>
         public long Points => m_points.Value;
@@ -143,7 +143,7 @@ namespace FastPoints.Gpu
     }
 
     /// <summary>The blocks of one bank of the pool: one draw.</summary>
-    public struct BankDraw
+    internal struct BankDraw
     {
         public int Bank;
         public int FirstInstance;

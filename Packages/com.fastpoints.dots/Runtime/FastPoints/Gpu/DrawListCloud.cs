@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Gpu
 {
     /// <summary>One cloud, before one camera, as a <see cref="ListBlocksJob"/> sees it. Blittable.</summary>
-    public unsafe struct DrawListCloud
+    internal unsafe struct DrawListCloud
     {
         public HierarchyPage* Pages;
         public CloudView View;

@@ -9,7 +9,7 @@ namespace FastPoints.Gpu
     /// its w, is a coordinate in the box, from -0.5 to 0.5.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
-    public struct GpuClipBox
+    internal struct GpuClipBox
     {
         public float4 RowX;
         public float4 RowY;

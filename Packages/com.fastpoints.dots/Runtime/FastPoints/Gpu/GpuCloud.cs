@@ -7,7 +7,7 @@ namespace FastPoints.Gpu
     /// <summary>A cloud as shaders see it.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
-    public struct GpuCloud
+    internal struct GpuCloud
     {
         /// <summary>World vector of one grid step along the cloud's X.</summary>
         public float3 StepX;

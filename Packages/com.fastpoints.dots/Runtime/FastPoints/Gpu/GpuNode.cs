@@ -12,7 +12,7 @@ namespace FastPoints.Gpu
     /// </summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
-    public struct GpuNode
+    internal struct GpuNode
     {
         /// <summary>Grid steps from the node's corner: the lower 32 bits.</summary>
         public uint3 Anchor;

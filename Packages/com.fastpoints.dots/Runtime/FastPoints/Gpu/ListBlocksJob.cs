@@ -9,7 +9,7 @@ namespace FastPoints.Gpu
     /// <summary>From nodes to draw to what one camera's draws read: nodes that it sees, and which node each block is of, bank by
     /// bank.</summary>
     [BurstCompile]
-    public unsafe struct ListBlocksJob : IJob
+    internal unsafe struct ListBlocksJob : IJob
     {
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 

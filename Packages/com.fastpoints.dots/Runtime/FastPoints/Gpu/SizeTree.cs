@@ -36,7 +36,7 @@ namespace FastPoints.Gpu
             m_order = new NativeList<int>(1024, Allocator.Persistent);
         }
 
-        public NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
+        internal NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
 
         /// <summary>By node of the stream's list of what to draw.</summary>
         public NativeArray<int> NodeOfDrawn => m_nodeOfDrawn.AsArray();
@@ -85,7 +85,7 @@ namespace FastPoints.Gpu
         /// <param name="node">Of what the point is drawn with.</param>
         /// <param name="place">Of the point in the node's cube: from 0 to 1 along each axis.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static float GapAt(GpuSizeNode* nodes, int node, float3 place)
+        internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
         {
             for (int level = 0; level < MostLevels; level++)
             {
@@ -117,7 +117,7 @@ namespace FastPoints.Gpu
     }
 
     /// <summary>One cloud as a <see cref="BuildSizeTreeJob"/> sees it. Blittable.</summary>
-    public unsafe struct SizeTreeCloud
+    internal unsafe struct SizeTreeCloud
     {
         public HierarchyPage* Pages;
         public NodeCubes Cubes;
@@ -127,7 +127,7 @@ namespace FastPoints.Gpu
     }
 
     /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
-    public unsafe struct SizeTreeLink
+    internal unsafe struct SizeTreeLink
     {
         /// <summary>By octant: the link below; 0 for none, as no link is below the first.</summary>
         public fixed int Children[8];
@@ -148,7 +148,7 @@ namespace FastPoints.Gpu
     /// <summary>A node of a <see cref="SizeTree"/> as shaders see it.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
-    public struct GpuSizeNode
+    internal struct GpuSizeNode
     {
         /// <summary>Bits 0-7: octants with a node of their own, X lowest; bits 8-31: index of the first of these nodes, in the
         /// order of the octants.</summary>

@@ -147,7 +147,7 @@ namespace FastPoints.Picking
 
     /// <summary>What one plane of a node says of one point.</summary>
     [BurstCompile]
-    public unsafe struct ReadPointJob : IJob
+    internal unsafe struct ReadPointJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;

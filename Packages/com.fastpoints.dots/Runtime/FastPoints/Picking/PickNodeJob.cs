@@ -14,7 +14,7 @@ namespace FastPoints.Picking
     /// What
     /// was read is checked before it is unpacked.</summary>
     [BurstCompile]
-    public unsafe struct PickNodeJob : IJob
+    internal unsafe struct PickNodeJob : IJob
     {
         /// <summary>The plane of the positions.</summary>
         [ReadOnly] public NativeArray<byte> Positions;

@@ -5,7 +5,7 @@ namespace FastPoints.Picking
 {
     /// <summary>A ray beside one cloud, which may be moved, turned, scaled and sheared: lengths are the world's. Blittable, for
     /// jobs.</summary>
-    public struct PickSpace
+    internal struct PickSpace
     {
         /// <summary>Boxes are taken larger by so much of their coordinates, so that roundings lose no point.</summary>
         const double Slack = 1e-14;

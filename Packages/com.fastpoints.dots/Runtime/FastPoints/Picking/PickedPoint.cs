@@ -38,7 +38,7 @@ namespace FastPoints.Picking
     }
 
     /// <summary>What a search has come to.</summary>
-    public sealed class PickResult
+    internal sealed class PickResult
     {
         /// <summary>Null where nothing was hit.</summary>
         public PickedPoint Point { get; internal set; }

@@ -15,7 +15,7 @@ namespace FastPoints.Picking
     /// read, or made, from the nearest on, until none that is left can have a nearer hit. Main thread; waits only where it is
     /// disposed, or a search is broken off.
     /// </summary>
-    public sealed class PointPicker : IDisposable
+    internal sealed class PointPicker : IDisposable
     {
         /// <summary>Nodes and tables that are read at once.</summary>
         const int SlotCount = 8;

@@ -11,7 +11,7 @@ namespace FastPoints.Picking
     /// Finds the first point that a ray hits of all clouds of a stream, beside its frames: <see cref="Begin"/>, then
     /// <see cref="Update"/> once a frame until that says it is done. Main thread; waits only where a search is broken off.
     /// </summary>
-    public sealed class StreamPicker : IDisposable
+    internal sealed class StreamPicker : IDisposable
     {
         struct Target
         {

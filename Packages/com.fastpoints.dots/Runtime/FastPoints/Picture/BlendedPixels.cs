@@ -12,7 +12,7 @@ namespace FastPoints.Picture
     /// word 0: bit 63 .. 32 green, 31 .. 0 red     word 1: bit 63 .. 32 weights, 31 .. 0 blue
     /// </code>
     /// </summary>
-    public static class BlendedPixels
+    internal static class BlendedPixels
     {
         public const int WordsPerPixel = 2;
 

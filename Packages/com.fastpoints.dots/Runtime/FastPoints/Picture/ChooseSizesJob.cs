@@ -7,7 +7,7 @@ namespace FastPoints.Picture
 {
     /// <summary>Chooses the size of points in each tile, from a picture drawn with points of one pixel.</summary>
     [BurstCompile]
-    public struct ChooseSizesJob : IJob
+    internal struct ChooseSizesJob : IJob
     {
         const int TileEdgePx = PointSizing.TileEdgePx;
 

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>From a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
-    public struct ColorMapping
+    internal struct ColorMapping
     {
         /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
         public ColorMode Mode;

@@ -4,7 +4,7 @@ using FastPoints.Points;
 namespace FastPoints.Picture
 {
     /// <summary>What each mode is taken from.</summary>
-    public static class ColorModes
+    internal static class ColorModes
     {
         /// <summary>Modes of values that are names rather than amounts: there is nothing to measure of them.</summary>
         public static readonly IReadOnlyList<ColorMode> Categories = new[]

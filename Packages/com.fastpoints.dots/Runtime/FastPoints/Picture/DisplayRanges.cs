@@ -89,7 +89,7 @@ namespace FastPoints.Picture
         public readonly List<string> Assumptions = new List<string>();
 
         /// <summary>For a cloud's manifest; null where nothing was measured. The up axis is Z.</summary>
-        public ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
+        internal ShownRanges? ToShown() => Robust.IsEmpty ? (ShownRanges?)null : new ShownRanges
         {
             BoundsGeo = Robust,
             Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },

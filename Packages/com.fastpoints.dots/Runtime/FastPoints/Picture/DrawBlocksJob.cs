@@ -13,7 +13,7 @@ namespace FastPoints.Picture
     /// <summary>Draws packed blocks as they lie in memory; index i is the i-th node. A block is unpacked on the stack, as a batch
     /// of one block's points.</summary>
     [BurstCompile]
-    public unsafe struct DrawBlocksJob : IJobFor
+    internal unsafe struct DrawBlocksJob : IJobFor
     {
         /// <summary>Nine columns of eight bytes and more.</summary>
         public const int MaxBatchBytes = 16 << 10;

@@ -3,7 +3,7 @@ using System;
 namespace FastPoints.Picture
 {
     /// <summary>How far a picture is from a reference of the same size.</summary>
-    public struct ImageError
+    internal struct ImageError
     {
         /// <summary>Peak signal-to-noise ratio over red, green and blue, in dB of the 8-bit sRGB values; infinite for equal
         /// pictures.</summary>

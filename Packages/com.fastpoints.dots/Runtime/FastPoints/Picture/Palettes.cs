@@ -4,7 +4,7 @@ using Unity.Collections;
 namespace FastPoints.Picture
 {
     /// <summary>Tables of 256 sRGB colours, one byte each from the lowest: red, green, blue, alpha.</summary>
-    public static class Palettes
+    internal static class Palettes
     {
         public const int Length = 256;
 

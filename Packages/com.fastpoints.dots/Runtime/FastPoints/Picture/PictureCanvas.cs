@@ -9,7 +9,7 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. Owned by whoever made it; main thread.</summary>
-    public sealed class PictureCanvas : IDisposable
+    internal sealed class PictureCanvas : IDisposable
     {
         /// <summary>Both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
         public const int MaxEdgePx = 16384;
@@ -164,7 +164,7 @@ namespace FastPoints.Picture
 
     /// <summary>Draws a range of a batch's points; index i is its i-th piece of <see cref="PointsPerPiece"/> points.</summary>
     [BurstCompile]
-    public struct RasterizePointsJob : IJobFor
+    internal struct RasterizePointsJob : IJobFor
     {
         public const int PointsPerPiece = 2048;
 

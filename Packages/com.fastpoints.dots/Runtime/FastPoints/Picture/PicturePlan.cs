@@ -8,7 +8,7 @@ namespace FastPoints.Picture
 {
     /// <summary>What a picture's options come to for one cloud: decided before a point is drawn, from the ranges of a
     /// sample.</summary>
-    public sealed class PicturePlan
+    internal sealed class PicturePlan
     {
         readonly PictureOptions m_options;
         readonly DisplayRanges m_ranges;

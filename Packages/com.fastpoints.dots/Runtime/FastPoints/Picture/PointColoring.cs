@@ -3,7 +3,7 @@ using FastPoints.Points;
 namespace FastPoints.Picture
 {
     /// <summary>The colours of a run of points.</summary>
-    public static unsafe class PointColoring
+    internal static unsafe class PointColoring
     {
         /// <param name="bytes">The batch's memory.</param>
         /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>

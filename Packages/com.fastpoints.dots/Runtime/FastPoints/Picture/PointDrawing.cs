@@ -16,7 +16,7 @@ namespace FastPoints.Picture
     /// (the radius is half a point's size in pixels, which eye-dome lighting looks around itself by) so that a picture depends on
     /// no order and on no number of threads; of two points at one depth the smaller colour stays. Blittable, for jobs.
     /// </summary>
-    public struct PointDrawing
+    internal struct PointDrawing
     {
         /// <summary>What no point was drawn to.</summary>
         public const ulong EmptyPixel = ulong.MaxValue;

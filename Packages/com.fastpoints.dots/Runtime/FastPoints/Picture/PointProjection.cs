@@ -12,7 +12,7 @@ namespace FastPoints.Picture
     /// The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees them
     /// to 2 nm; the depth becomes a float only afterwards.
     /// </remarks>
-    public struct PointProjection
+    internal struct PointProjection
     {
         public int WidthPx;
         public int HeightPx;

@@ -6,7 +6,7 @@ namespace FastPoints.Picture
     /// The point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: where points are dense they
     /// stay sharp, where they are thin they grow.
     /// </summary>
-    public static class PointSizing
+    internal static class PointSizing
     {
         public const int TileEdgePx = 8;
         public const int PixelsPerTile = TileEdgePx * TileEdgePx;

@@ -17,7 +17,7 @@ namespace FastPoints.Picture
     /// values, which is light to the power of 2.2.
     /// </remarks>
     [BurstCompile]
-    public struct ResolvePictureJob : IJobFor
+    internal struct ResolvePictureJob : IJobFor
     {
         /// <summary>A neighbour farther in front than this counts as this far: an outline is dark, not black.</summary>
         const float MaxDifferencePx = 12;

@@ -28,7 +28,7 @@ namespace FastPoints.Picture
         /// <param name="cloud">Number in the stream, whose source streams the planes that the plan's colours need, and
         /// whose pool is a <see cref="MemoryNodePool"/>.</param>
         /// <param name="plan">Colours; its camera is not looked at.</param>
-        public StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
+        internal StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
             m_stream = stream;
             m_pool = stream.Pool as MemoryNodePool ??
@@ -76,7 +76,7 @@ namespace FastPoints.Picture
         public ClassMask HiddenClasses { get; }
 
         /// <summary>How the cloud's points are drawn for a camera in the world that the stream's placements lead to.</summary>
-        public PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
+        internal PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var drawing = m_plan.DrawingOf(m_block, canvas);
@@ -94,7 +94,7 @@ namespace FastPoints.Picture
 
         /// <summary>Draws what the last frame listed. The stream must not run until the job is complete.</summary>
         /// <param name="sizes">Of that frame; looked at where sizes are adaptive.</param>
-        public JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
+        internal JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var cubes = cloud.Source.Cubes;
@@ -176,7 +176,7 @@ namespace FastPoints.Picture
     }
 
     /// <summary>A node's blocks as a drawing job sees them; its planes are listed beside.</summary>
-    public struct BlockRun
+    internal struct BlockRun
     {
         /// <summary>Positions are offsets from here, in grid steps from the corner of the cloud's root cube.</summary>
         public Grid3 Corner;

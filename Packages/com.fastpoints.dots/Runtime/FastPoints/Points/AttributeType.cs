@@ -15,7 +15,7 @@ namespace FastPoints.Points
         Float64,
     }
 
-    public static class AttributeTypes
+    internal static class AttributeTypes
     {
         /// <summary>Bytes of one value.</summary>
         public static int SizeOf(this AttributeType type)

@@ -1,7 +1,7 @@
 namespace FastPoints.Points
 {
     /// <summary>What the numbers of <see cref="AttributeNames.Classification"/> mean: ASPRS, LAS 1.4 R15, table 17.</summary>
-    public static class ClassNames
+    internal static class ClassNames
     {
         static readonly string[] s_names =
         {

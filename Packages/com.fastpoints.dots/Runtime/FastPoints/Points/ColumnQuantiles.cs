@@ -7,7 +7,7 @@ namespace FastPoints.Points
     /// The quantiles are those of at most 65,536 values taken at even distances: the share below one is then right within
     /// 0.2 % of all values (4 sigma of a binomial at a half), whatever the outliers.
     /// </remarks>
-    public struct ColumnQuantiles
+    internal struct ColumnQuantiles
     {
         const int MaxValuesTaken = 65536;
 

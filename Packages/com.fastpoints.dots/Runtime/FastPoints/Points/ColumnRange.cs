@@ -55,7 +55,7 @@ namespace FastPoints.Points
 
     /// <summary>Range of some values of a column, as they are stored, for <see cref="MeasureColumnJob"/>.</summary>
     [BurstCompile]
-    public struct MeasureRangeJob : IJob
+    internal struct MeasureRangeJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Bytes;
         public PointColumn Column;

@@ -6,7 +6,7 @@ namespace FastPoints.Points
     /// Columns of any type, widened a run at a time: the type is looked at once a run, and the loops over values have no
     /// branches.
     /// </summary>
-    public static unsafe class ColumnValues
+    internal static unsafe class ColumnValues
     {
         /// <summary>Values that callers widen at once, on the stack: three runs of doubles stay in the first-level
         /// cache.</summary>

@@ -7,7 +7,7 @@ namespace FastPoints.Points
     /// One axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, of which all scales
     /// and all distances between offsets are multiples.
     /// </summary>
-    public static class CommonGrid
+    internal static class CommonGrid
     {
         /// <summary>Places further out are left out, so that sums of places and sides stay within a long.</summary>
         public const long Limit = 1L << 60;

@@ -7,7 +7,7 @@ namespace FastPoints.Points
 {
     /// <summary>Quantiles of one column, of any type, as value = stored * Scale + Offset, after its range.</summary>
     [BurstCompile]
-    public struct MeasureColumnJob : IJob
+    internal struct MeasureColumnJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Bytes;
         public PointColumn Column;

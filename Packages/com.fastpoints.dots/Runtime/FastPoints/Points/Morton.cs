@@ -14,7 +14,7 @@ namespace FastPoints.Points
     /// Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the cache, and a compiler
     /// can do several codes at once.
     /// </remarks>
-    public static class Morton
+    internal static class Morton
     {
         /// <summary>Bits of one coordinate.</summary>
         public const int BitsPerAxis = 21;

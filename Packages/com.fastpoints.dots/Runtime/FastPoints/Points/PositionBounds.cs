@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace FastPoints.Points
 {
     /// <summary>Georeferenced bounds of the finite positions among some points, and how many were not finite.</summary>
-    public struct PositionBounds
+    internal struct PositionBounds
     {
         public BoundsGeo Bounds;
 
@@ -71,7 +71,7 @@ namespace FastPoints.Points
 
     /// <summary>Adds the bounds of a range of points to those found before.</summary>
     [BurstCompile]
-    public struct MeasureBoundsJob : IJob
+    internal struct MeasureBoundsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Bytes;
         public PositionColumns Columns;

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Points
 {
     /// <summary>Where a batch keeps its positions: blittable, for jobs.</summary>
-    public struct PositionColumns
+    internal struct PositionColumns
     {
         public PointColumn X;
         public PointColumn Y;

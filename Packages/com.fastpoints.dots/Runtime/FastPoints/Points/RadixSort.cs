@@ -9,7 +9,7 @@ namespace FastPoints.Points
     /// Stable sort of 64-bit keys, with a 32-bit payload each: least significant digit first, eight bits a digit, and only the
     /// digits in which the keys differ. Linear in the count; scratch memory as large as the input.
     /// </summary>
-    public static unsafe class RadixSort
+    internal static unsafe class RadixSort
     {
         const int DigitBits = 8;
         const int DigitValues = 1 << DigitBits;
@@ -118,7 +118,7 @@ namespace FastPoints.Points
 
     /// <summary><see cref="RadixSort.Sort"/> as a job. The arrays have one length.</summary>
     [BurstCompile]
-    public struct RadixSortJob : IJob
+    internal struct RadixSortJob : IJob
     {
         public NativeArray<ulong> Keys;
         public NativeArray<uint> Payload;

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace FastPoints.Points
 {
     /// <summary>What follows from the axis that points up.</summary>
-    public static class UpAxes
+    internal static class UpAxes
     {
         /// <summary>Unit vectors of the cloud's space that are east, north and up for people: right-handed, as its
         /// axes.</summary>

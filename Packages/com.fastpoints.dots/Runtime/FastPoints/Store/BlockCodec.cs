@@ -7,7 +7,7 @@ namespace FastPoints.Store
     /// Packs and unpacks columns of a block: the offsets from the column's minimum, each at the width of the largest (frame of
     /// reference). Any value can be read alone. The layout is that of <see cref="PlaneShape"/>.
     /// </summary>
-    public static unsafe class BlockCodec
+    internal static unsafe class BlockCodec
     {
         /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

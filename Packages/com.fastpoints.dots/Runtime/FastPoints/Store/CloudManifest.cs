@@ -63,7 +63,7 @@ namespace FastPoints.Store
 
         /// <summary>Null where nobody has looked: of clouds in the making, and of those that were converted before there were
         /// such.</summary>
-        public ShownRanges? Shown;
+        internal ShownRanges? Shown;
 
         public int NodeCount;
         public int ChunkCount;
@@ -319,7 +319,7 @@ namespace FastPoints.Store
 
     /// <summary>Where nearly all points of a cloud and their values are, strays apart: what displays frame and colour by. From a
     /// sample of the octree's upper levels.</summary>
-    public struct ShownRanges
+    internal struct ShownRanges
     {
         /// <summary>Georeferenced.</summary>
         public BoundsGeo BoundsGeo;

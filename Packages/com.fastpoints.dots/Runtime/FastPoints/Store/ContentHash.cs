@@ -6,7 +6,7 @@ namespace FastPoints.Store
     /// The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, after its published specification.
     /// It finds damage, not malice.
     /// </summary>
-    public static unsafe class ContentHash
+    internal static unsafe class ContentHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;
         const ulong P2 = 0xC2B2AE3D27D4EB4FUL;

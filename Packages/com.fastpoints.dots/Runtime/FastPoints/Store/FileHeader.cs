@@ -6,7 +6,7 @@ namespace FastPoints.Store
     /// <summary>The first bytes of each binary file.</summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
-    public struct FileHeader
+    internal struct FileHeader
     {
         public const int SizeBytes = 80;
 

@@ -55,7 +55,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>A problem in words; <paramref name="check"/> is what found it, and its memory is still there.</summary>
-        public static unsafe string Describe(TableProblem problem, in TableCheck check)
+        internal static unsafe string Describe(TableProblem problem, in TableCheck check)
         {
             switch (problem.Fault)
             {

@@ -8,7 +8,7 @@ namespace FastPoints.Store
     /// their sign bit flipped, floats have it flipped where positive and all bits flipped where negative. No bit is lost,
     /// NaN payloads and negative zero included.
     /// </summary>
-    public static unsafe class OrderedBits
+    internal static unsafe class OrderedBits
     {
         /// <summary>The value that lies at an address, on any alignment.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -4,7 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Store
 {
     /// <summary>One plane of one node in memory, of which <see cref="IsSound"/> has been asked. Blittable, for jobs.</summary>
-    public unsafe struct PlaneView
+    internal unsafe struct PlaneView
     {
         [NativeDisableUnsafePtrRestriction] public uint* Words;
         public PlaneShape Shape;

@@ -12,7 +12,7 @@ namespace FastPoints.Store
     /// gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one. Each
     /// number goes through a round of XXH64's tail, the end through its avalanche. Different seeds give independent hashes.
     /// </remarks>
-    public static unsafe class RecordHash
+    internal static unsafe class RecordHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;
         const ulong P2 = 0xC2B2AE3D27D4EB4FUL;

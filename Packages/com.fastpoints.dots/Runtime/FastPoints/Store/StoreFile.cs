@@ -8,7 +8,7 @@ namespace FastPoints.Store
 {
     /// <summary>Small reads of a stored cloud's files: headers and tables, on the calling thread. Planes are read in the
     /// background.</summary>
-    public static unsafe class StoreFile
+    internal static unsafe class StoreFile
     {
         /// <summary>No text of a manifest is longer.</summary>
         const int MaxTextBytes = 16 << 20;

@@ -9,7 +9,7 @@ namespace FastPoints.Store
 {
     /// <summary>One background read of consecutive bytes of a file into memory of its own, used again from read to
     /// read.</summary>
-    public sealed unsafe class StoreRead : IDisposable
+    internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.
         NativeArray<ReadCommand> m_command;

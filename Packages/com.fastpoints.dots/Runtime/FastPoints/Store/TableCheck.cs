@@ -7,7 +7,7 @@ namespace FastPoints.Store
     /// Whether a table of nodes makes sense: nothing that it says is used before. Looks at memory alone, so that a job can ask as
     /// well.
     /// </summary>
-    public unsafe struct TableCheck
+    internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;
 

@@ -40,14 +40,14 @@ namespace FastPoints.Streaming
 
         public StreamSettings Settings { get; } = new StreamSettings();
         public NodePool Pool { get; }
-        public NodeCache Cache { get; } = new NodeCache();
-        public NodeSelector Selector { get; } = new NodeSelector();
-        public NodeReads Reads { get; }
-        public NodeUploads Uploads { get; }
-        public CameraMotion Motion { get; } = new CameraMotion();
+        internal NodeCache Cache { get; } = new NodeCache();
+        internal NodeSelector Selector { get; } = new NodeSelector();
+        internal NodeReads Reads { get; }
+        internal NodeUploads Uploads { get; }
+        internal CameraMotion Motion { get; } = new CameraMotion();
 
         /// <summary>By number; null where a cloud is gone.</summary>
-        public IReadOnlyList<StreamedCloud> Clouds => m_clouds;
+        internal IReadOnlyList<StreamedCloud> Clouds => m_clouds;
 
         /// <summary>What all clouds are clipped by: nothing outside is selected, loaded or drawn. May be changed from frame to
         /// frame.</summary>

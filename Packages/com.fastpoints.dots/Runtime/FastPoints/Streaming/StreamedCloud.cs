@@ -6,7 +6,7 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Streaming
 {
     /// <summary>A cloud while it is streamed: its source, its hierarchy, where it stands.</summary>
-    public sealed unsafe class StreamedCloud : IDisposable
+    internal sealed unsafe class StreamedCloud : IDisposable
     {
         NativeList<HierarchyPage> m_pages;
 

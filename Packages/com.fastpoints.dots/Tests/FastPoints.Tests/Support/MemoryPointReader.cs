@@ -89,14 +89,14 @@ namespace FastPoints.Tests.Support
 
         public override bool TryKeepStates() => true;
 
-        public override DecoderState KeepState(DecoderState reused)
+        internal override DecoderState KeepState(DecoderState reused)
         {
             var state = (MemoryState)reused ?? new MemoryState();
             state.Point = FirstPoint + Points.Count;
             return state;
         }
 
-        public override void Begin(BlockRange range, DecoderState from)
+        internal override void Begin(BlockRange range, DecoderState from)
         {
             // As a decoder would find it: the state is that of the point before, or there is none and the range starts its block.
             if (from == null ? range.First != 0

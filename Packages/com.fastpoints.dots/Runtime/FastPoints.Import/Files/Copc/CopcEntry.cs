@@ -6,7 +6,7 @@ namespace FastPoints.Files
     /// <remarks><code>
     /// int level, x, y, z | ulong offset | int bytes | int points (-1: bytes at offset are a page that starts with this node)
     /// </code></remarks>
-    public struct CopcEntry
+    internal struct CopcEntry
     {
         public const int Bytes = 32;
 

@@ -7,7 +7,7 @@ namespace FastPoints.Files
 {
     /// <summary>The <c>copc</c> info VLR (COPC 1.0): the octree's cube and where its hierarchy starts.</summary>
     /// <remarks>It is the first VLR of a file, so its data starts at byte 429; other places are tolerated.</remarks>
-    public sealed class CopcInfo
+    internal sealed class CopcInfo
     {
         public const string UserId = "copc";
         public const ushort InfoRecord = 1;

@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// The hierarchy is a claim like any other. What it leaves out but the LAZ chunk table has is read too, behind the tree's
     /// blocks; a file whose hierarchy cannot be had at all is read as the LAZ that it is.
     /// </remarks>
-    public sealed class CopcReader : LazChunkReader
+    internal sealed class CopcReader : LazChunkReader
     {
         const int UsualPointsAcross = 128;
 
@@ -65,7 +65,7 @@ namespace FastPoints.Files
 
         public CopcInfo Copc { get; }
 
-        public override SourceTree Tree => m_tree;
+        internal override SourceTree Tree => m_tree;
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 

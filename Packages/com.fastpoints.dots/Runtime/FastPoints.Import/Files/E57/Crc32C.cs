@@ -9,7 +9,7 @@ namespace FastPoints.Files
     /// approach to building high performance software-based CRC generators", 2005.
     /// </summary>
     /// <remarks>Its tables lie in native memory, so that jobs share them.</remarks>
-    public sealed unsafe class Crc32C : IDisposable
+    internal sealed unsafe class Crc32C : IDisposable
     {
         const uint Polynomial = 0x82F63B78;
         const int Tables = 8;

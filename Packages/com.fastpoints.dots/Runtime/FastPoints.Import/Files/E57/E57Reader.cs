@@ -17,7 +17,7 @@ namespace FastPoints.Files
     /// Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is read is
     /// held against its checksum: points that lie in a damaged one are left out with a warning. Images are named, not read.
     /// </remarks>
-    public sealed class E57Reader : PointReader
+    internal sealed class E57Reader : PointReader
     {
         /// <summary>Pages of a block's fields at most: a slot's memory, whatever a file claims.</summary>
         const int MostBlockPages = 24 << 10;

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>One entry of a hierarchy page: <c>"level-x-y-z": points</c>.</summary>
-    public struct EptEntry
+    internal struct EptEntry
     {
         /// <summary>The point count that stands for "a page of its own".</summary>
         public const long PageCount = -1;

@@ -210,7 +210,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>How an EPT octree keeps the points of a node, each in a file of its own.</summary>
-    public enum EptDataType
+    internal enum EptDataType
     {
         /// <summary>Records as the schema says, one behind the other (<c>.bin</c>).</summary>
         Binary,

@@ -17,7 +17,7 @@ namespace FastPoints.Files
     /// A node's file is opened for its range and closed behind it. A node of more points than a slot should hold becomes several
     /// blocks; of compressed ones each decodes its file from the start.
     /// </remarks>
-    public sealed class EptReader : PointReader
+    internal sealed class EptReader : PointReader
     {
         const string DataFolder = "ept-data";
         const int MaxBlockPoints = 1 << 20;
@@ -87,7 +87,7 @@ namespace FastPoints.Files
             return root;
         }
 
-        public override SourceTree Tree => m_tree;
+        internal override SourceTree Tree => m_tree;
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 

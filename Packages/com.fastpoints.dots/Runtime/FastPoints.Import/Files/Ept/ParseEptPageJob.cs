@@ -10,7 +10,7 @@ namespace FastPoints.Files
     /// without the JSON parser, since pages of large clouds are megabytes: nothing is made for the garbage collector.
     /// </summary>
     [BurstCompile]
-    public struct ParseEptPageJob : IJob
+    internal struct ParseEptPageJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Text;
 
@@ -141,7 +141,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>How far a hierarchy page has been parsed, from slice to slice.</summary>
-    public struct EptPageState
+    internal struct EptPageState
     {
         /// <summary>The next byte.</summary>
         public int At;

@@ -138,7 +138,7 @@ namespace FastPoints.Files
 
     /// <summary>Records that a read has brought into memory, to the columns of a batch. See <see cref="LasRecords"/>.</summary>
     [BurstCompile]
-    public struct DecodeLasJob : IJob
+    internal struct DecodeLasJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<LasFieldCopy> Copies;

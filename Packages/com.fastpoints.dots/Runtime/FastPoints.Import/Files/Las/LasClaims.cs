@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>Holds what a header claims against what the file can hold. Differences are warnings; the file wins.</summary>
-    public static class LasClaims
+    internal static class LasClaims
     {
         /// <summary>Points that the file's size has room for, at most those claimed.</summary>
         /// <exception cref="PointCloudException">Truncated: points are claimed and not one is there.</exception>

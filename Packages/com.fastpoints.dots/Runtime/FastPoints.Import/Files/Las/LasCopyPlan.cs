@@ -5,7 +5,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>The passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
-    public static class LasCopyPlan
+    internal static class LasCopyPlan
     {
         /// <param name="layout">Of the records.</param>
         /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
@@ -90,7 +90,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>How one <see cref="LasFieldCopy"/> moves values. Sizes in bytes.</summary>
-    public enum LasCopyKind : byte
+    internal enum LasCopyKind : byte
     {
         /// <summary>Some bits of one byte.</summary>
         Bits,
@@ -106,7 +106,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>From a place in each record to one column, or several. Blittable: jobs carry arrays of these.</summary>
-    public struct LasFieldCopy
+    internal struct LasFieldCopy
     {
         /// <summary>Byte of the value in the record.</summary>
         public int RecordByte;

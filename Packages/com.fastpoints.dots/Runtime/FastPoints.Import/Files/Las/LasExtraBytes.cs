@@ -9,7 +9,7 @@ namespace FastPoints.Files
     /// The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a point.
     /// Read where present in any version; real files have it from LAS 1.2 on.
     /// </summary>
-    public static class LasExtraBytes
+    internal static class LasExtraBytes
     {
         public const int EntryBytes = 192;
 

@@ -6,7 +6,7 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>The parts of a LAS header that nothing computes with, as lines for people.</summary>
-    public static class LasFacts
+    internal static class LasFacts
     {
         static readonly string[] s_encodingBits =
         {

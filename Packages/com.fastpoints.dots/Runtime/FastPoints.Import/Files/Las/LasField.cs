@@ -3,7 +3,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>Where one attribute lies in a LAS point record.</summary>
-    public readonly struct LasField
+    internal readonly struct LasField
     {
         public readonly string Name;
 

@@ -4,7 +4,7 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>All of a LAS or LAZ file but its points: header, records, layout of a point, and what they tell.</summary>
-    public sealed class LasFile
+    internal sealed class LasFile
     {
         public LasHeader Header { get; private set; }
         public LasVlrTable Vlrs { get; private set; }

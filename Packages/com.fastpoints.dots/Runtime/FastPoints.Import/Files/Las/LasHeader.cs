@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>The public header block of LAS 1.0 to 1.5, field by field, as it stands in the file.</summary>
-    public sealed class LasHeader
+    internal sealed class LasHeader
     {
         /// <summary>Byte offsets of the fields in the file; the same in every version that has the field.</summary>
         public static class At

@@ -7,7 +7,7 @@ namespace FastPoints.Files
     /// The eleven point data record formats of LAS 1.0 to 1.5, each put together from the parts that the specification puts
     /// together: a core, then GPS time, colour, near infrared, wave packet.
     /// </summary>
-    public sealed class LasPointFormat
+    internal sealed class LasPointFormat
     {
         /// <summary>A run of fields with offsets from its own start.</summary>
         sealed class Part

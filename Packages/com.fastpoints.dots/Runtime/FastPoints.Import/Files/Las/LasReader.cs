@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a run of
     /// records of a size that suits slices of work, and any range of it costs what it holds.
     /// </summary>
-    public sealed class LasReader : PointReader
+    internal sealed class LasReader : PointReader
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
         const int MaxBlockPoints = 32768;

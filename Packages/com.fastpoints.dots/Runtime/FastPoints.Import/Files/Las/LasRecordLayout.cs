@@ -5,7 +5,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>All that a record of one file holds: the fields of its point format, then extra bytes.</summary>
-    public sealed class LasRecordLayout
+    internal sealed class LasRecordLayout
     {
         readonly List<LasField> m_fields = new List<LasField>();
         readonly Dictionary<string, int> m_indexOfName = new Dictionary<string, int>();

@@ -7,7 +7,7 @@ namespace FastPoints.Files
     /// Values in a record are not aligned, so they are loaded through pointers, which the machines Unity runs on allow.
     /// Several copies go over the same records: in tiles, so that a record comes from memory once and from the L1 cache after.
     /// </remarks>
-    public static unsafe class LasRecords
+    internal static unsafe class LasRecords
     {
         const int TileBytes = 16 << 10;
 

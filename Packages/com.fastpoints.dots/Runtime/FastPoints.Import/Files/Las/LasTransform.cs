@@ -4,7 +4,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>From a header's scale and offset to a transform that keeps points apart, whatever the header says.</summary>
-    public static class LasTransform
+    internal static class LasTransform
     {
         /// <summary>A hundredth of a unit: what LAS files most often have.</summary>
         const double UsualScale = 0.01;

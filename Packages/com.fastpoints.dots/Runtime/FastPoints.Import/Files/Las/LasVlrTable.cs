@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// The variable length records of a file, before the points and after them. Counts and lengths are claims: the walk ends
     /// with a warning where they leave the room that the file has, and points load all the same.
     /// </summary>
-    public sealed class LasVlrTable
+    internal sealed class LasVlrTable
     {
         /// <summary>More records than any real file has (390 were met): a bound for the memory that a header can claim.</summary>
         public const int MaxRecords = 65536;
@@ -105,7 +105,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>One (extended) variable length record: whose it is, what it is, where its bytes lie.</summary>
-    public sealed class LasVlr
+    internal sealed class LasVlr
     {
         public const int HeaderBytes = 54;
         public const int ExtendedHeaderBytes = 60;

@@ -13,7 +13,7 @@ namespace FastPoints.Files
     /// Writes a LAS file point by point as they come; counts and bounds go into the header at the end. The file has a temporary
     /// name until <see cref="Complete"/>: disposed before that, nothing of it stays, and a file of that name is as it was.
     /// </summary>
-    public sealed unsafe class LasWriter : IDisposable
+    internal sealed unsafe class LasWriter : IDisposable
     {
         const int BufferBytes = 1 << 20;
         const ushort WktEncodingBit = 1 << 4;
@@ -261,7 +261,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>What a LAS file to be written is.</summary>
-    public sealed class LasWriterSettings
+    internal sealed class LasWriterSettings
     {
         /// <summary>LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.</summary>
         public int VersionMinor = 4;

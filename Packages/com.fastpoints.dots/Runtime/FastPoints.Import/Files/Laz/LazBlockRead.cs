@@ -113,7 +113,7 @@ namespace FastPoints.Files
 
         public override bool TryKeepStates() => m_keepsStates = true;
 
-        public override DecoderState KeepState(DecoderState reused)
+        internal override DecoderState KeepState(DecoderState reused)
         {
             if (!m_keepsStates || m_isReading || Points.Count < Range.Count)
                 throw new InvalidOperationException("there is no state to go on from");
@@ -132,7 +132,7 @@ namespace FastPoints.Files
 
         public override void Begin(BlockRange range) => Begin(range, null);
 
-        public override void Begin(BlockRange range, DecoderState from)
+        internal override void Begin(BlockRange range, DecoderState from)
         {
             if (m_isReading)
                 throw new InvalidOperationException("the slot is still reading; Complete it first");

@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// where they do not hold equal numbers of points) and sums every 64. Other lists (hierarchies of octrees) have 24 bytes a
     /// chunk.
     /// </summary>
-    public sealed class LazChunkList
+    internal sealed class LazChunkList
     {
         /// <summary>Chunks between two sums.</summary>
         const int GroupChunks = 64;
@@ -199,7 +199,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A stretch of a file that decodes on its own.</summary>
-    public struct LazChunk
+    internal struct LazChunk
     {
         /// <summary>In the file.</summary>
         public long Offset;

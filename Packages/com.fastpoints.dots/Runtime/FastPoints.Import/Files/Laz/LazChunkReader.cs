@@ -13,7 +13,7 @@ namespace FastPoints.Files
     /// hierarchy of an octree (<see cref="CopcReader"/>). A block is a chunk, or a part of one that is too long; any of them
     /// decodes on its own, and the first points of one without the rest of it.
     /// </summary>
-    public abstract class LazChunkReader : PointReader
+    internal abstract class LazChunkReader : PointReader
     {
         /// <summary>Chunks up to this are one block, unless their records are long.</summary>
         public const int MaxBlockPoints = 1 << 20;

@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// </code>
     /// each predicted by the one before.
     /// </remarks>
-    public sealed class LazChunkTable
+    internal sealed class LazChunkTable
     {
         /// <summary>Between the offset of the points and the first chunk: where the table is.</summary>
         public const int TableOffsetBytes = 8;

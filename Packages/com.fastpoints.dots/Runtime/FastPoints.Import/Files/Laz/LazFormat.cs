@@ -6,7 +6,7 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>How a file's points are compressed, in the LASzip VLR's terms.</summary>
-    public enum LazCompressor
+    internal enum LazCompressor
     {
         /// <summary>Not at all: plain records in a file that says LAZ.</summary>
         None = 0,
@@ -22,7 +22,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>What the LASzip VLR says, checked against the header.</summary>
-    public sealed class LazFormat
+    internal sealed class LazFormat
     {
         public const string UserId = "laszip encoded";
         public const ushort RecordId = 22204;

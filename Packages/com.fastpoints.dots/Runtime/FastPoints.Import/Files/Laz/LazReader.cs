@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once;
     /// of a layered one a block decodes the chunk from its start (no writer makes such chunks unasked).
     /// </remarks>
-    public sealed class LazReader : LazChunkReader
+    internal sealed class LazReader : LazChunkReader
     {
         const int MaxPointsOfBeginning = 1 << 18;
 

@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// <see cref="LayeredChunk.Start"/> expects them: neighbours in one read, of each no more than the points take.
     /// </summary>
     [BurstCompile]
-    public unsafe struct PlanLazReadsJob : IJob
+    internal unsafe struct PlanLazReadsJob : IJob
     {
         /// <summary>The chunk's header, at its start.</summary>
         [ReadOnly] public NativeArray<byte> Input;

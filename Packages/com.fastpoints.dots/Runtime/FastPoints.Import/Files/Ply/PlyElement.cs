@@ -4,7 +4,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>One element of a PLY file: how many there are, by the header, and what each holds.</summary>
-    public sealed class PlyElement
+    internal sealed class PlyElement
     {
         public string Name;
 
@@ -54,7 +54,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>One property of a PLY element, as its header line declares it.</summary>
-    public sealed class PlyProperty
+    internal sealed class PlyProperty
     {
         public string Name;
 

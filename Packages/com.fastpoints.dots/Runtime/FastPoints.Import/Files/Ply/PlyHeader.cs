@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace FastPoints.Files
 {
     /// <summary>What a PLY header declares: encoding, elements in the file's order, remarks, and where the data starts.</summary>
-    public sealed class PlyHeader
+    internal sealed class PlyHeader
     {
         public PlyEncoding Encoding;
 
@@ -37,7 +37,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>How a PLY file writes its values.</summary>
-    public enum PlyEncoding
+    internal enum PlyEncoding
     {
         Ascii,
         BinaryLittleEndian,

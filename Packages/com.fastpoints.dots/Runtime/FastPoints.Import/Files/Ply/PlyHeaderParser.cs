@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, mixed as they come; words are parted by any blanks.
     /// What is not understood is refused: a property that is left out would shift all that follows it.
     /// </summary>
-    public sealed class PlyHeaderParser
+    internal sealed class PlyHeaderParser
     {
         /// <summary>A header longer than this is refused.</summary>
         public const int MaxHeaderBytes = 1 << 20;

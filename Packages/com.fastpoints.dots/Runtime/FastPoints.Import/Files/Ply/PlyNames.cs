@@ -7,7 +7,7 @@ namespace FastPoints.Files
     /// <summary>From the names that PLY writers give their vertex properties to the names that mean the same in every
     /// format.</summary>
     /// <remarks>Compared without regard to case. All others keep the name that the file gives them.</remarks>
-    public static class PlyNames
+    internal static class PlyNames
     {
         /// <summary>Rows whose names must all be there for any of them to count: "r" alone may be a radius.</summary>
         static readonly string[][] s_groups =

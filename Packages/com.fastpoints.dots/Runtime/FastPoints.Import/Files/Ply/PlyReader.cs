@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// Where a file breaks off or has a bad value, what lies before it is given and a warning says where; a file that claims
     /// vertices and has none that can be read is refused. Coordinates that are not finite pass through.
     /// </remarks>
-    public abstract class PlyReader : PointReader
+    internal abstract class PlyReader : PointReader
     {
         const int FirstHeaderBytes = 16 << 10;
 

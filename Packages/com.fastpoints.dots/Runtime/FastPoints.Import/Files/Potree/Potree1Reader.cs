@@ -24,7 +24,7 @@ namespace FastPoints.Files
     /// those of LAS and LAZ nodes to the nearest, since it rounded (the error is then at most half a step). Such nodes are all of
     /// one point format, as their converter writes them.
     /// </remarks>
-    public sealed class Potree1Reader : PotreeNodeReader
+    internal sealed class Potree1Reader : PotreeNodeReader
     {
         const int RecordBytes = 5;
 

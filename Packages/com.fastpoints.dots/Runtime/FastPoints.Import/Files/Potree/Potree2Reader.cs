@@ -25,7 +25,7 @@ namespace FastPoints.Files
     /// first record. Type 0 and 1 (leaf) are not told apart by converters. A node that claims points and has no bytes is empty:
     /// PotreeConverter writes such (potree issue 1125).
     /// </remarks>
-    public sealed class Potree2Reader : PotreeNodeReader
+    internal sealed class Potree2Reader : PotreeNodeReader
     {
         const string HierarchyName = "hierarchy.bin", OctreeName = "octree.bin";
         const int RecordBytes = 22;

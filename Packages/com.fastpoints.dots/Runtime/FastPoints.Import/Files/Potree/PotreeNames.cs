@@ -5,7 +5,7 @@ namespace FastPoints.Files
     /// <summary>
     /// Names of nodes: <c>r</c>, then a digit a level: <c>4 x + 2 y + z</c>, each 0 for the lower half of the axis.
     /// </summary>
-    public static class PotreeNames
+    internal static class PotreeNames
     {
         /// <summary>The name of a node.</summary>
         public static string NameOf(int level, int3 cell)

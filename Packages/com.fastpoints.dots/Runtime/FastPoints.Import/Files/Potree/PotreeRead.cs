@@ -106,7 +106,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A Potree cloud whose nodes are in an encoding of Potree's own: what the slots ask of it.</summary>
-    public abstract class PotreeNodeReader : PotreeReader
+    internal abstract class PotreeNodeReader : PotreeReader
     {
         private protected PotreeNodeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing)
         {

@@ -17,7 +17,7 @@ namespace FastPoints.Files
     /// entry for each, of the same cell. What a hierarchy claims is held against the files that are there: missing or short
     /// ones are holes, and warnings; each byte of a hierarchy is believed once, so that loops end.
     /// </remarks>
-    public abstract class PotreeReader : PointReader
+    internal abstract class PotreeReader : PointReader
     {
         /// <summary>Cells of deeper levels have no 32-bit coordinates; converters stop far above.</summary>
         internal const int MaxLevels = 30;
@@ -50,7 +50,7 @@ namespace FastPoints.Files
             m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
         }
 
-        public override SourceTree Tree => m_tree;
+        internal override SourceTree Tree => m_tree;
 
         public override bool BlocksAreKnown => m_tree.IsWhole;
 

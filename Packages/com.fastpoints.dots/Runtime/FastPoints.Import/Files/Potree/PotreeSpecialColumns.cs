@@ -58,7 +58,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>Potree's unit vectors in two bytes. HPC#.</summary>
-    public static class PotreeNormals
+    internal static class PotreeNormals
     {
         /// <summary>Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of
         /// what was packed, but for z near -1, where the map has its seam.</summary>

@@ -37,12 +37,12 @@ namespace FastPoints.Files
         /// <summary>Where the decoding stands behind the range that was completed last, all of which was there: for the next
         /// range of its block.</summary>
         /// <param name="reused">One that is not needed any more, whose memory it may take; or null.</param>
-        public virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
+        internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
 
         /// <summary>Starts reading a range that follows directly on the one whose state was kept: nothing is decoded
         /// twice.</summary>
         /// <param name="from">Stays the caller's; null where nothing was kept.</param>
-        public virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
+        internal virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
 
         /// <summary>Waits for the decoding if need be (poll <c>Decoded.IsCompleted</c> not to), and closes the range.</summary>
         /// <exception cref="Base.PointCloudException">The read or the decoding failed.</exception>
@@ -87,7 +87,7 @@ namespace FastPoints.Files
     /// <summary>Where the decoding of a block stands, to go on from without its beginning: see <see cref="BlockRead.KeepState"/>.
     /// Any slot of the same reader and the same attributes may go on from it. Whoever asked for it
     /// disposes of it.</summary>
-    public abstract class DecoderState : IDisposable
+    internal abstract class DecoderState : IDisposable
     {
         /// <summary>Memory that it takes.</summary>
         public abstract long Bytes { get; }

@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. Where it is
     /// missing a read fails and names <see cref="Brotli"/>. For zstandard .NET Standard 2.1 has nothing.
     /// </remarks>
-    public static class Decompressors
+    internal static class Decompressors
     {
         /// <summary>Makes a decompressor of Brotli streams (Potree 2.0 of encoding BROTLI).</summary>
         public static Func<StreamDecompressor> Brotli { get; set; } = () => new BrotliStreamDecompressor();
@@ -27,7 +27,7 @@ namespace FastPoints.Files
     /// Undoes one kind of general compression (Brotli, zstandard), one stream after the other, each piece by piece, so that a
     /// long stream is done in slices. Called by jobs on any thread, but by one at a time.
     /// </summary>
-    public abstract class StreamDecompressor : IDisposable
+    internal abstract class StreamDecompressor : IDisposable
     {
         /// <summary>Forgets what came before: the next bytes begin a stream.</summary>
         public abstract void Start();
@@ -43,7 +43,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>Brotli (RFC 7932) by the framework's own decoder, which allocates nothing once it has started.</summary>
-    public sealed class BrotliStreamDecompressor : StreamDecompressor
+    internal sealed class BrotliStreamDecompressor : StreamDecompressor
     {
         BrotliDecoder m_decoder;
 

@@ -3,7 +3,7 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>Something done with every block of a source: see <see cref="SourceScan"/>.</summary>
-    public interface IBlockConsumer
+    internal interface IBlockConsumer
     {
         /// <summary>Schedules jobs on the slot's columns. They must depend on <paramref name="decoded"/> and use the count in
         /// <c>read.Result</c>; a consumer whose jobs share state chains them itself.</summary>
@@ -15,7 +15,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A consumer that passes blocks on to something slower, such as a disk.</summary>
-    public interface IThrottledConsumer : IBlockConsumer
+    internal interface IThrottledConsumer : IBlockConsumer
     {
         /// <summary>Whether it takes another block now; may wait for a millisecond. Main thread.</summary>
         bool IsReady { get; }

@@ -5,7 +5,7 @@ namespace FastPoints.Files
 {
     /// <summary>Pages of an octree's hierarchy that are known and not read: level by level of the nodes that they begin with, and
     /// within a level as they came to be known.</summary>
-    public sealed class WaitingPages
+    internal sealed class WaitingPages
     {
         readonly Queue<WaitingPage>[] m_ofLevel;
 
@@ -77,7 +77,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A page of an octree's hierarchy that is known and not read.</summary>
-    public struct WaitingPage
+    internal struct WaitingPage
     {
         /// <summary>Key of the node that it begins with.</summary>
         public int4 Root;

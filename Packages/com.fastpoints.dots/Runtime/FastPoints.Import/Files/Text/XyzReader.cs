@@ -19,7 +19,7 @@ namespace FastPoints.Files
     /// the file has. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
     /// once; a block's count takes remarks and bad lines in, decoding leaves them out and counts them.
     /// </remarks>
-    public sealed class XyzReader : PointReader
+    internal sealed class XyzReader : PointReader
     {
         public const int MaxBlockBytes = 256 << 10;
 

@@ -15,7 +15,7 @@ namespace FastPoints.Files
     /// Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most
     /// <see cref="MaxOpen"/> stay open (one a slot where there are more slots), so the number of files costs no handles.
     /// </remarks>
-    public sealed class TiledReader : PointReader
+    internal sealed class TiledReader : PointReader
     {
         /// <summary>Files that stay open.</summary>
         public const int MaxOpen = 32;

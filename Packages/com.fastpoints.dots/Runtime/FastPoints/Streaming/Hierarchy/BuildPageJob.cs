@@ -8,7 +8,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>From the bytes of a chunk's table to a page of the hierarchy; everything is checked first.</summary>
     [BurstCompile]
-    public unsafe struct BuildPageJob : IJob
+    internal unsafe struct BuildPageJob : IJob
     {
         /// <summary>Node records, then each node's plane ranges.</summary>
         [ReadOnly] public NativeArray<byte> Table;

@@ -8,7 +8,7 @@ namespace FastPoints.Streaming
     /// The generations of a cloud's folder that may still be in the making: looks for a newer one once a second, on a thread of
     /// the pool, and keeps it until somebody takes it. Main thread; only <see cref="Dispose"/> waits.
     /// </summary>
-    public sealed class FolderGenerations : IDisposable
+    internal sealed class FolderGenerations : IDisposable
     {
         /// <summary>Frames from one look at the folder to the next: a second.</summary>
         public const int FramesPerLook = 60;

@@ -81,7 +81,7 @@ namespace FastPoints.Streaming
 
         public override string PathOf(int page) => m_pathOfPage[page];
 
-        public override FilePiece TableOf(int page)
+        internal override FilePiece TableOf(int page)
         {
             var chunk = m_folder.Chunks[page - 1];
             return new FilePiece

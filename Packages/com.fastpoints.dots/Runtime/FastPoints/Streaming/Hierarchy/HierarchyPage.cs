@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A page that a selection came to and found not loaded.</summary>
-    public struct MissingPage
+    internal struct MissingPage
     {
         public int Cloud;
         public int Page;

@@ -49,7 +49,7 @@ namespace FastPoints.Streaming
         public abstract string PathOf(int page);
 
         /// <summary>What is read to build a page.</summary>
-        public abstract FilePiece TableOf(int page);
+        internal abstract FilePiece TableOf(int page);
 
         /// <summary>Checks what was read and makes the page of it.</summary>
         public abstract JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
@@ -100,7 +100,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>Consecutive bytes of a file.</summary>
-    public struct FilePiece
+    internal struct FilePiece
     {
         public string Path;
         public long OffsetBytes;

@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>From the records of a table that has been checked to a page of the hierarchy. For jobs and for the main
     /// thread.</summary>
-    public static unsafe class PageBuilding
+    internal static unsafe class PageBuilding
     {
         /// <param name="records">Of a table in which nothing is wrong, as are <paramref name="ranges"/>.</param>
         /// <param name="planesInTable">Planes that each node of the table has.</param>

@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
     /// The nodes that have memory, from the least to the most useful: what no selection wanted for longest first, then what the
     /// last one wanted, its end before its beginning. Main thread.
     /// </summary>
-    public sealed class NodeCache : IDisposable
+    internal sealed class NodeCache : IDisposable
     {
         public const int None = -1;
 
@@ -156,7 +156,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>How far a node in the cache is.</summary>
-    public enum CachePhase : byte
+    internal enum CachePhase : byte
     {
         Free,
         /// <summary>Its bytes are on their way, or wait for their turn to be copied.</summary>
@@ -168,7 +168,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A node that has memory in the pool.</summary>
-    public struct CacheSlot
+    internal struct CacheSlot
     {
         public const uint White = 0xFFFFFFFF;
 

@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
     /// planes are read in as few pieces as they lie in, or a node that is made. Main thread; never waits, but for
     /// <see cref="Await"/>.
     /// </summary>
-    public sealed unsafe class NodeFetch : IDisposable
+    internal sealed unsafe class NodeFetch : IDisposable
     {
         NativeArray<byte> m_bytes;
         NativeList<ReadCommand> m_commands;
@@ -326,7 +326,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>How far a read is.</summary>
-    public enum FetchPhase : byte
+    internal enum FetchPhase : byte
     {
         Idle,
         Reading,
@@ -339,7 +339,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>One plane of one node in a read.</summary>
-    public struct FetchPart
+    internal struct FetchPart
     {
         public long OffsetBytes;
         public long LengthBytes;
@@ -352,7 +352,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A node in a read; whether it is still wanted, its slot says.</summary>
-    public struct FetchedNode
+    internal struct FetchedNode
     {
         public int Node;
         public int Slot;

@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Ends what is done.</summary>
         /// <param name="failure">What is wrong, where the outcome is not <see cref="MakeOutcome.Made"/>.</param>
-        public abstract MakeOutcome End(out StreamFailure failure);
+        internal abstract MakeOutcome End(out StreamFailure failure);
 
         /// <summary>Ends what is done and was begun for somebody who cannot do without.</summary>
         /// <exception cref="PointCloudException">The outcome is not <see cref="MakeOutcome.Made"/>.</exception>
@@ -56,7 +56,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>How the making of a node ended.</summary>
-    public enum MakeOutcome : byte
+    internal enum MakeOutcome : byte
     {
         Made,
         /// <summary>The node's bytes are not what they should be, or are not there.</summary>

@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
     /// The reads of all clouds: a few under way at a time, so that what is needed most is never far behind. Called off when
     /// nobody wants them any more; tried again when they fail, then reported.
     /// </summary>
-    public sealed unsafe class NodeReads : IDisposable
+    internal sealed unsafe class NodeReads : IDisposable
     {
         readonly StreamContext m_stream;
         readonly List<NodeFetch> m_fetches = new List<NodeFetch>();

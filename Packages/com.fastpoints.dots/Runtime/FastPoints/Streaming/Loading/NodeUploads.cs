@@ -9,7 +9,7 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>Nodes on their way from reads into the pool: one job at a time, of as much as a frame may copy.</summary>
-    public sealed unsafe class NodeUploads : IDisposable
+    internal sealed unsafe class NodeUploads : IDisposable
     {
         readonly StreamContext m_stream;
         readonly List<NodeFetch> m_copied = new List<NodeFetch>();
@@ -135,7 +135,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>One plane of one node on its way into the pool.</summary>
-    public unsafe struct UploadPart
+    internal unsafe struct UploadPart
     {
         public byte* From;
         public byte* To;
@@ -154,7 +154,7 @@ namespace FastPoints.Streaming
     /// <summary>Copies planes into the pool as they are, and says of each whether it is what was written and can be drawn
     /// from.</summary>
     [BurstCompile]
-    public unsafe struct UploadPlanesJob : IJobFor
+    internal unsafe struct UploadPlanesJob : IJobFor
     {
         [ReadOnly] public NativeArray<UploadPart> Parts;
         public NativeArray<bool> IsDamaged;

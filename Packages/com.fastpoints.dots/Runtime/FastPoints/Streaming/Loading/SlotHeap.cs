@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
     /// </summary>
     /// <remarks>The first and the last slot of a run know its length: above 0 where it is taken, below where it is
     /// free.</remarks>
-    public struct SlotHeap : IDisposable
+    internal struct SlotHeap : IDisposable
     {
         const int None = -1;
         const int BinCount = 31;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>Where cameras will be if they go on as they do.</summary>
-    public sealed class CameraMotion : IDisposable
+    internal sealed class CameraMotion : IDisposable
     {
         /// <summary>A step of so many times the one before is a cut, and no motion.</summary>
         const double MostSpeedUp = 4;

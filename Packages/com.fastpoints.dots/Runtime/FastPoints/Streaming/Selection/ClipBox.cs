@@ -24,7 +24,7 @@ namespace FastPoints.Streaming
 
     /// <summary>A <see cref="ClipBox"/> as one cloud's own space has it: within the box, no coordinate of
     /// <see cref="ToBox"/> * place + <see cref="Offset"/> is farther than a half from 0. Blittable, for jobs.</summary>
-    public unsafe struct LocalClip
+    internal unsafe struct LocalClip
     {
         public double3x3 ToBox;
         public double3 Offset;

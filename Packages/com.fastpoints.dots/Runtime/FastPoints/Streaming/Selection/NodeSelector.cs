@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>The memory of selections, from frame to frame: clouds and views go in, chosen nodes and missing pages come
     /// out. Main thread.</summary>
-    public sealed unsafe class NodeSelector : IDisposable
+    internal sealed unsafe class NodeSelector : IDisposable
     {
         NativeList<SelectionCloud> m_clouds;
         NativeList<CloudPlacement> m_placements;

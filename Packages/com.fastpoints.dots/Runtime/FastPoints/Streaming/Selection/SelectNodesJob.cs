@@ -12,7 +12,7 @@ namespace FastPoints.Streaming
     /// chooses and at the children of that, whatever else there is.
     /// </summary>
     [BurstCompile]
-    public unsafe struct SelectNodesJob : IJob
+    internal unsafe struct SelectNodesJob : IJob
     {
         [ReadOnly] public NativeArray<SelectionCloud> Clouds;
 
@@ -175,7 +175,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>One cloud as a selection sees it. Blittable, for jobs.</summary>
-    public unsafe struct SelectionCloud
+    internal unsafe struct SelectionCloud
     {
         /// <summary>Page 0 and one for each chunk.</summary>
         public HierarchyPage* Pages;

@@ -6,7 +6,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>The candidates of a selection, the best on top: a binary heap in a list that keeps its room from frame to
     /// frame.</summary>
-    public unsafe struct SelectionHeap
+    internal unsafe struct SelectionHeap
     {
         NativeList<SelectionCandidate> m_items;
 
@@ -55,7 +55,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A node that can be chosen next, or a page whose nodes are not known yet.</summary>
-    public struct SelectionCandidate
+    internal struct SelectionCandidate
     {
         /// <summary>On the screen, of the points above: the gaps that the node would fill.</summary>
         public float SpacingPx;

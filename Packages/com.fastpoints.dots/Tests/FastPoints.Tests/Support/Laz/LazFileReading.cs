@@ -29,7 +29,7 @@ namespace FastPoints.Tests.Support
         }
 
         /// <summary>All records of a file, in its order: block after block, several at once.</summary>
-        public static byte[] Records(PointReader reader, LasRecordLayout layout, int slots = 3)
+        internal static byte[] Records(PointReader reader, LasRecordLayout layout, int slots = 3)
         {
             var ranges = new List<BlockRange>();
             for (int block = 0; block < reader.BlockCount; block++)
@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Support
 
         /// <summary>Reads ranges in the order given, each to its place among the records.</summary>
         /// <returns>Points read.</returns>
-        public static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges, PointSchema wanted,
+        internal static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges, PointSchema wanted,
             int slots, byte[] records)
         {
             var reads = new BlockRead[Math.Max(1, Math.Min(slots, ranges.Count))];
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Support
         }
 
         /// <summary>The records that can be had, block after block, without gaps for those that cannot.</summary>
-        public static byte[] Present(PointReader reader, LasRecordLayout layout)
+        internal static byte[] Present(PointReader reader, LasRecordLayout layout)
         {
             var records = new byte[reader.PointCount * layout.RecordBytes];
             int done = 0;
@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Support
                     first + firstPoint * layout.RecordBytes, layout.RecordBytes);
         }
 
-        public static LasRecordLayout LayoutOf(string path)
+        internal static LasRecordLayout LayoutOf(string path)
         {
             using (var source = FileSource.Open(path))
                 return LasFile.Read(source).Layout;

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Support
 
         public int RecordBytes => LasPointFormat.Of(PointFormat).RecordBytes + ExtraBytes;
 
-        public LazItem[] Items() => LazItems.Of(PointFormat, ItemVersion, ExtraBytes);
+        internal LazItem[] Items() => LazItems.Of(PointFormat, ItemVersion, ExtraBytes);
 
         /// <summary>The file's bytes.</summary>
         public byte[] Write(IReadOnlyList<byte[]> records)

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace FastPoints.Files
 {
     /// <summary>An adaptive model of one bit. HPC#.</summary>
-    public unsafe struct BitModel
+    internal unsafe struct BitModel
     {
         const int LengthBits = 13;
         const uint MaxCount = 1 << LengthBits;

@@ -16,7 +16,7 @@ namespace FastPoints.Files
     /// Decoded differences are added with wrap-around: with less than 32 bits the caller keeps the lower ones, which is the same
     /// as LASzip's folding into the range.
     /// </remarks>
-    public static unsafe class IntegerModel
+    internal static unsafe class IntegerModel
     {
         const int BitModelAt = 8;
         const int ContextsAt = 64;

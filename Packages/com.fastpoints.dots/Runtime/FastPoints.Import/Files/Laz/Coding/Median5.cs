@@ -6,7 +6,7 @@ namespace FastPoints.Files
     /// The middle one of five values, sorted, of which the largest and the smallest are given up in turn as new ones come:
     /// LASzip's prediction of coordinate differences. Six ints: the values and which end is next. HPC#.
     /// </summary>
-    public static unsafe class Median5
+    internal static unsafe class Median5
     {
         public const int Ints = 6;
 

@@ -13,7 +13,7 @@ namespace FastPoints.Files
     /// inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
     /// <see cref="PaddingBytes"/> readable bytes.
     /// </remarks>
-    public static unsafe class RangeCode
+    internal static unsafe class RangeCode
     {
         /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>
         public const int PaddingBytes = 256;

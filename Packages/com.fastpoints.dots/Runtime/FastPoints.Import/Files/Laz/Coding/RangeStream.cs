@@ -4,7 +4,7 @@ namespace FastPoints.Files
     /// A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; what is kept is
     /// <see cref="Offset"/>, since the input may lie elsewhere the next time.
     /// </summary>
-    public unsafe struct RangeStream
+    internal unsafe struct RangeStream
     {
         public uint Value;
         public uint Length;

@@ -15,7 +15,7 @@ namespace FastPoints.Files
     /// Cells: about four a symbol, at most 256, so that the scan from a cell's first symbol mostly stops at once. A model
     /// may use fewer symbols than its place has capacity for. Its numbers follow LASzip's exactly: they are the format.
     /// </remarks>
-    public unsafe struct SymbolModel
+    internal unsafe struct SymbolModel
     {
         public const int HeaderBytes = 16;
         public const int LengthBits = 15;

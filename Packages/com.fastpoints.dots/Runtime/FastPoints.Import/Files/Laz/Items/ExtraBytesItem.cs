@@ -7,7 +7,7 @@ namespace FastPoints.Files
     /// same byte. HPC#. The state is the last bytes and, behind them, the models.
     /// </summary>
     /// <remarks>Records may have thousands of them, so this decoder looks at the input's end after every byte.</remarks>
-    public static unsafe class ExtraBytesItem
+    internal static unsafe class ExtraBytesItem
     {
         static int ModelsAt(int bytes) => (bytes + 63) / 64 * 64;
 

@@ -11,7 +11,7 @@ namespace FastPoints.Files
     /// POINT14 says elsewhere whether the time changed at all, so its symbols lack "unchanged". Otherwise the two are one.
     /// </remarks>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct GpsTimeItem
+    internal unsafe struct GpsTimeItem
     {
         const int Multiplier = 500;
         const int LowestMultiplier = -10;

@@ -5,7 +5,7 @@ namespace FastPoints.Files
 {
     /// <summary>Item GPSTIME11 as LASzip 1.x wrote it: one sequence of times. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct GpsTimeItemV1
+    internal unsafe struct GpsTimeItemV1
     {
         const int MaxMultiplier = 512;
         const int HighestMultiplier = MaxMultiplier - 3;

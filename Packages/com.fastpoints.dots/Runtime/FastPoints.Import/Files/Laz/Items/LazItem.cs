@@ -1,7 +1,7 @@
 namespace FastPoints.Files
 {
     /// <summary>Item types of the LASzip VLR: runs of a record's bytes that are compressed together.</summary>
-    public enum LazItemType : ushort
+    internal enum LazItemType : ushort
     {
         Bytes = 0,
         Point10 = 6,
@@ -16,7 +16,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>One entry of the LASzip VLR's list, and where its bytes lie in a record.</summary>
-    public struct LazItem
+    internal struct LazItem
     {
         public LazItemType Type;
         public int Version;

@@ -12,7 +12,7 @@ namespace FastPoints.Files
     /// its pulse's last) for heights. Intensity, class and so on are coded only where a mask of six bits says that they changed.
     /// </remarks>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct Point10Item
+    internal unsafe struct Point10Item
     {
         const int XContexts = 2;
         const int YContexts = 22;

@@ -5,7 +5,7 @@ namespace FastPoints.Files
 {
     /// <summary>Item POINT10 as LASzip 1.x wrote it: predictions from the last three differences, few contexts. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct Point10ItemV1
+    internal unsafe struct Point10ItemV1
     {
         const int YContexts = 20;
         const int ZContexts = 20;

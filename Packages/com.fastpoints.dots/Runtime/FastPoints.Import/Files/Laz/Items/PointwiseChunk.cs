@@ -12,7 +12,7 @@ namespace FastPoints.Files
     /// decoded in slices of any number of points, and a copy of the bytes is a place to go on from.
     /// </remarks>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct PointwiseChunk
+    internal unsafe struct PointwiseChunk
     {
         public const int MaxItems = 8;
 

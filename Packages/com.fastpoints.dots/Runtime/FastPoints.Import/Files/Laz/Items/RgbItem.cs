@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// the six bytes changed and whether the colour is not grey; green is predicted from red's change, blue from both. HPC#.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct RgbItem
+    internal unsafe struct RgbItem
     {
         const int NotGreyBit = 64;
 
@@ -92,7 +92,7 @@ namespace FastPoints.Files
 
     /// <summary>Item RGB12 as LASzip 1.x wrote it: each of the six bytes on its own. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct RgbItemV1
+    internal unsafe struct RgbItemV1
     {
         const int UsedAt = 64;
         const int IntegerAt = UsedAt + SymbolModel.Bytes64;

@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// the offset into the waveforms follows the last packet, repeats it, or steps. HPC#.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct WavePacketItem
+    internal unsafe struct WavePacketItem
     {
         public const int RecordBytes = 29;
 

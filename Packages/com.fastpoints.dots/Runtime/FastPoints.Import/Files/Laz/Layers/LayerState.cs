@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// the channel first comes as a copy of what the last point had. HPC#.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct LayerState
+    internal unsafe struct LayerState
     {
         public RangeStream Stream;
 

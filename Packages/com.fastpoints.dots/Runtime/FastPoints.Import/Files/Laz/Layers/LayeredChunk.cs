@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// struct and what lies behind it, without pointers.
     /// </remarks>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct LayeredChunk
+    internal unsafe struct LayeredChunk
     {
         /// <summary>Points decoded at once: contexts and records of a tile stay in the nearest caches.</summary>
         public const int TilePoints = 512;

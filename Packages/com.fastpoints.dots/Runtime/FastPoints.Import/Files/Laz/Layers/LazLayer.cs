@@ -5,7 +5,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>What one layer of a layered chunk holds.</summary>
-    public enum LazLayerKind
+    internal enum LazLayerKind
     {
         ReturnsAndXY,
         Z,
@@ -26,7 +26,7 @@ namespace FastPoints.Files
     /// One layer of layered chunks (point formats 6 to 10): a stream of its own, so that a reader skips those that nobody wants.
     /// All but the first hold some bytes of the record; the first also says what the others' contexts are.
     /// </summary>
-    public struct LazLayer
+    internal struct LazLayer
     {
         /// <summary>Bytes that a stream takes before its first symbol.</summary>
         public const int StartBytes = 4;

@@ -1,0 +1,5 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("FastPoints.Tests")]
+[assembly: InternalsVisibleTo("FastPoints.Cli")]
+[assembly: InternalsVisibleTo("HostTests")]

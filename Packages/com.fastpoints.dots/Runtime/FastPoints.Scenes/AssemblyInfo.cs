@@ -1,0 +1,8 @@
+using System.Runtime.CompilerServices;
+
+// What is public is for users; the package, its tests and its command line share the rest.
+[assembly: InternalsVisibleTo("FastPoints.Editor")]
+[assembly: InternalsVisibleTo("FastPoints.Benchmarks")]
+[assembly: InternalsVisibleTo("FastPoints.Tests")]
+[assembly: InternalsVisibleTo("FastPoints.Cli")]
+[assembly: InternalsVisibleTo("HostTests")]
