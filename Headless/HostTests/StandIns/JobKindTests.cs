@@ -39,49 +39,6 @@ namespace FastPoints.HostTests.StandIns
             public void Execute(int index) => Squares[index] = Roots[index] * Roots[index];
         }
 
-        struct BatchSumsJob : IJobParallelForBatch
-        {
-            public NativeArray<int> CountOfStart;
-
-            public void Execute(int startIndex, int count) => CountOfStart[startIndex] = count;
-        }
-
-        struct FillListJob : IJob
-        {
-            public NativeList<int> List;
-            public int Count;
-
-            public void Execute()
-            {
-                for (int i = 0; i < Count; i++)
-                    List.Add(i);
-            }
-        }
-
-        struct DoubleDeferredJob : IJobParallelForDefer
-        {
-            public NativeArray<int> Values;
-
-            public void Execute(int index) => Values[index] *= 2;
-        }
-
-        struct SumDeferredJob : IJob
-        {
-            [ReadOnly] public NativeArray<int> Values;
-            public NativeReference<int> Sum;
-
-            public void Execute()
-            {
-                for (int i = 0; i < Values.Length; i++)
-                    Sum.Value += Values[i];
-            }
-        }
-
-        struct IsOddFilter : IJobFilter
-        {
-            public bool Execute(int index) => (index & 1) == 1;
-        }
-
         struct ThreadIndexJob : IJobParallelFor
         {
             [NativeSetThreadIndex] public int ThreadIndex;
@@ -178,63 +135,6 @@ namespace FastPoints.HostTests.StandIns
             new SquareParallelFor { Roots = roots, Squares = squares }.Schedule(length, batch).Complete();
             for (int i = 0; i < length; i++)
                 Assert.That(squares[i], Is.EqualTo(i * i));
-        }
-
-        [Test]
-        public void JobParallelForBatch_LengthNotAMultiple_LastBatchIsShort()
-        {
-            using NativeArray<int> counts = Array(103);
-            new BatchSumsJob { CountOfStart = counts }.ScheduleParallel(103, 10).Complete();
-            for (int i = 0; i < 103; i++)
-                Assert.That(counts[i], Is.EqualTo(i % 10 != 0 ? 0 : i == 100 ? 3 : 10));
-            counts.AsSpan().Clear();
-            new BatchSumsJob { CountOfStart = counts }.Schedule(103, 10).Complete();
-            Assert.That(counts[100], Is.EqualTo(3));
-            counts.AsSpan().Clear();
-            new BatchSumsJob { CountOfStart = counts }.Run(103, 50);
-            Assert.That(new[] { counts[0], counts[50], counts[100] }, Is.EqualTo(new[] { 50, 50, 3 }));
-        }
-
-        [Test]
-        public void JobParallelForDefer_LengthKnownOnlyLater_CoversWhatTheListHoldsThen()
-        {
-            using var list = new NativeList<int>(4, Allocator.Persistent);
-            using var sum = new NativeReference<int>(Allocator.Persistent);
-            JobHandle filled = new FillListJob { List = list, Count = 1000 }.Schedule();
-            JobHandle doubled = new DoubleDeferredJob { Values = list.AsDeferredJobArray() }.Schedule(list, 16, filled);
-            JobHandle summed = new SumDeferredJob { Values = list.AsDeferredJobArray(), Sum = sum }.Schedule(doubled);
-            summed.Complete();
-            Assert.That(sum.Value, Is.EqualTo(2 * 499500));
-        }
-
-        [Test]
-        public unsafe void JobParallelForDefer_CountBehindAPointer_IsReadWhenTheDependencyIsDone()
-        {
-            using var values = new NativeArray<int>(Enumerable.Repeat(1, 10).ToArray(), Allocator.Persistent);
-            using var count = new NativeReference<int>(0, Allocator.Persistent);
-            JobHandle counted = new SetReferenceJob { Reference = count, Value = 4 }.Schedule();
-            int* address = NativeReferenceUnsafeUtility.GetUnsafePtrWithoutChecks(count);
-            new DoubleDeferredJob { Values = values }.Schedule(address, 3, counted).Complete();
-            Assert.That(values.ToArray(), Is.EqualTo(new[] { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1 }));
-        }
-
-        struct SetReferenceJob : IJob
-        {
-            public NativeReference<int> Reference;
-            public int Value;
-
-            public void Execute() => Reference.Value = Value;
-        }
-
-        [Test]
-        public void JobFilter_AppendAndFilter_KeepTheIndicesItSaysYesTo()
-        {
-            using var indices = new NativeList<int>(Allocator.Persistent);
-            new IsOddFilter().ScheduleAppend(indices, 6).Complete();
-            Assert.That(indices.AsArray().ToArray(), Is.EqualTo(new[] { 1, 3, 5 }));
-            indices.Add(8);
-            new IsOddFilter().RunFilter(indices);
-            Assert.That(indices.AsArray().ToArray(), Is.EqualTo(new[] { 1, 3, 5 }));
         }
 
         [Test]

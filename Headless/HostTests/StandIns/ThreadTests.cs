@@ -22,17 +22,11 @@ namespace FastPoints.HostTests.StandIns
         {
             Container("Malloc", a => UnsafeUtility.Free(UnsafeUtility.Malloc(8, 8, a), a)),
             Container("MallocTracked", a => UnsafeUtility.FreeTracked(UnsafeUtility.MallocTracked(8, 8, a, 0), a)),
-            Container("AllocatorManager", a => AllocatorManager.Free(a, AllocatorManager.Allocate<int>(a))),
             Container("NativeArray", a => new NativeArray<int>(4, a).Dispose()),
             Container("NativeArray of an array", a => new NativeArray<int>(new[] { 1 }, a).Dispose()),
             Container("NativeList", a => new NativeList<int>(a).Dispose()),
             Container("NativeReference", a => new NativeReference<int>(a).Dispose()),
-            Container("NativeQueue", a => new NativeQueue<int>(a).Dispose()),
-            Container("NativeHashMap", a => new NativeHashMap<int, int>(1, a).Dispose()),
-            Container("NativeHashSet", a => new NativeHashSet<int>(1, a).Dispose()),
             Container("NativeParallelHashMap", a => new NativeParallelHashMap<int, int>(1, a).Dispose()),
-            Container("UnsafeList", a => new UnsafeList<int>(4, a).Dispose()),
-            Container("UnsafeList to share", a => UnsafeList<int>.Destroy(UnsafeList<int>.Create(4, a))),
         };
 
         [TestCaseSource(nameof(s_containers))]

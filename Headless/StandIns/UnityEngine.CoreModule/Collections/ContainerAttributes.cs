@@ -13,22 +13,12 @@ namespace Unity.Collections.LowLevel.Unsafe
     }
 
     [AttributeUsage(AttributeTargets.Struct)]
-    public sealed class NativeContainerIsAtomicWriteOnlyAttribute : Attribute
-    {
-    }
-
-    [AttributeUsage(AttributeTargets.Struct)]
     public sealed class NativeContainerSupportsMinMaxWriteRestrictionAttribute : Attribute
     {
     }
 
     [AttributeUsage(AttributeTargets.Struct)]
     public sealed class NativeContainerSupportsDeallocateOnJobCompletionAttribute : Attribute
-    {
-    }
-
-    [AttributeUsage(AttributeTargets.Struct)]
-    public sealed class NativeContainerSupportsDeferredConvertListToArray : Attribute
     {
     }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using StandIns.Scheduling;
 using Unity.Collections.LowLevel.Unsafe;
 using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
@@ -51,9 +52,6 @@ namespace Unity.Collections
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         readonly void ThrowOutOfRange(int index)
         {
-            // An empty or uncreated array has the range [0, -1] or [0, 0].
-            if (m_Buffer == null)
-                AtomicSafetyHandle.CheckExistsAndThrow(m_Safety);
             if (index >= 0 && index < m_Length && (m_MinIndex != 0 || m_MaxIndex != m_Length - 1))
                 throw new IndexOutOfRangeException(
                     $"Index {index} is out of restricted IJobParallelFor range [{m_MinIndex}...{m_MaxIndex}] in "
@@ -74,6 +72,8 @@ namespace Unity.Collections
             if (length < 0)
                 throw new ArgumentOutOfRangeException(nameof(length), "Length must be >= 0");
             CheckElementType();
+            if (JobThread.IsExecuting && allocator != Allocator.Temp)
+                throw new InvalidOperationException("Jobs can only create Temp memory");
         }
 
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
@@ -102,8 +102,7 @@ namespace Unity.Collections
                     $"sub array range {start}-{(long)start + length - 1} is outside the range of the native array "
                     + $"0-{m_Length - 1}");
             if (length < 0)
-                throw new ArgumentException($"sub array range {start}-{start + length - 1} caused an integer overflow and is "
-                    + "outside the range of the native array");
+                throw new ArgumentOutOfRangeException(nameof(length), "Length must be >= 0");
         }
 
         // A view may be made while jobs are in flight: what is done through it is checked then.

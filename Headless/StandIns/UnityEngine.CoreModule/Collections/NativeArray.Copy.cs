@@ -90,7 +90,7 @@ namespace Unity.Collections
         static void CopyElements(void* src, int srcIndex, void* dst, int dstIndex, int length)
         {
             long size = SystemUnsafe.SizeOf<T>();
-            UnsafeUtility.MemMove((byte*)dst + dstIndex * size, (byte*)src + srcIndex * size, length * size);
+            UnsafeUtility.MemCpy((byte*)dst + dstIndex * size, (byte*)src + srcIndex * size, length * size);
         }
 
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
@@ -125,6 +125,9 @@ namespace Unity.Collections
                 throw new ArgumentException(
                     "length is greater than the number of elements from dstIndex to the end of the destination NativeArray.",
                     nameof(length));
+            // Unity multiplies these in int, and copies from or to elsewhere then; parts of an array it finds in long.
+            if ((long)Math.Max(Math.Max(srcIndex, dstIndex), length) * SystemUnsafe.SizeOf<T>() > int.MaxValue)
+                throw new ArgumentOutOfRangeException(nameof(length), "an array is copied up to its 2^31st byte only.");
         }
     }
 }

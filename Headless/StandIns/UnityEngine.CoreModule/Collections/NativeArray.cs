@@ -14,7 +14,6 @@ namespace Unity.Collections
     [NativeContainer]
     [NativeContainerSupportsMinMaxWriteRestriction]
     [NativeContainerSupportsDeallocateOnJobCompletion]
-    [NativeContainerSupportsDeferredConvertListToArray]
     [DebuggerDisplay("Length = {Length}")]
     public unsafe partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<NativeArray<T>> where T : struct
     {

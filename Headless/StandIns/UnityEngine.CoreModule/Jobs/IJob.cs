@@ -11,7 +11,7 @@ namespace Unity.Jobs
     {
         struct Kind<T> : IJobKind<T> where T : struct, IJob
         {
-            public void Execute(ref T job, int begin, int end, int batchSize) => job.Execute();
+            public void Execute(ref T job, int begin, int end) => job.Execute();
         }
 
         public static void EarlyJobInit<T>() where T : struct, IJob

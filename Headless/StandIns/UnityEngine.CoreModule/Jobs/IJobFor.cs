@@ -11,7 +11,7 @@ namespace Unity.Jobs
     {
         struct Kind<T> : IJobKind<T> where T : struct, IJobFor
         {
-            public void Execute(ref T job, int begin, int end, int batchSize)
+            public void Execute(ref T job, int begin, int end)
             {
                 for (int i = begin; i < end; i++)
                     job.Execute(i);

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Runtime.InteropServices;
 
 namespace StandIns.Memory
@@ -8,6 +9,7 @@ namespace StandIns.Memory
     {
         // Unity's allocators give at least 16; vectors of 32 bytes then need no care either.
         const int MinAlignment = 32;
+        const int MostSpoiled = 1 << 20;
 
 #if NET
         // By itself the C library takes ever larger blocks from its heap, where what is freed stays with the process: a build in
@@ -40,16 +42,24 @@ namespace StandIns.Memory
             if (alignment <= 0 || (alignment & (alignment - 1)) != 0)
                 throw new ArgumentException($"An alignment must be a power of two, not {alignment}.", nameof(alignment));
 #if NET
-            return NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, MinAlignment));
+            void* aligned = NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, MinAlignment));
+            Spoil(aligned, size);
+            return aligned;
 #else
             // The block's own address lies before what is handed out.
             alignment = Math.Max(alignment, MinAlignment);
             long block = (long)Marshal.AllocHGlobal(new IntPtr(size + alignment + sizeof(long)));
             long* aligned = (long*)((block + sizeof(long) + alignment - 1) & -alignment);
             aligned[-1] = block;
+            Spoil(aligned, size);
             return aligned;
 #endif
         }
+
+        // What nobody cleared is not zero, as it often is by chance; of large blocks, whose pages should not all be touched, the
+        // beginning does.
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        static void Spoil(void* memory, long size) => new Span<byte>(memory, (int)Math.Min(size, MostSpoiled)).Fill(0xCD);
 
         internal static void Free(void* memory)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using StandIns.Memory;
 using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
@@ -43,26 +44,28 @@ namespace Unity.Collections.LowLevel.Unsafe
 
         public static void FreeTracked(void* memory, Allocator allocator) => Free(memory, allocator);
 
-        public static bool IsValidAllocator(Allocator allocator) => allocator > Allocator.None;
-
         public static int CheckForLeaks() => AllocationLedger.CheckForLeaks();
 
         public static int ForgiveLeaks() => AllocationLedger.ForgiveLeaks();
 
-        public static NativeLeakDetectionMode GetLeakDetectionMode() => AllocationLedger.Mode;
-
-        public static void SetLeakDetectionMode(NativeLeakDetectionMode value) => AllocationLedger.Mode = value;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void MemCpy(void* destination, void* source, long size)
+        {
+            CheckSize(size);
+            CheckApart((byte*)destination, (byte*)source, size);
+            Buffer.MemoryCopy(source, destination, size, size);
+        }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void MemCpy(void* destination, void* source, long size) =>
+        public static void MemMove(void* destination, void* source, long size)
+        {
+            CheckSize(size);
             Buffer.MemoryCopy(source, destination, size, size);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void MemMove(void* destination, void* source, long size) =>
-            Buffer.MemoryCopy(source, destination, size, size);
+        }
 
         public static void MemSet(void* destination, byte value, long size)
         {
+            CheckSize(size);
             byte* at = (byte*)destination;
             while (size > 0)
             {
@@ -77,6 +80,7 @@ namespace Unity.Collections.LowLevel.Unsafe
 
         public static int MemCmp(void* ptr1, void* ptr2, long size)
         {
+            CheckSize(size);
             byte* a = (byte*)ptr1;
             byte* b = (byte*)ptr2;
             while (size > 0)
@@ -90,30 +94,6 @@ namespace Unity.Collections.LowLevel.Unsafe
                 size -= part;
             }
             return 0;
-        }
-
-        public static void MemCpyReplicate(void* destination, void* source, int size, int count)
-        {
-            byte* at = (byte*)destination;
-            for (int i = 0; i < count; i++, at += size)
-                MemCpy(at, source, size);
-        }
-
-        public static void MemCpyStride(void* destination, int destinationStride, void* source, int sourceStride,
-            int elementSize, int count)
-        {
-            byte* to = (byte*)destination;
-            byte* from = (byte*)source;
-            for (int i = 0; i < count; i++, to += destinationStride, from += sourceStride)
-                MemCpy(to, from, elementSize);
-        }
-
-        public static void MemSwap(void* ptr1, void* ptr2, long size)
-        {
-            byte* a = (byte*)ptr1;
-            byte* b = (byte*)ptr2;
-            for (long i = 0; i < size; i++)
-                (a[i], b[i]) = (b[i], a[i]);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -130,39 +110,24 @@ namespace Unity.Collections.LowLevel.Unsafe
             SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(destination), index) = value;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static T ReadArrayElementWithStride<T>(void* source, int index, int stride) =>
-            SystemUnsafe.ReadUnaligned<T>((byte*)source + (long)index * stride);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void WriteArrayElementWithStride<T>(void* destination, int index, int stride, T value) =>
-            SystemUnsafe.WriteUnaligned((byte*)destination + (long)index * stride, value);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void* AddressOf<T>(ref T output) where T : struct => SystemUnsafe.AsPointer(ref output);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ref T As<U, T>(ref U from) => ref SystemUnsafe.As<U, T>(ref from);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ref T AsRef<T>(void* ptr) where T : struct => ref SystemUnsafe.AsRef<T>(ptr);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static ref T ArrayElementAsRef<T>(void* ptr, int index) where T : struct =>
-            ref SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(ptr), index);
-
-        public static void CopyPtrToStructure<T>(void* ptr, out T output) where T : struct =>
-            output = SystemUnsafe.ReadUnaligned<T>(ptr);
-
-        public static void CopyStructureToPtr<T>(ref T input, void* ptr) where T : struct =>
-            SystemUnsafe.WriteUnaligned(ptr, input);
 
         public static bool IsUnmanaged<T>() => !RuntimeHelpers.IsReferenceOrContainsReferences<T>();
 
-        public static bool IsBlittable<T>() where T : struct => IsUnmanaged<T>();
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        static void CheckSize(long size)
+        {
+            if (size < 0)
+                throw new ArgumentOutOfRangeException(nameof(size), size, "A size must be positive.");
+        }
 
-        public static int EnumToInt<T>(T enumValue) where T : struct, IConvertible => enumValue.ToInt32(null);
-
-        public static bool EnumEquals<T>(T lhs, T rhs) where T : struct, IConvertible => lhs.Equals(rhs);
+        // MemMove is for those; MemCpy may copy in any order.
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        static void CheckApart(byte* destination, byte* source, long size)
+        {
+            if (Math.Abs(destination - source) < size)
+                throw new InvalidOperationException("MemCpy is not for memory that overlaps.");
+        }
 
         static void CheckAllocator(Allocator allocator)
         {

@@ -48,17 +48,7 @@ namespace Unity.Collections.LowLevel.Unsafe
 #endif
         }
 
-        public static AtomicSafetyHandle GetTempUnsafePtrSliceHandle() => GetTempMemoryHandle();
-
-        public static bool IsTempMemoryHandle(AtomicSafetyHandle handle) => (handle.m_Flags & Temp) != 0;
-
         public static bool IsDefaultValue(in AtomicSafetyHandle handle) => handle.m_Node == null;
-
-        public static bool IsHandleValid(in AtomicSafetyHandle handle) =>
-            handle.m_Node == null || handle.m_Version == handle.CurrentVersion;
-
-        public static bool IsValidNonDefaultHandle(in AtomicSafetyHandle handle) =>
-            handle.m_Node != null && handle.m_Version == handle.CurrentVersion;
 
         internal readonly int CurrentVersion =>
             (m_Flags & Secondary) != 0 ? m_Node->SecondaryVersion : m_Node->Version;
@@ -78,15 +68,6 @@ namespace Unity.Collections.LowLevel.Unsafe
                 handle.m_Node->BumpOnScheduledWrite = value ? 1 : 0;
         }
 
-        public static void SetNestedContainer(AtomicSafetyHandle handle, bool isNestedContainer)
-        {
-            if (handle.m_Node != null)
-                handle.m_Node->IsNested = isNestedContainer ? 1 : 0;
-        }
-
-        public static bool GetNestedContainer(AtomicSafetyHandle handle) =>
-            handle.m_Node != null && handle.m_Node->IsNested != 0;
-
         public static int NewStaticSafetyId<T>() => SafetyNames.IdOf(SafetyNames.Of(typeof(T)));
 
         [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
@@ -96,13 +77,6 @@ namespace Unity.Collections.LowLevel.Unsafe
         public static void CheckExistsAndThrow(in AtomicSafetyHandle handle)
         {
             if (handle.m_Node == null || handle.m_Version != handle.CurrentVersion)
-                SafetyErrors.Deallocated(handle);
-        }
-
-        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-        public static void ValidateNonDefaultHandle(in AtomicSafetyHandle handle)
-        {
-            if (handle.m_Node == null)
                 SafetyErrors.Deallocated(handle);
         }
 
@@ -155,33 +129,6 @@ namespace Unity.Collections.LowLevel.Unsafe
 #endif
         }
 
-        public static void PrepareUndisposable(ref AtomicSafetyHandle handle)
-        {
-        }
-
-        /// <summary>Completes the jobs in flight on the container.</summary>
-        public static EnforceJobResult EnforceAllBufferJobsHaveCompleted(AtomicSafetyHandle handle)
-        {
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
-            if (handle.m_Node == null || handle.m_Version != handle.CurrentVersion)
-                return EnforceJobResult.HandleWasAlreadyDeallocated;
-            if (handle.m_Node->InFlight == 0)
-                return EnforceJobResult.AllJobsAlreadySynced;
-            InFlightJobs.CompleteAll(handle.m_Node);
-            return EnforceJobResult.DidSyncRunningJobs;
-#else
-            return EnforceJobResult.AllJobsAlreadySynced;
-#endif
-        }
-
-        public static EnforceJobResult EnforceAllBufferJobsHaveCompletedAndRelease(AtomicSafetyHandle handle)
-        {
-            EnforceJobResult result = EnforceAllBufferJobsHaveCompleted(handle);
-            if (result != EnforceJobResult.HandleWasAlreadyDeallocated)
-                Release(handle);
-            return result;
-        }
-
         // A job's copy was checked when it was scheduled, and is told by its own flags; its container cannot go away under it.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         readonly bool MayAccess(int forbiddenInFlight, int forbiddenFlag)
@@ -196,12 +143,5 @@ namespace Unity.Collections.LowLevel.Unsafe
                 ? (m_Flags & forbiddenFlag) == 0
                 : (m_Node->InFlight & forbiddenInFlight) == 0;
         }
-    }
-
-    public enum EnforceJobResult
-    {
-        AllJobsAlreadySynced = 0,
-        DidSyncRunningJobs = 1,
-        HandleWasAlreadyDeallocated = 2,
     }
 }

@@ -14,12 +14,9 @@ namespace StandIns.Safety
 
         internal readonly string Name;
         internal readonly bool IsReadOnly;
-        internal readonly bool IsAtomicWriteOnly;
         internal readonly bool SupportsMinMax;
-        internal readonly bool SupportsDeferred;
         // -1 where there is no such field.
         internal readonly int BufferOffset;
-        internal readonly int LengthOffset;
         internal readonly int MinIndexOffset;
         internal readonly int MaxIndexOffset;
         internal readonly int AllocatorOffset;
@@ -29,10 +26,8 @@ namespace StandIns.Safety
         {
             Name = SafetyNames.Of(type);
             IsReadOnly = type.IsDefined(typeof(NativeContainerIsReadOnlyAttribute), false);
-            IsAtomicWriteOnly = type.IsDefined(typeof(NativeContainerIsAtomicWriteOnlyAttribute), false);
             SupportsMinMax = type.IsDefined(typeof(NativeContainerSupportsMinMaxWriteRestrictionAttribute), false);
-            SupportsDeferred = type.IsDefined(typeof(NativeContainerSupportsDeferredConvertListToArray), false);
-            string[] names = { "m_Buffer", "m_Length", "m_MinIndex", "m_MaxIndex", "m_AllocatorLabel", "m_Safety" };
+            string[] names = { "m_Buffer", "m_MinIndex", "m_MaxIndex", "m_AllocatorLabel", "m_Safety" };
             var paths = new List<FieldInfo[]>();
             var found = new int[names.Length];
             for (int i = 0; i < names.Length; i++)
@@ -46,11 +41,10 @@ namespace StandIns.Safety
             for (int i = 0; i < found.Length; i++)
                 found[i] = found[i] < 0 ? -1 : offsets[found[i]];
             BufferOffset = found[0];
-            LengthOffset = found[1];
-            MinIndexOffset = found[2];
-            MaxIndexOffset = found[3];
-            AllocatorOffset = found[4];
-            SafetyOffset = found[5];
+            MinIndexOffset = found[1];
+            MaxIndexOffset = found[2];
+            AllocatorOffset = found[3];
+            SafetyOffset = found[4];
         }
 
         internal static bool Is(Type type) => type.IsValueType && type.IsDefined(typeof(NativeContainerAttribute), false);

@@ -61,12 +61,5 @@ namespace StandIns.Safety
                     found = access;
             return found;
         }
-
-        internal static void CompleteAll(SafetyNode* node)
-        {
-            List<JobAccess> list;
-            while ((list = Of(node)) != null && list.Count > 0)
-                list[list.Count - 1].Record.Handle.Complete();
-        }
     }
 }

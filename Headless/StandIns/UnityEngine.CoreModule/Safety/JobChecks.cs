@@ -94,8 +94,7 @@ namespace StandIns.Safety
 
         static void CheckParallelWrites(JobField field, bool parallel)
         {
-            if (parallel && field.Writes && !field.DisablesParallelForRestriction && !field.Type.SupportsMinMax
-                && !field.Type.IsAtomicWriteOnly)
+            if (parallel && field.Writes && !field.DisablesParallelForRestriction && !field.Type.SupportsMinMax)
                 throw new InvalidOperationException($"{field.Name} is not declared [ReadOnly] in a IJobParallelFor job. The "
                     + "container does not support parallel writing. Please use a more suitable container type.");
         }

@@ -61,8 +61,6 @@ namespace StandIns.Safety
         internal JobField[] Deallocated =>
             m_fields.Exists(f => f.IsDeallocated) ? Containers.Where(f => f.IsDeallocated).ToArray() : Array.Empty<JobField>();
 
-        internal JobField[] Deferrable => Containers.Where(f => f.Type.SupportsDeferred).ToArray();
-
         internal JobField[] Restricted =>
             Containers.Where(f => f.Type.SupportsMinMax && f.Writes && !f.DisablesParallelForRestriction).ToArray();
 

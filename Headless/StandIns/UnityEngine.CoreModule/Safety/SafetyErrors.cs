@@ -8,6 +8,9 @@ namespace StandIns.Safety
     {
         internal static void Deallocated(in AtomicSafetyHandle handle)
         {
+            // Unity looks where the handle points without asking.
+            if (handle.m_Node == null)
+                throw new NullReferenceException("The container was never made.");
             string name = SafetyNames.Of(handle.m_Name);
             throw new ObjectDisposedException(name,
                 $"Attempted to access {name} which has been disposed, was invalidated by a change of its container, "

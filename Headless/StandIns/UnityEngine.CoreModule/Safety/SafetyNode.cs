@@ -20,7 +20,6 @@ namespace StandIns.Safety
         /// <summary>Index of the node's jobs in <see cref="InFlightJobs"/>.</summary>
         public int Index;
         public int BumpOnScheduledWrite;
-        public int IsNested;
 
         const int SlabNodes = 256;
         static readonly object s_lock = new object();
@@ -36,7 +35,6 @@ namespace StandIns.Safety
                 var node = (SafetyNode*)s_free.Pop();
                 node->InFlight = 0;
                 node->BumpOnScheduledWrite = 0;
-                node->IsNested = 0;
                 return node;
             }
         }

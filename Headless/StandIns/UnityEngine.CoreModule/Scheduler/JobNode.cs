@@ -8,7 +8,7 @@ namespace StandIns.Scheduling
     /// One scheduled job, or (without work) something to wait for: combined dependencies, a read. Nodes are reused; a JobHandle
     /// names one by index and version.
     /// </summary>
-    sealed unsafe class JobNode
+    sealed class JobNode
     {
         internal readonly int Index;
         internal int Version = 1;
@@ -18,8 +18,6 @@ namespace StandIns.Scheduling
         internal int BatchSize;
         internal int BatchCount;
         internal bool Shared;
-        /// <summary>Where the length stands when the dependencies are done, or null.</summary>
-        internal int* DeferredLength;
         /// <summary>Something to do once the dependencies are done, in place of a job.</summary>
         internal Action Callback;
 
@@ -53,7 +51,6 @@ namespace StandIns.Scheduling
             BatchSize = 1;
             BatchCount = 0;
             Shared = false;
-            DeferredLength = null;
             Callback = null;
             Done = false;
             Waited = false;

@@ -27,8 +27,7 @@ namespace StandIns.Scheduling
         static readonly List<JobNode> s_held = new List<JobNode>();
         static int s_heldCount;
 
-        internal static JobHandle Schedule<T, TKind>(ref T data, int length, int batchSize, bool parallel, JobHandle dependency,
-            int* deferredLength = null)
+        internal static JobHandle Schedule<T, TKind>(ref T data, int length, int batchSize, bool parallel, JobHandle dependency)
             where T : struct where TKind : struct, IJobKind<T>
         {
             CheckLength(length);
@@ -51,7 +50,6 @@ namespace StandIns.Scheduling
             node.Shared = parallel;
             node.BatchSize = Math.Max(1, batchSize);
             node.Length = length;
-            node.DeferredLength = deferredLength;
             JobHandle handle = Commit(node, dependency);
             JobWorkers.Start();
             Hold(node);
@@ -73,7 +71,7 @@ namespace StandIns.Scheduling
         }
 
         /// <summary>Executes at once, on the calling thread. What the job throws is logged, as with any other.</summary>
-        internal static void Run<T, TKind>(ref T data, int length, bool parallel, int batchSize = int.MaxValue)
+        internal static void Run<T, TKind>(ref T data, int length, bool parallel)
             where T : struct where TKind : struct, IJobKind<T>
         {
             CheckLength(length);
@@ -85,11 +83,9 @@ namespace StandIns.Scheduling
             JobThread.Enter();
             try
             {
-                if (JobPatch.DeferredArraysExist)
-                    JobPatch<T>.ResolveDeferred(ref copy);
                 JobPatch<T>.SetThreadIndex(ref copy, JobThread.Index);
                 if (length > 0)
-                    default(TKind).Execute(ref copy, 0, length, Math.Min(Math.Max(1, batchSize), length));
+                    default(TKind).Execute(ref copy, 0, length);
             }
             catch (Exception exception)
             {
@@ -233,13 +229,8 @@ namespace StandIns.Scheduling
             if (Interlocked.Decrement(ref node.Pending) != 0)
                 return;
             if (node.Work != null)
-            {
-                node.Work.Prepare();
-                if (node.DeferredLength != null)
-                    node.Length = *node.DeferredLength;
                 node.BatchCount = node.Length == 0 ? 0
                     : node.Shared ? (int)(((long)node.Length + node.BatchSize - 1) / node.BatchSize) : 1;
-            }
             if (node.BatchCount == 0)
             {
                 Finish(node);
@@ -296,7 +287,7 @@ namespace StandIns.Scheduling
             double begunMs = JobTimes.AreTaken ? JobTimes.NowMs() : -1;
             try
             {
-                node.Work.Execute(begin, end, node.BatchSize, node.Shared, JobThread.Index);
+                node.Work.Execute(begin, end, node.Shared, JobThread.Index);
             }
             catch (Exception exception)
             {

@@ -6,8 +6,7 @@ namespace StandIns.Scheduling
     /// <summary>How one kind of job runs over a range: a struct, so that the call is a direct one.</summary>
     interface IJobKind<T> where T : struct
     {
-        /// <param name="batchSize">Elements that were asked for per batch; the range may be several batches.</param>
-        void Execute(ref T job, int begin, int end, int batchSize);
+        void Execute(ref T job, int begin, int end);
     }
 
     /// <summary>A scheduled job's own copy of the job struct.</summary>
@@ -15,11 +14,8 @@ namespace StandIns.Scheduling
     {
         internal abstract Type JobType { get; }
 
-        /// <summary>All dependencies are done: arrays that stand for a list's later contents get them now.</summary>
-        internal abstract void Prepare();
-
         /// <param name="shared">Other threads run other ranges of the same job.</param>
-        internal abstract void Execute(int begin, int end, int batchSize, bool shared, int threadIndex);
+        internal abstract void Execute(int begin, int end, bool shared, int threadIndex);
 
         /// <summary>The job is done: frees what it was told to free and goes back to its pool.</summary>
         internal abstract void Finish();
@@ -59,13 +55,7 @@ namespace StandIns.Scheduling
             }
         }
 
-        internal override void Prepare()
-        {
-            if (JobPatch.DeferredArraysExist)
-                JobPatch<T>.ResolveDeferred(ref Data);
-        }
-
-        internal override void Execute(int begin, int end, int batchSize, bool shared, int threadIndex)
+        internal override void Execute(int begin, int end, bool shared, int threadIndex)
         {
             // On the stack: a job may hold pointers to its own fields, and this object may be moved. And a copy for each range: a
             // job's fields are no way from one index to another, and the range that a thread may write is kept in them.
@@ -73,7 +63,7 @@ namespace StandIns.Scheduling
             JobPatch<T>.SetThreadIndex(ref data, threadIndex);
             if (shared)
                 JobPatch<T>.Restrict(ref data, begin, end);
-            default(TKind).Execute(ref data, begin, end, batchSize);
+            default(TKind).Execute(ref data, begin, end);
         }
 
         internal override void Finish()
