@@ -11,11 +11,41 @@ namespace FastPoints.HostTests.Mathematics
         [Test]
         public void MinMax_WithNaN_TakeTheNumber()
         {
-            Assert.That(math.min(float.NaN, 1.0f), Is.NaN.Or.EqualTo(1.0f));
+            Assert.That(math.min(float.NaN, 1.0f), Is.EqualTo(1.0f));
             Assert.That(math.min(1.0f, float.NaN), Is.EqualTo(1.0f));
+            Assert.That(math.max(double.NaN, 1.0), Is.EqualTo(1.0));
             Assert.That(math.max(1.0, double.NaN), Is.EqualTo(1.0));
+            Assert.That(math.min(float.NaN, float.NaN), Is.NaN);
+            Assert.That(math.cmin(new float3(float.NaN, 1, 2)), Is.EqualTo(1.0f));
+            Assert.That(math.cmax(new double3(double.NaN, -1, -2)), Is.EqualTo(-1.0));
+        }
+
+        [Test]
+        public void Clamp_NaN_IsTheUpperBound()
+        {
+            Assert.That(math.clamp(float.NaN, -1, 3), Is.EqualTo(3.0f));
+            Assert.That(math.clamp(double.NaN, -1, 3), Is.EqualTo(3.0));
+            Assert.That(math.clamp(new double3(double.NaN, -9, 9), -1, 3), Is.EqualTo(new double3(3, -1, 3)));
             Assert.That(math.clamp(5, -1, 3), Is.EqualTo(3));
-            Assert.That(math.saturate(new float2(-2, 0.5f)), Is.EqualTo(new float2(0, 0.5f)));
+            Assert.That(math.saturate(new float3(-2, 0.5f, float.NaN)), Is.EqualTo(new float3(0, 0.5f, 1)));
+        }
+
+        [Test]
+        public void Sum_OfFourComponents_GoesByPairs()
+        {
+            Assert.That(math.csum(new float4(16777216, 1, 1, 1)), Is.EqualTo(16777218.0f));
+            Assert.That(math.csum(new double4(9007199254740992, 1, 1, 1)), Is.EqualTo(9007199254740994.0));
+        }
+
+        [Test]
+        public void Normalize_OfTooShortVectors_IsNaNOrTheDefault()
+        {
+            var up = new float3(0, 0, 1);
+
+            Assert.That(math.normalize(float3.zero).x, Is.NaN);
+            Assert.That(math.normalizesafe(float3.zero, up), Is.EqualTo(up));
+            Assert.That(math.normalizesafe(new float3(1e-30f, 0, 0), up), Is.EqualTo(up));
+            Assert.That(math.normalizesafe(new float3(1.1e-19f, 0, 0), up), Is.EqualTo(new float3(1, 0, 0)));
         }
 
         [TestCase(0.5f, 0.0f)]
@@ -23,6 +53,8 @@ namespace FastPoints.HostTests.Mathematics
         [TestCase(2.5f, 2.0f)]
         [TestCase(-0.5f, -0.0f)]
         [TestCase(-1.5f, -2.0f)]
+        [TestCase(0.49999997f, 0.0f)]
+        [TestCase(8388609.0f, 8388609.0f)]
         public void Round_Halves_GoToEven(float x, float rounded)
         {
             Assert.That(math.round(x), Is.EqualTo(rounded));
@@ -57,6 +89,8 @@ namespace FastPoints.HostTests.Mathematics
                 Assert.That(math.reversebits(x), Is.EqualTo(System.Convert.ToUInt64(new string(bits.Reverse().ToArray()), 2)));
             }
             Assert.That(math.lzcnt(0), Is.EqualTo(32));
+            Assert.That(math.tzcnt(0), Is.EqualTo(32));
+            Assert.That(math.lzcnt(0ul), Is.EqualTo(64));
             Assert.That(math.tzcnt(0ul), Is.EqualTo(64));
         }
 
@@ -72,11 +106,17 @@ namespace FastPoints.HostTests.Mathematics
             Assert.That(math.ispow2(x), Is.EqualTo(x == ceiling));
         }
 
+        [TestCase(0, 0)]
+        [TestCase(-5, 0)]
+        [TestCase(1 << 30, 1 << 30)]
+        [TestCase((1 << 30) + 1, int.MinValue)]
+        public void CeilPow2_AtTheEnds_Wraps(int x, int ceiling) => Assert.That(math.ceilpow2(x), Is.EqualTo(ceiling));
+
         [Test]
         public void Reinterpretation_ThereAndBack_KeepsTheBits()
         {
             Assert.That(math.asuint(1.0f), Is.EqualTo(0x3F800000u));
-            Assert.That(math.asfloat(0x7FC00000u), Is.NaN);
+            Assert.That(math.asuint(math.asfloat(0xFFC12345u)), Is.EqualTo(0xFFC12345u));
             Assert.That(math.asdouble(math.asulong(-0.1)), Is.EqualTo(-0.1));
             Assert.That(math.asint(new float2(-0.0f, 2.0f)), Is.EqualTo(new int2(int.MinValue, 0x40000000)));
         }
@@ -131,6 +171,19 @@ namespace FastPoints.HostTests.Mathematics
             math.sincos(0.3f, out float s, out float c);
             Assert.That(s * s + c * c, Is.EqualTo(1.0f).Within(1e-6f));
             Assert.That(math.atan2(1.0f, -1.0f), Is.EqualTo(0.75f * math.PI).Within(1e-6f));
+        }
+
+        [Test]
+        public void Transcendentals_OfFloats_AreRoundedDoubles()
+        {
+            for (float x = 0.1f; x < 40; x += 0.7f)
+            {
+                Assert.That(math.sin(x), Is.EqualTo((float)Math.Sin(x)));
+                Assert.That(math.exp(x), Is.EqualTo((float)Math.Exp(x)));
+                Assert.That(math.log(x), Is.EqualTo((float)Math.Log(x)));
+                Assert.That(math.pow(x, 0.3f), Is.EqualTo((float)Math.Pow(x, 0.3f)));
+                Assert.That(math.atan2(x, 2), Is.EqualTo((float)Math.Atan2(x, 2)));
+            }
         }
 
         [TestCase("", 0u, 0x02CC5D05u)]

@@ -29,6 +29,15 @@ namespace FastPoints.HostTests.Mathematics
         }
 
         [Test]
+        public void DeterminantAndInverse_OfTenths_RoundAsUnitys()
+        {
+            var m = new double3x3(5.1, -0.5, -5.7, 1.6, -0.1, -8.4, 9.7, -0.9, 0.2);
+
+            Assert.That(math.determinant(m), Is.EqualTo(4.921000000000006));
+            Assert.That(math.inverse(m).c0.x, Is.EqualTo(-1.5403373298110123));
+        }
+
+        [Test]
         public void Constructor_OfSixteenNumbers_IsByRows()
         {
             var m = new float4x4(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);

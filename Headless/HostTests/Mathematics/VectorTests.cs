@@ -26,6 +26,28 @@ namespace FastPoints.HostTests.Mathematics
         }
 
         [Test]
+        public void HashCode_OfEachType_IsUnitys()
+        {
+            var codes = new (object Of, uint Code)[]
+            {
+                (new bool2(true, false), 0x57C8E9B2), (new bool3(true, false, true), 0xD865353F),
+                (new bool4(true, false, false, true), 0x9CD39CEE), (new int2(7, -8), 0x29DDB7F8),
+                (new int3(1, 2, 3), 0xAF2D05FF), (new int4(1, -2, 3, int.MinValue), 0xC7389875), (new uint2(7, 8), 0xA48B429E),
+                (new uint3(1, 2, uint.MaxValue), 0xBE8B99A1), (new uint4(1, 2, 3, 4), 0xCBAEE859),
+                (new float2(1, -2), 0x9A5D5341), (new float3(0, 0, 1.5f), 0x7E9513F9), (new float3(0, -0.0f, 1.5f), 0xFE9513F9),
+                (new float4(1, 2, 3, 4), 0x4CC36EE1), (new double2(0.1, -1), 0xB5ECB90C),
+                (new double3(0.1, -1, 1e300), 0x89721BA6), (new double4(1, 2, 3, 4), 0xC951BFC3),
+                (new double3x3(1, 0, 0, 0, 1, 0, 0, 0, 1), 0xAEC0D005),
+                (new double4x4(new double4(1, 0, 0, 0), new double4(0, 1, 0, 0), new double4(0, 0, 1, 0), new double4(0, 0, 0, 1)),
+                    0xF352ADE1),
+                (new float4x4(new float4(1, 0, 0, 0), new float4(0, 1, 0, 0), new float4(0, 0, 1, 0), new float4(0, 0, 0, 1)),
+                    0x52F7230F),
+            };
+            foreach ((object of, uint code) in codes)
+                Assert.That((uint)of.GetHashCode(), Is.EqualTo(code), of.ToString());
+        }
+
+        [Test]
         public void Conversions_BetweenTypes_TruncateAndWiden()
         {
             float3 widened = new int3(1, 2, 3);

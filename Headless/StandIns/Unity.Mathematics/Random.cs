@@ -36,15 +36,27 @@ namespace Unity.Mathematics
 
         public int NextInt() => (int)NextState() ^ -2147483648;
 
-        public int NextInt(int max) => (int)((NextState() * (ulong)max) >> 32);
+        public int NextInt(int max)
+        {
+            CheckMax(max);
+            return (int)((NextState() * (ulong)max) >> 32);
+        }
 
-        public int NextInt(int min, int max) => (int)(uint)(NextState() * (ulong)(uint)(max - min) >> 32) + min;
+        public int NextInt(int min, int max)
+        {
+            CheckMinMax(min, max);
+            return (int)(uint)(NextState() * (ulong)(uint)(max - min) >> 32) + min;
+        }
 
         public uint NextUInt() => NextState() - 1u;
 
         public uint NextUInt(uint max) => (uint)((NextState() * (ulong)max) >> 32);
 
-        public uint NextUInt(uint min, uint max) => (uint)(NextState() * (ulong)(max - min) >> 32) + min;
+        public uint NextUInt(uint min, uint max)
+        {
+            CheckMinMax(min, max);
+            return (uint)(NextState() * (ulong)(max - min) >> 32) + min;
+        }
 
         [MethodImpl(Inlining.Always)]
         public float NextFloat() => math.asfloat(0x3F800000u | (NextState() >> 9)) - 1.0f;
@@ -167,6 +179,20 @@ namespace Unity.Mathematics
         {
             if (state == 0)
                 throw new ArgumentException("Invalid state 0. Random object has not been properly initialized");
+        }
+
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        private static void CheckMax(int max)
+        {
+            if (max < 0)
+                throw new ArgumentException("max must be positive");
+        }
+
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        private static void CheckMinMax(long min, long max)
+        {
+            if (min > max)
+                throw new ArgumentException("min must be less than or equal to max");
         }
     }
 }

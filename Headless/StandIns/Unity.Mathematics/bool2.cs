@@ -113,7 +113,7 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is bool2 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y);
+        public override int GetHashCode() => (int)((x ? 0xFAAF07DDu : 0x90A285BBu) + (y ? 0x625C45BDu : 0x5D19E1D5u));
 
         public override string ToString() => $"bool2({x}, {y})";
 

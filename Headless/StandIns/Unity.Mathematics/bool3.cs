@@ -133,7 +133,8 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is bool3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z);
+        public override int GetHashCode() => (int)(
+            (x ? 0xAF816615u : 0xA1E92D39u) + (y ? 0x9AF8D62Du : 0x4583C801u) + (z ? 0xE3600729u : 0x9536A0F5u));
 
         public override string ToString() => $"bool3({x}, {y}, {z})";
 

@@ -175,7 +175,9 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is bool4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z, w);
+        public override int GetHashCode() => (int)(
+            (x ? 0xC53F4755u : 0x5FFF6B19u) + (y ? 0x6985C229u : 0x5E6CBF3Bu) +
+            (z ? 0xE133B0B3u : 0xB546F2A5u) + (w ? 0xC3E0A3B9u : 0xBBCF63E7u));
 
         public override string ToString() => $"bool4({x}, {y}, {z}, {w})";
 

@@ -257,7 +257,8 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is double2 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y);
+        public override int GetHashCode() => (int)(
+            math.fold_to_uint(x) * 0x9536A0F5u + math.fold_to_uint(y) * 0xAF816615u + 0x9AF8D62Du);
 
         public override string ToString() => $"double2({x}, {y})";
 

@@ -285,7 +285,9 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is double3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z);
+        public override int GetHashCode() => (int)(
+            math.fold_to_uint(x) * 0xAF0F3103u + math.fold_to_uint(y) * 0xE4A056C7u +
+            math.fold_to_uint(z) * 0x841D8225u + 0xC9393C7Du);
 
         public override string ToString() => $"double3({x}, {y}, {z})";
 

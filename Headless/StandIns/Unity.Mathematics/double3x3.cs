@@ -132,7 +132,13 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is double3x3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(c0, c1, c2);
+        public override int GetHashCode() => (int)(
+            math.fold_to_uint(c0.x) * 0xAC5DB57Bu + math.fold_to_uint(c0.y) * 0xA91A02EDu +
+            math.fold_to_uint(c0.z) * 0xB3C49313u +
+            math.fold_to_uint(c1.x) * 0xF43A9ABBu + math.fold_to_uint(c1.y) * 0x84E7E01Bu +
+            math.fold_to_uint(c1.z) * 0x8E055BE5u +
+            math.fold_to_uint(c2.x) * 0x6E624EB7u + math.fold_to_uint(c2.y) * 0x7383ED49u +
+            math.fold_to_uint(c2.z) * 0xDD49C23Bu + 0xEBD0D005u);
 
         public override string ToString() =>
             $"double3x3({c0.x}, {c1.x}, {c2.x},  {c0.y}, {c1.y}, {c2.y},  {c0.z}, {c1.z}, {c2.z})";

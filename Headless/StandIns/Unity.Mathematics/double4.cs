@@ -335,7 +335,9 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is double4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z, w);
+        public override int GetHashCode() => (int)(
+            math.fold_to_uint(x) * 0x9F1C739Bu + math.fold_to_uint(y) * 0x4B1BD187u +
+            math.fold_to_uint(z) * 0x9DF50593u + math.fold_to_uint(w) * 0xF18EEB85u + 0x9E19BFC3u);
 
         public override string ToString() => $"double4({x}, {y}, {z}, {w})";
 

@@ -139,7 +139,15 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is double4x4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(c0, c1, c2, c3);
+        public override int GetHashCode() => (int)(
+            math.fold_to_uint(c0.x) * 0x4DDC6509u + math.fold_to_uint(c0.y) * 0x7CF083CBu +
+            math.fold_to_uint(c0.z) * 0x5C4D6CEDu + math.fold_to_uint(c0.w) * 0xF9137117u +
+            math.fold_to_uint(c1.x) * 0xE857DCE1u + math.fold_to_uint(c1.y) * 0xF62213C5u +
+            math.fold_to_uint(c1.z) * 0x9CDAA959u + math.fold_to_uint(c1.w) * 0xAA269ABFu +
+            math.fold_to_uint(c2.x) * 0xD54BA36Fu + math.fold_to_uint(c2.y) * 0xFD0847B9u +
+            math.fold_to_uint(c2.z) * 0x8189A683u + math.fold_to_uint(c2.w) * 0xB139D651u +
+            math.fold_to_uint(c3.x) * 0xE7579997u + math.fold_to_uint(c3.y) * 0xEF7D56C7u +
+            math.fold_to_uint(c3.z) * 0x66F38F0Bu + math.fold_to_uint(c3.w) * 0x624256A3u + 0x5292ADE1u);
 
         public override string ToString() =>
             $"double4x4({c0.x}, {c1.x}, {c2.x}, {c3.x},  {c0.y}, {c1.y}, {c2.y}, {c3.y},  {c0.z}, {c1.z}, {c2.z}, {c3.z},  {c0.w}, {c1.w}, {c2.w}, {c3.w})";

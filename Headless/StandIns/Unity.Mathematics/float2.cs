@@ -257,7 +257,7 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is float2 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y);
+        public override int GetHashCode() => (int)(math.asuint(x) * 0xFA3A3285u + math.asuint(y) * 0xAD55999Du + 0xDCDD5341u);
 
         public override string ToString() => $"float2({x}f, {y}f)";
 

@@ -285,7 +285,8 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is float3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z);
+        public override int GetHashCode() => (int)(
+            math.asuint(x) * 0x9B13B92Du + math.asuint(y) * 0x4ABF0813u + math.asuint(z) * 0x86068063u + 0xD75513F9u);
 
         public override string ToString() => $"float3({x}f, {y}f, {z}f)";
 

@@ -335,7 +335,9 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is float4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z, w);
+        public override int GetHashCode() => (int)(
+            math.asuint(x) * 0xE69626FFu + math.asuint(y) * 0xBD010EEBu +
+            math.asuint(z) * 0x9CEDE1D1u + math.asuint(w) * 0x43BE0B51u + 0xAF836EE1u);
 
         public override string ToString() => $"float4({x}f, {y}f, {z}f, {w}f)";
 

@@ -139,7 +139,15 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is float4x4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(c0, c1, c2, c3);
+        public override int GetHashCode() => (int)(
+            math.asuint(c0.x) * 0xC4B1493Fu + math.asuint(c0.y) * 0xBA0966D3u +
+            math.asuint(c0.z) * 0xAFBEE253u + math.asuint(c0.w) * 0x5B419C01u +
+            math.asuint(c1.x) * 0x515D90F5u + math.asuint(c1.y) * 0xEC9F68F3u +
+            math.asuint(c1.z) * 0xF9EA92D5u + math.asuint(c1.w) * 0xC2FAFCB9u +
+            math.asuint(c2.x) * 0x616E9CA1u + math.asuint(c2.y) * 0xC5C5394Bu +
+            math.asuint(c2.z) * 0xCAE78587u + math.asuint(c2.w) * 0x7A1541C9u +
+            math.asuint(c3.x) * 0xF83BD927u + math.asuint(c3.y) * 0x6A243BCBu +
+            math.asuint(c3.z) * 0x509B84C9u + math.asuint(c3.w) * 0x91D13847u + 0x52F7230Fu);
 
         public override string ToString() =>
             $"float4x4({c0.x}f, {c1.x}f, {c2.x}f, {c3.x}f,  {c0.y}f, {c1.y}f, {c2.y}f, {c3.y}f,  {c0.z}f, {c1.z}f, {c2.z}f, {c3.z}f,  {c0.w}f, {c1.w}f, {c2.w}f, {c3.w}f)";

@@ -293,7 +293,7 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is int2 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y);
+        public override int GetHashCode() => (int)((uint)x * 0x83B58237u + (uint)y * 0x833E3E29u + 0xA9D919BFu);
 
         public override string ToString() => $"int2({x}, {y})";
 

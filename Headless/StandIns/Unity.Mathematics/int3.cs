@@ -321,7 +321,8 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is int3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z);
+        public override int GetHashCode() =>
+            (int)((uint)x * 0x4C7F6DD1u + (uint)y * 0x4822A3E9u + (uint)z * 0xAAC3C25Du + 0xD21D0945u);
 
         public override string ToString() => $"int3({x}, {y}, {z})";
 

@@ -371,7 +371,9 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is int4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z, w);
+        public override int GetHashCode() => (int)(
+            (uint)x * 0x6E050B01u + (uint)y * 0x750FDBF5u +
+            (uint)z * 0x7F3DD499u + (uint)w * 0x52EAAEBBu + 0x4599C793u);
 
         public override string ToString() => $"int4({x}, {y}, {z}, {w})";
 

@@ -627,7 +627,7 @@ namespace Unity.Mathematics
         public static double csum(double3 x) => x.x + x.y + x.z;
 
         [MethodImpl(Inlining.Always)]
-        public static double csum(double4 x) => x.x + x.y + x.z + x.w;
+        public static double csum(double4 x) => (x.x + x.y) + (x.z + x.w);
 
         [MethodImpl(Inlining.Always)]
         public static float csum(float2 x) => x.x + x.y;
@@ -636,7 +636,7 @@ namespace Unity.Mathematics
         public static float csum(float3 x) => x.x + x.y + x.z;
 
         [MethodImpl(Inlining.Always)]
-        public static float csum(float4 x) => x.x + x.y + x.z + x.w;
+        public static float csum(float4 x) => (x.x + x.y) + (x.z + x.w);
 
         [MethodImpl(Inlining.Always)]
         public static int csum(int2 x) => x.x + x.y;

@@ -8,6 +8,12 @@ namespace Unity.Mathematics
         private const uint Prime4 = 668265263u;
         private const uint Prime5 = 374761393u;
 
+        internal static uint fold_to_uint(double x)
+        {
+            ulong bits = asulong(x);
+            return (uint)(bits >> 32) ^ (uint)bits;
+        }
+
         /// <summary>xxHash32 of a range of bytes.</summary>
         public static unsafe uint hash(void* pBuffer, int numBytes, uint seed = 0)
         {

@@ -24,14 +24,16 @@ namespace Unity.Mathematics
                 v.c1.x, v.c1.y, v.c1.z,
                 v.c2.x, v.c2.y, v.c2.z);
 
-        public static float determinant(float3x3 m) => dot(m.c0, cross(m.c1, m.c2));
+        public static float determinant(float3x3 m) =>
+            m.c0.x * (m.c1.y * m.c2.z - m.c1.z * m.c2.y) - m.c1.x * (m.c0.y * m.c2.z - m.c0.z * m.c2.y)
+                + m.c2.x * (m.c0.y * m.c1.z - m.c0.z * m.c1.y);
 
         public static float3x3 inverse(float3x3 m)
         {
             float3 r0 = cross(m.c1, m.c2);
             float3 r1 = cross(m.c2, m.c0);
             float3 r2 = cross(m.c0, m.c1);
-            float rcpDet = 1.0f / dot(m.c0, r0);
+            float rcpDet = 1.0f / (m.c0.x * r0.x + m.c1.x * r1.x + m.c2.x * r2.x);
             return new float3x3(
                 r0.x, r0.y, r0.z,
                 r1.x, r1.y, r1.z,
@@ -129,14 +131,16 @@ namespace Unity.Mathematics
                 v.c1.x, v.c1.y, v.c1.z,
                 v.c2.x, v.c2.y, v.c2.z);
 
-        public static double determinant(double3x3 m) => dot(m.c0, cross(m.c1, m.c2));
+        public static double determinant(double3x3 m) =>
+            m.c0.x * (m.c1.y * m.c2.z - m.c1.z * m.c2.y) - m.c1.x * (m.c0.y * m.c2.z - m.c0.z * m.c2.y)
+                + m.c2.x * (m.c0.y * m.c1.z - m.c0.z * m.c1.y);
 
         public static double3x3 inverse(double3x3 m)
         {
             double3 r0 = cross(m.c1, m.c2);
             double3 r1 = cross(m.c2, m.c0);
             double3 r2 = cross(m.c0, m.c1);
-            double rcpDet = 1.0 / dot(m.c0, r0);
+            double rcpDet = 1.0 / (m.c0.x * r0.x + m.c1.x * r1.x + m.c2.x * r2.x);
             return new double3x3(
                 r0.x, r0.y, r0.z,
                 r1.x, r1.y, r1.z,

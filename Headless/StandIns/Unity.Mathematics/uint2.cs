@@ -293,7 +293,7 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is uint2 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y);
+        public override int GetHashCode() => (int)(x * 0x4473BBB1u + y * 0xCBA11D5Fu + 0x685835CFu);
 
         public override string ToString() => $"uint2({x}, {y})";
 

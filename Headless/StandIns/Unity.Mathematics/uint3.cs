@@ -321,7 +321,7 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is uint3 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z);
+        public override int GetHashCode() => (int)(x * 0xCD266C89u + y * 0xF1852A33u + z * 0x77E35E77u + 0x863E3729u);
 
         public override string ToString() => $"uint3({x}, {y}, {z})";
 

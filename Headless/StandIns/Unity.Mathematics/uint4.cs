@@ -371,7 +371,8 @@ namespace Unity.Mathematics
 
         public override bool Equals(object o) => o is uint4 converted && Equals(converted);
 
-        public override int GetHashCode() => HashCode.Combine(x, y, z, w);
+        public override int GetHashCode() =>
+            (int)(x * 0xB492BF15u + y * 0xD37220E3u + z * 0x7AA2C2BDu + w * 0xE16BC89Du + 0x7AA07CD3u);
 
         public override string ToString() => $"uint4({x}, {y}, {z}, {w})";
 
