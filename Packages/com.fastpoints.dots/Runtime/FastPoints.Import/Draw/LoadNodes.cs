@@ -11,6 +11,10 @@ namespace FastPoints.Draw
     /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
     internal static class LoadNodes
     {
+        /// <summary>Of a file at once, unless one node has more. The nodes of a few points may lie all over upper.bin, which
+        /// grows with the cloud.</summary>
+        public const long MostBytesARead = 4 << 20;
+
         /// <summary>What the batch will have: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
         {
@@ -27,22 +31,26 @@ namespace FastPoints.Draw
         /// <summary>Work for a pump. Positions come as grid steps from the root's corner: see
         /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">Of <see cref="SchemaFor"/>, with room for all points of the selection.</param>
+        /// <param name="mostBytes">That are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
         public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
-            StageProgress progress)
+            StageProgress progress, long mostBytes = MostBytesARead)
         {
             using (var read = new StoreRead())
             {
                 int done = 0;
                 foreach (int file in selection.Files)
                 {
-                    using (var load = new FileLoad(folder, selection, file, batch, done))
+                    using (var load = new FileLoad(folder, selection, file, batch, done, mostBytes))
                     {
-                        read.Begin(selection.PathOf(file), load.FirstByte, load.ByteCount);
-                        yield return read.Done;
-                        read.Complete();
-                        yield return load.Schedule(read.Bytes);
-                        load.Complete();
+                        foreach (var part in load.Parts)
+                        {
+                            read.Begin(selection.PathOf(file), part.FirstByte, part.ByteCount);
+                            yield return read.Done;
+                            read.Complete();
+                            yield return load.Schedule(part, read.Bytes);
+                            load.Complete(part);
+                        }
                         done += load.Points;
                     }
                     progress?.Report(done / (double)Math.Max(1, selection.Points), done, 0);
@@ -51,12 +59,24 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>The nodes of one file: one read around all their planes, one job.</summary>
+        /// <summary>Nodes whose planes lie near one another: one read around all of them, one job.</summary>
+        struct Part
+        {
+            public int FirstNode;
+            public int NodeCount;
+            public long FirstByte;
+            public long ByteCount;
+        }
+
+        /// <summary>The nodes of one file, part by part.</summary>
         sealed class FileLoad : IDisposable
         {
             readonly NodeSelection m_selection;
             readonly int m_file;
             readonly PointBatch m_batch;
+
+            /// <summary>Of the nodes, in the order of their bytes: which of the chosen ones each is.</summary>
+            readonly int[] m_order;
             NativeArray<ChosenNode> m_nodes;
             NativeArray<PlaneRange> m_ranges;
             NativeArray<PlaneShape> m_shapes;
@@ -65,7 +85,8 @@ namespace FastPoints.Draw
             NativeArray<bool> m_isDamaged;
             JobHandle m_job;
 
-            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint)
+            public FileLoad(CloudFolder folder, NodeSelection selection, int file, PointBatch batch, int firstPoint,
+                long mostBytes)
             {
                 m_selection = selection;
                 m_file = file;
@@ -102,9 +123,11 @@ namespace FastPoints.Draw
                 var chosen = selection.NodesOf(file);
                 var nodes = new ChosenNode[chosen.Count];
                 var ranges = new PlaneRange[chosen.Count * planes.Count];
-                long begin = long.MaxValue, end = 0;
+                var begins = new long[nodes.Length];
+                var ends = new long[nodes.Length];
                 for (int i = 0; i < nodes.Length; i++)
                 {
+                    begins[i] = long.MaxValue;
                     var node = table.Nodes[chosen[i]];
                     var host = table.Nodes[node.Host];
                     nodes[i] = new ChosenNode
@@ -125,13 +148,16 @@ namespace FastPoints.Draw
                         int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
                         var range = table.Planes[node.Host * table.PlaneCount + (average >= 0 ? average : planes[p])];
                         ranges[i * planes.Count + p] = range;
-                        begin = Math.Min(begin, range.OffsetBytes);
-                        end = Math.Max(end, range.OffsetBytes + range.LengthBytes);
+                        begins[i] = Math.Min(begins[i], range.OffsetBytes);
+                        ends[i] = Math.Max(ends[i], range.OffsetBytes + range.LengthBytes);
                     }
                 }
-                FirstByte = begin;
-                ByteCount = end - begin;
-                m_nodes = new NativeArray<ChosenNode>(nodes, Allocator.Persistent);
+                m_order = new int[nodes.Length];
+                for (int i = 0; i < m_order.Length; i++)
+                    m_order[i] = i;
+                Array.Sort(m_order, (a, b) => begins[a].CompareTo(begins[b]));
+                Parts = Cut(m_order, begins, ends, mostBytes);
+                m_nodes = new NativeArray<ChosenNode>(Array.ConvertAll(m_order, i => nodes[i]), Allocator.Persistent);
                 m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
                 m_shapes = new NativeArray<PlaneShape>(shapes.ToArray(), Allocator.Persistent);
                 m_columns = new NativeArray<StoredColumn>(columns.ToArray(), Allocator.Persistent);
@@ -139,18 +165,18 @@ namespace FastPoints.Draw
                 m_isDamaged = new NativeArray<bool>(nodes.Length, Allocator.Persistent);
             }
 
-            public long FirstByte { get; }
-            public long ByteCount { get; }
+            public List<Part> Parts { get; }
             public int Points { get; }
 
-            public JobHandle Schedule(NativeArray<byte> file)
+            /// <param name="bytes">The part's.</param>
+            public JobHandle Schedule(in Part part, NativeArray<byte> bytes)
             {
                 var schema = m_batch.Schema;
                 m_job = new DecodeNodesJob
                 {
-                    File = file,
-                    FileOffset = FirstByte,
-                    Nodes = m_nodes,
+                    File = bytes,
+                    FileOffset = part.FirstByte,
+                    Nodes = m_nodes.GetSubArray(part.FirstNode, part.NodeCount),
                     Ranges = m_ranges,
                     Shapes = m_shapes,
                     Columns = m_columns,
@@ -159,18 +185,18 @@ namespace FastPoints.Draw
                     Y = m_batch.Column(schema.IndexOf(AttributeNames.Y)),
                     Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
                     Batch = m_batch.Bytes,
-                    IsDamaged = m_isDamaged,
-                }.Schedule(m_nodes.Length, 1);
+                    IsDamaged = m_isDamaged.GetSubArray(part.FirstNode, part.NodeCount),
+                }.Schedule(part.NodeCount, 1);
                 return m_job;
             }
 
-            public void Complete()
+            public void Complete(in Part part)
             {
                 m_job.Complete();
-                for (int i = 0; i < m_isDamaged.Length; i++)
+                for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
                     if (m_isDamaged[i])
                         throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_file),
-                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[i] +
+                            m_ranges[m_nodes[i].FirstRange].OffsetBytes, "node " + m_selection.NodesOf(m_file)[m_order[i]] +
                                 " is damaged");
             }
 
@@ -185,6 +211,22 @@ namespace FastPoints.Draw
                 m_columns.Dispose();
                 m_targets.Dispose();
                 m_isDamaged.Dispose();
+            }
+
+            static List<Part> Cut(int[] order, long[] begins, long[] ends, long mostBytes)
+            {
+                var parts = new List<Part>();
+                for (int i = 0; i < order.Length; i++)
+                {
+                    long begin = begins[order[i]], end = ends[order[i]];
+                    var part = parts.Count > 0 ? parts[parts.Count - 1] : default;
+                    if (parts.Count == 0 || end > part.FirstByte + Math.Max(part.ByteCount, mostBytes))
+                        parts.Add(part = new Part { FirstNode = i, FirstByte = begin });
+                    part.NodeCount++;
+                    part.ByteCount = Math.Max(part.ByteCount, end - part.FirstByte);
+                    parts[parts.Count - 1] = part;
+                }
+                return parts;
             }
         }
     }

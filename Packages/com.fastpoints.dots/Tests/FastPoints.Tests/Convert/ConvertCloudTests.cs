@@ -369,6 +369,35 @@ namespace FastPoints.Tests.Convert
             }
         }
 
+        [Test]
+        public unsafe void LoadNodes_InManyReads_FillsTheSameBatch()
+        {
+            Prove(MemoryReader.Of(Uniform(200000, 100000), s_centimetres), new ConvertSettings { PointsPerChunk = 60000 });
+            using (var folder = CloudFolder.Open(Target()))
+            using (var selection = new NodeSelection(folder))
+            {
+                selection.Choose(null, 0, 0, 100000);
+                var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
+                using (var whole = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
+                using (var parts = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
+                {
+                    WorkPump.RunToEnd(LoadNodes.Run(folder, selection, whole, null));
+                    // A node at a time, and a few.
+                    foreach (long most in new[] { 1, 100000 })
+                    {
+                        WorkPump.RunToEnd(LoadNodes.Run(folder, selection, parts, null, most));
+                        Assert.That(parts.Count, Is.EqualTo(whole.Count));
+                        for (int c = 0; c < schema.Count; c++)
+                            Assert.That(UnsafeUtility.MemCmp(ColumnOf(parts, c), ColumnOf(whole, c),
+                                (long)whole.Count * schema[c].Type.SizeOf()), Is.Zero, schema[c].Name);
+                    }
+                }
+            }
+        }
+
+        static unsafe byte* ColumnOf(PointBatch batch, int column) =>
+            (byte*)batch.Bytes.GetUnsafeReadOnlyPtr() + batch.Column(column).OffsetBytes;
+
         /// <summary>Of the intensities of so many points from the root down.</summary>
         static unsafe double Deviation(CloudFolder folder, NodeSelection selection, Camera? camera, long budget)
         {
