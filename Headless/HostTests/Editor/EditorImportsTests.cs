@@ -115,6 +115,7 @@ namespace FastPoints.HostTests.Editor
                 () => m_project.Imports.Queue.Session.State == BuildState.Building);
 
             Assert.That(Progress.Pause(0), Is.True);
+            Assert.That(Progress.Entries[0].Status, Is.EqualTo(Progress.Status.Paused));
             Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Paused));
             Assert.That(Progress.Resume(0), Is.True);
             Assert.That(m_project.Imports.Queue.Session.State, Is.EqualTo(BuildState.Building));

@@ -48,6 +48,14 @@ namespace FastPoints.HostTests.Editor
         }
 
         [Test]
+        public void Project_BegunAgainAfterAReload_IsKept()
+        {
+            new EditModeRun(typeof(Keeping), nameof(Keeping.BeginAgain)).Run();
+
+            Assert.That(s_calls, Is.EqualTo(new[] { "kept" }));
+        }
+
+        [Test]
         public void Project_OfEachTest_BeginsEmpty()
         {
             new EditModeRun(typeof(Keeping), nameof(Keeping.Leave)).Run();
@@ -100,6 +108,16 @@ namespace FastPoints.HostTests.Editor
             {
                 File.WriteAllText(TestProject.Folder + "/scan.txt", "");
                 yield return TestProject.EnterPlayMode();
+                s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
+            }
+
+            public IEnumerator BeginAgain()
+            {
+                File.WriteAllText(TestProject.Folder + "/scan.txt", "");
+                AssemblyReloadEvents.Reload();
+                var again = BeginProject();
+                while (again.MoveNext())
+                    yield return again.Current;
                 s_calls.Add(File.Exists(TestProject.Folder + "/scan.txt") ? "kept" : "gone");
             }
 

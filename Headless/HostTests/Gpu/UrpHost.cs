@@ -28,11 +28,11 @@ namespace FastPoints.HostTests.Gpu
         {
             RenderPipelineManager.Begin(camera);
             var graph = new RenderGraph();
-            var target = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
             using var frame = new ContextContainer();
             var resources = frame.GetOrCreate<UniversalResourceData>();
-            resources.activeColorTexture = target;
-            resources.activeDepthTexture = target;
+            // A pass has to say of each that it uses it.
+            resources.activeColorTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
+            resources.activeDepthTexture = RenderGraph.Import(new RTHandle { Texture = camera.targetTexture });
             var cameraData = frame.GetOrCreate<UniversalCameraData>();
             cameraData.camera = camera;
             cameraData.cameraTargetDescriptor = camera.targetTexture.descriptor;

@@ -131,6 +131,8 @@ namespace FastPoints.HostTests.Samples
 
             Assert.That(logged.Single(), Does.StartWith("Warning: FastPoints: ").And.Contains("play mode"));
             Assert.That(isFilled, Is.False);
+            Assert.That(() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single),
+                Throws.InvalidOperationException);
         }
 
         [Test]

@@ -226,6 +226,8 @@ namespace FastPoints.HostTests.StandIns
             m_commands[0] = Command(0, 0, 0);
             JobHandle written = new WriteCommandJob { Commands = m_commands, Offset = 5, Size = 5 }.Schedule();
             ReadHandle read = AsyncReadManager.ReadDeferred(file, arrayPointer, written);
+            System.Threading.Thread.Sleep(30);
+            Assert.That(read.Status, Is.EqualTo(ReadStatus.InProgress), "nobody has flushed the job");
             read.JobHandle.Complete();
             written.Complete();
             Assert.That(read.Status, Is.EqualTo(ReadStatus.Complete));

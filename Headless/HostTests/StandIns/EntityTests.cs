@@ -135,7 +135,8 @@ namespace FastPoints.HostTests.StandIns
             var gone = Entities.CreateEntity(ComponentType.ReadWrite<Health>());
             Entities.DestroyEntity(gone);
             var bare = Entities.CreateEntity();
-            Assert.That(() => Entities.GetComponentData<Health>(gone), Throws.ArgumentException);
+            Assert.That(() => Entities.GetComponentData<Health>(gone),
+                Throws.ArgumentException.With.Message.Contains("must exist"));
             Assert.That(() => Entities.GetComponentData<Health>(bare), Throws.ArgumentException.With.Message.Contains("has not been added"));
             Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
             Entities.AddComponent<Burning>(bare);

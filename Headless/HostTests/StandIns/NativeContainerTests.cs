@@ -141,7 +141,12 @@ namespace FastPoints.HostTests.StandIns
         public void Dispose_ByAJob_FreesTheArrayWhenItsTurnComes()
         {
             int before = global::StandIns.Memory.AllocationLedger.Live();
-            JobHandle disposed = new NativeArray<int>(1, Allocator.Persistent).Dispose(default(JobHandle));
+            var array = new NativeArray<int>(1, Allocator.Persistent);
+            NativeArray<int> copy = array;
+            JobHandle disposed = array.Dispose(default(JobHandle));
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            Assert.That(() => copy[0], Throws.TypeOf<ObjectDisposedException>(), "though nothing is freed yet");
+#endif
             disposed = new NativeArray<int>(1, Allocator.TempJob).Dispose(disposed);
             disposed.Complete();
             Assert.That(global::StandIns.Memory.AllocationLedger.Live(), Is.EqualTo(before));

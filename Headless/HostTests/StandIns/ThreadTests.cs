@@ -3,10 +3,12 @@ using System;
 using System.IO;
 using System.Threading.Tasks;
 using NUnit.Framework;
+using StandIns.Memory;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
 using UnityEngine;
 
 namespace FastPoints.HostTests.StandIns
@@ -53,8 +55,7 @@ namespace FastPoints.HostTests.StandIns
 
             public void Execute(int index)
             {
-                using var taken = new NativeArray<int>(4, Allocator.Temp);
-                Out[index] = taken.Length;
+                Out[index] = new NativeArray<int>(4, Allocator.Temp).Length;
             }
         }
 
@@ -64,6 +65,12 @@ namespace FastPoints.HostTests.StandIns
             using var lengths = new NativeArray<int>(100, Allocator.TempJob);
             new TakeTempJob { Out = lengths }.Schedule(lengths.Length, 1).Complete();
             Assert.That(lengths.ToArray(), Is.All.EqualTo(4));
+            // Without workers this thread runs the job, and can tell.
+            JobsUtility.JobWorkerCount = 0;
+            int before = TempMemory.Now.Blocks;
+            new TakeTempJob { Out = lengths }.Schedule(lengths.Length, 1).Complete();
+            JobsUtility.ResetJobWorkerCount();
+            Assert.That(TempMemory.Now.Blocks, Is.EqualTo(before));
         }
 
         [Test]

@@ -136,6 +136,28 @@ namespace FastPoints.HostTests.StandIns.Graphics
         }
 
         [Test]
+        public void Frames_CardFarBehind_FencesPassSoManyFramesLater()
+        {
+            HeadlessGraphics.FramesBehind = 3;
+            try
+            {
+                Frame(0, draws: 1);
+                GraphicsFence first = m_fence;
+                for (int frame = 1; frame < 3; frame++)
+                    Frame(frame, draws: 1);
+                System.Threading.Thread.Sleep(20);
+                Assert.That(first.passed, Is.False, "however long ago the device was done");
+                HeadlessGraphics.EndFrame();
+                Assert.That(first.passed, Is.True);
+                Assert.That(m_fence.passed, Is.False);
+            }
+            finally
+            {
+                HeadlessGraphics.FramesBehind = 0;
+            }
+        }
+
+        [Test]
         public void Frames_WithDrawsAndUploads_MakeNoGarbage()
         {
             for (int frame = 0; frame < 100; frame++)

@@ -23,11 +23,12 @@ namespace FastPoints.HostTests.StandIns.Graphics
             buffer.SetData(new uint[16]);
             buffer.SetData(new[] { new Vector4(1, 2, 3, 4), new Vector4(5, 6, 7, 8) }, 1, 2, 1);
             using (var native = new NativeArray<uint>(new uint[] { 1, 2, 3 }, Allocator.Persistent))
-                buffer.SetData(native, 1, 0, 2);
+                buffer.SetData(native, 1, 5, 2);
             var part = new float[4];
             buffer.GetData(part, 1, 9, 3);
             Assert.That(part, Is.EqualTo(new float[] { 0, 6, 7, 8 }));
-            Assert.That(Read(buffer).Take(3), Is.EqualTo(new uint[] { 2, 3, 0 }));
+            Assert.That(Read(buffer).Take(8), Is.EqualTo(new uint[] { 0, 0, 0, 0, 0, 2, 3, 0 }));
+            Assert.That(() => buffer.SetData(new uint[2], 0, 15, 2), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 
         [Test]
