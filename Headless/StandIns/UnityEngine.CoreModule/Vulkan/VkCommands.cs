@@ -12,8 +12,6 @@ namespace StandIns.Vulkan
     enum VkAttachmentLoadOp : int
     {
         Load = 0,
-        Clear = 1,
-        DontCare = 2,
     }
 
     unsafe struct VkMemoryBarrier2
@@ -94,7 +92,6 @@ namespace StandIns.Vulkan
     unsafe struct VkClearColorValue
     {
         [FieldOffset(0)] public fixed float float32[4];
-        [FieldOffset(0)] public fixed int int32[4];
         [FieldOffset(0)] public fixed uint uint32[4];
     }
 

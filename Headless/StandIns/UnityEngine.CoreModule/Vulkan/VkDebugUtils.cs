@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 
 namespace StandIns.Vulkan
 {
@@ -12,9 +13,7 @@ namespace StandIns.Vulkan
     [Flags]
     enum VkDebugUtilsMessageTypeFlagsEXT : uint
     {
-        General = 1,
         Validation = 2,
-        Performance = 4,
     }
 
     unsafe struct VkDebugUtilsMessengerCreateInfoEXT
@@ -28,19 +27,9 @@ namespace StandIns.Vulkan
         public void* pUserData;
     }
 
+    [StructLayout(LayoutKind.Explicit, Size = 96)]
     unsafe struct VkDebugUtilsMessengerCallbackDataEXT
     {
-        public VkStructureType sType;
-        public void* pNext;
-        public uint flags;
-        public byte* pMessageIdName;
-        public int messageIdNumber;
-        public byte* pMessage;
-        public uint queueLabelCount;
-        public void* pQueueLabels;
-        public uint cmdBufLabelCount;
-        public void* pCmdBufLabels;
-        public uint objectCount;
-        public void* pObjects;
+        [FieldOffset(40)] public byte* pMessage;
     }
 }

@@ -18,7 +18,6 @@ namespace StandIns.Vulkan
         Vertex = 1,
         Fragment = 16,
         Compute = 32,
-        All = 0x7FFFFFFF,
     }
 
     unsafe struct VkDescriptorSetLayoutBinding
@@ -47,14 +46,7 @@ namespace StandIns.Vulkan
         public uint setLayoutCount;
         public ulong* pSetLayouts;
         public uint pushConstantRangeCount;
-        public VkPushConstantRange* pPushConstantRanges;
-    }
-
-    unsafe struct VkPushConstantRange
-    {
-        public VkShaderStageFlags stageFlags;
-        public uint offset;
-        public uint size;
+        public void* pPushConstantRanges;
     }
 
     unsafe struct VkDescriptorBufferInfo

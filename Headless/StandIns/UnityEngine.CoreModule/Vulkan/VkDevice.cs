@@ -3,63 +3,17 @@ using System.Runtime.InteropServices;
 
 namespace StandIns.Vulkan
 {
-    unsafe struct VkPhysicalDeviceFeatures
+    [StructLayout(LayoutKind.Explicit, Size = 220)]
+    struct VkPhysicalDeviceFeatures
     {
-        public uint robustBufferAccess;
-        public uint fullDrawIndexUint32;
-        public uint imageCubeArray;
-        public uint independentBlend;
-        public uint geometryShader;
-        public uint tessellationShader;
-        public uint sampleRateShading;
-        public uint dualSrcBlend;
-        public uint logicOp;
-        public uint multiDrawIndirect;
-        public uint drawIndirectFirstInstance;
-        public uint depthClamp;
-        public uint depthBiasClamp;
-        public uint fillModeNonSolid;
-        public uint depthBounds;
-        public uint wideLines;
-        public uint largePoints;
-        public uint alphaToOne;
-        public uint multiViewport;
-        public uint samplerAnisotropy;
-        public uint textureCompressionETC2;
-        public uint textureCompressionASTC_LDR;
-        public uint textureCompressionBC;
-        public uint occlusionQueryPrecise;
-        public uint pipelineStatisticsQuery;
-        public uint vertexPipelineStoresAndAtomics;
-        public uint fragmentStoresAndAtomics;
-        public uint shaderTessellationAndGeometryPointSize;
-        public uint shaderImageGatherExtended;
-        public uint shaderStorageImageExtendedFormats;
-        public uint shaderStorageImageMultisample;
-        public uint shaderStorageImageReadWithoutFormat;
-        public uint shaderStorageImageWriteWithoutFormat;
-        public uint shaderUniformBufferArrayDynamicIndexing;
-        public uint shaderSampledImageArrayDynamicIndexing;
-        public uint shaderStorageBufferArrayDynamicIndexing;
-        public uint shaderStorageImageArrayDynamicIndexing;
-        public uint shaderClipDistance;
-        public uint shaderCullDistance;
-        public uint shaderFloat64;
-        public uint shaderInt64;
-        public uint shaderInt16;
-        public uint shaderResourceResidency;
-        public uint shaderResourceMinLod;
-        public uint sparseBinding;
-        public uint sparseResidencyBuffer;
-        public uint sparseResidencyImage2D;
-        public uint sparseResidencyImage3D;
-        public uint sparseResidency2Samples;
-        public uint sparseResidency4Samples;
-        public uint sparseResidency8Samples;
-        public uint sparseResidency16Samples;
-        public uint sparseResidencyAliased;
-        public uint variableMultisampleRate;
-        public uint inheritedQueries;
+        [FieldOffset(0)] public uint robustBufferAccess;
+        [FieldOffset(12)] public uint independentBlend;
+        [FieldOffset(16)] public uint geometryShader;
+        [FieldOffset(40)] public uint drawIndirectFirstInstance;
+        [FieldOffset(100)] public uint vertexPipelineStoresAndAtomics;
+        [FieldOffset(104)] public uint fragmentStoresAndAtomics;
+        [FieldOffset(128)] public uint shaderStorageImageWriteWithoutFormat;
+        [FieldOffset(160)] public uint shaderInt64;
     }
 
     unsafe struct VkPhysicalDeviceFeatures2
@@ -69,78 +23,24 @@ namespace StandIns.Vulkan
         public VkPhysicalDeviceFeatures features;
     }
 
+    [StructLayout(LayoutKind.Explicit, Size = 208)]
     unsafe struct VkPhysicalDeviceVulkan12Features
     {
-        public VkStructureType sType;
-        public void* pNext;
-        public uint samplerMirrorClampToEdge;
-        public uint drawIndirectCount;
-        public uint storageBuffer8BitAccess;
-        public uint uniformAndStorageBuffer8BitAccess;
-        public uint storagePushConstant8;
-        public uint shaderBufferInt64Atomics;
-        public uint shaderSharedInt64Atomics;
-        public uint shaderFloat16;
-        public uint shaderInt8;
-        public uint descriptorIndexing;
-        public uint shaderInputAttachmentArrayDynamicIndexing;
-        public uint shaderUniformTexelBufferArrayDynamicIndexing;
-        public uint shaderStorageTexelBufferArrayDynamicIndexing;
-        public uint shaderUniformBufferArrayNonUniformIndexing;
-        public uint shaderSampledImageArrayNonUniformIndexing;
-        public uint shaderStorageBufferArrayNonUniformIndexing;
-        public uint shaderStorageImageArrayNonUniformIndexing;
-        public uint shaderInputAttachmentArrayNonUniformIndexing;
-        public uint shaderUniformTexelBufferArrayNonUniformIndexing;
-        public uint shaderStorageTexelBufferArrayNonUniformIndexing;
-        public uint descriptorBindingUniformBufferUpdateAfterBind;
-        public uint descriptorBindingSampledImageUpdateAfterBind;
-        public uint descriptorBindingStorageImageUpdateAfterBind;
-        public uint descriptorBindingStorageBufferUpdateAfterBind;
-        public uint descriptorBindingUniformTexelBufferUpdateAfterBind;
-        public uint descriptorBindingStorageTexelBufferUpdateAfterBind;
-        public uint descriptorBindingUpdateUnusedWhilePending;
-        public uint descriptorBindingPartiallyBound;
-        public uint descriptorBindingVariableDescriptorCount;
-        public uint runtimeDescriptorArray;
-        public uint samplerFilterMinmax;
-        public uint scalarBlockLayout;
-        public uint imagelessFramebuffer;
-        public uint uniformBufferStandardLayout;
-        public uint shaderSubgroupExtendedTypes;
-        public uint separateDepthStencilLayouts;
-        public uint hostQueryReset;
-        public uint timelineSemaphore;
-        public uint bufferDeviceAddress;
-        public uint bufferDeviceAddressCaptureReplay;
-        public uint bufferDeviceAddressMultiDevice;
-        public uint vulkanMemoryModel;
-        public uint vulkanMemoryModelDeviceScope;
-        public uint vulkanMemoryModelAvailabilityVisibilityChains;
-        public uint shaderOutputViewportIndex;
-        public uint shaderOutputLayer;
-        public uint subgroupBroadcastDynamicId;
+        [FieldOffset(0)] public VkStructureType sType;
+        [FieldOffset(8)] public void* pNext;
+        [FieldOffset(140)] public uint scalarBlockLayout;
+        [FieldOffset(164)] public uint timelineSemaphore;
+        [FieldOffset(192)] public uint shaderOutputViewportIndex;
+        [FieldOffset(196)] public uint shaderOutputLayer;
     }
 
+    [StructLayout(LayoutKind.Explicit, Size = 80)]
     unsafe struct VkPhysicalDeviceVulkan13Features
     {
-        public VkStructureType sType;
-        public void* pNext;
-        public uint robustImageAccess;
-        public uint inlineUniformBlock;
-        public uint descriptorBindingInlineUniformBlockUpdateAfterBind;
-        public uint pipelineCreationCacheControl;
-        public uint privateData;
-        public uint shaderDemoteToHelperInvocation;
-        public uint shaderTerminateInvocation;
-        public uint subgroupSizeControl;
-        public uint computeFullSubgroups;
-        public uint synchronization2;
-        public uint textureCompressionASTC_HDR;
-        public uint shaderZeroInitializeWorkgroupMemory;
-        public uint dynamicRendering;
-        public uint shaderIntegerDotProduct;
-        public uint maintenance4;
+        [FieldOffset(0)] public VkStructureType sType;
+        [FieldOffset(8)] public void* pNext;
+        [FieldOffset(52)] public uint synchronization2;
+        [FieldOffset(64)] public uint dynamicRendering;
     }
 
     unsafe struct VkDeviceQueueCreateInfo
@@ -164,7 +64,7 @@ namespace StandIns.Vulkan
         public byte** ppEnabledLayerNames;
         public uint enabledExtensionCount;
         public byte** ppEnabledExtensionNames;
-        public VkPhysicalDeviceFeatures* pEnabledFeatures;
+        public void* pEnabledFeatures;
     }
 
     static unsafe partial class Vk

@@ -28,7 +28,6 @@ namespace StandIns.Vulkan
     enum VkImageType : int
     {
         Type2d = 1,
-        Type3d = 2,
     }
 
     [Flags]
@@ -62,12 +61,6 @@ namespace StandIns.Vulkan
     }
 
     enum VkFilter : int
-    {
-        Nearest = 0,
-        Linear = 1,
-    }
-
-    enum VkSamplerMipmapMode : int
     {
         Nearest = 0,
         Linear = 1,
@@ -143,7 +136,7 @@ namespace StandIns.Vulkan
         public uint flags;
         public VkFilter magFilter;
         public VkFilter minFilter;
-        public VkSamplerMipmapMode mipmapMode;
+        public uint mipmapMode;
         public VkSamplerAddressMode addressModeU;
         public VkSamplerAddressMode addressModeV;
         public VkSamplerAddressMode addressModeW;

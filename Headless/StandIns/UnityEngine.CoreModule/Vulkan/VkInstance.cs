@@ -21,11 +21,9 @@ namespace StandIns.Vulkan
 
     enum VkPhysicalDeviceType : int
     {
-        Other = 0,
         IntegratedGpu = 1,
         DiscreteGpu = 2,
         VirtualGpu = 3,
-        Cpu = 4,
     }
 
     [Flags]
@@ -72,136 +70,22 @@ namespace StandIns.Vulkan
         public uint specVersion;
     }
 
-    unsafe struct VkPhysicalDeviceLimits
+    [StructLayout(LayoutKind.Explicit, Size = 504)]
+    struct VkPhysicalDeviceLimits
     {
-        public uint maxImageDimension1D;
-        public uint maxImageDimension2D;
-        public uint maxImageDimension3D;
-        public uint maxImageDimensionCube;
-        public uint maxImageArrayLayers;
-        public uint maxTexelBufferElements;
-        public uint maxUniformBufferRange;
-        public uint maxStorageBufferRange;
-        public uint maxPushConstantsSize;
-        public uint maxMemoryAllocationCount;
-        public uint maxSamplerAllocationCount;
-        public ulong bufferImageGranularity;
-        public ulong sparseAddressSpaceSize;
-        public uint maxBoundDescriptorSets;
-        public uint maxPerStageDescriptorSamplers;
-        public uint maxPerStageDescriptorUniformBuffers;
-        public uint maxPerStageDescriptorStorageBuffers;
-        public uint maxPerStageDescriptorSampledImages;
-        public uint maxPerStageDescriptorStorageImages;
-        public uint maxPerStageDescriptorInputAttachments;
-        public uint maxPerStageResources;
-        public uint maxDescriptorSetSamplers;
-        public uint maxDescriptorSetUniformBuffers;
-        public uint maxDescriptorSetUniformBuffersDynamic;
-        public uint maxDescriptorSetStorageBuffers;
-        public uint maxDescriptorSetStorageBuffersDynamic;
-        public uint maxDescriptorSetSampledImages;
-        public uint maxDescriptorSetStorageImages;
-        public uint maxDescriptorSetInputAttachments;
-        public uint maxVertexInputAttributes;
-        public uint maxVertexInputBindings;
-        public uint maxVertexInputAttributeOffset;
-        public uint maxVertexInputBindingStride;
-        public uint maxVertexOutputComponents;
-        public uint maxTessellationGenerationLevel;
-        public uint maxTessellationPatchSize;
-        public uint maxTessellationControlPerVertexInputComponents;
-        public uint maxTessellationControlPerVertexOutputComponents;
-        public uint maxTessellationControlPerPatchOutputComponents;
-        public uint maxTessellationControlTotalOutputComponents;
-        public uint maxTessellationEvaluationInputComponents;
-        public uint maxTessellationEvaluationOutputComponents;
-        public uint maxGeometryShaderInvocations;
-        public uint maxGeometryInputComponents;
-        public uint maxGeometryOutputComponents;
-        public uint maxGeometryOutputVertices;
-        public uint maxGeometryTotalOutputComponents;
-        public uint maxFragmentInputComponents;
-        public uint maxFragmentOutputAttachments;
-        public uint maxFragmentDualSrcAttachments;
-        public uint maxFragmentCombinedOutputResources;
-        public uint maxComputeSharedMemorySize;
-        public fixed uint maxComputeWorkGroupCount[3];
-        public uint maxComputeWorkGroupInvocations;
-        public fixed uint maxComputeWorkGroupSize[3];
-        public uint subPixelPrecisionBits;
-        public uint subTexelPrecisionBits;
-        public uint mipmapPrecisionBits;
-        public uint maxDrawIndexedIndexValue;
-        public uint maxDrawIndirectCount;
-        public float maxSamplerLodBias;
-        public float maxSamplerAnisotropy;
-        public uint maxViewports;
-        public fixed uint maxViewportDimensions[2];
-        public fixed float viewportBoundsRange[2];
-        public uint viewportSubPixelBits;
-        public UIntPtr minMemoryMapAlignment;
-        public ulong minTexelBufferOffsetAlignment;
-        public ulong minUniformBufferOffsetAlignment;
-        public ulong minStorageBufferOffsetAlignment;
-        public int minTexelOffset;
-        public uint maxTexelOffset;
-        public int minTexelGatherOffset;
-        public uint maxTexelGatherOffset;
-        public float minInterpolationOffset;
-        public float maxInterpolationOffset;
-        public uint subPixelInterpolationOffsetBits;
-        public uint maxFramebufferWidth;
-        public uint maxFramebufferHeight;
-        public uint maxFramebufferLayers;
-        public uint framebufferColorSampleCounts;
-        public uint framebufferDepthSampleCounts;
-        public uint framebufferStencilSampleCounts;
-        public uint framebufferNoAttachmentsSampleCounts;
-        public uint maxColorAttachments;
-        public uint sampledImageColorSampleCounts;
-        public uint sampledImageIntegerSampleCounts;
-        public uint sampledImageDepthSampleCounts;
-        public uint sampledImageStencilSampleCounts;
-        public uint storageImageSampleCounts;
-        public uint maxSampleMaskWords;
-        public uint timestampComputeAndGraphics;
-        public float timestampPeriod;
-        public uint maxClipDistances;
-        public uint maxCullDistances;
-        public uint maxCombinedClipAndCullDistances;
-        public uint discreteQueuePriorities;
-        public fixed float pointSizeRange[2];
-        public fixed float lineWidthRange[2];
-        public float pointSizeGranularity;
-        public float lineWidthGranularity;
-        public uint strictLines;
-        public uint standardSampleLocations;
-        public ulong optimalBufferCopyOffsetAlignment;
-        public ulong optimalBufferCopyRowPitchAlignment;
-        public ulong nonCoherentAtomSize;
+        [FieldOffset(4)] public uint maxImageDimension2D;
+        [FieldOffset(28)] public uint maxStorageBufferRange;
+        [FieldOffset(76)] public uint maxPerStageDescriptorStorageBuffers;
+        [FieldOffset(232)] public uint maxComputeWorkGroupInvocations;
     }
 
-    unsafe struct VkPhysicalDeviceSparseProperties
-    {
-        public uint residencyStandard2DBlockShape;
-        public uint residencyStandard2DMultisampleBlockShape;
-        public uint residencyStandard3DBlockShape;
-        public uint residencyAlignedMipSize;
-        public uint residencyNonResidentStrict;
-    }
-
+    [StructLayout(LayoutKind.Explicit, Size = 824)]
     unsafe struct VkPhysicalDeviceProperties
     {
-        public uint apiVersion;
-        public uint driverVersion;
-        public uint vendorID;
-        public uint deviceID;
-        public VkPhysicalDeviceType deviceType;
-        public fixed byte deviceName[256];
-        public fixed byte pipelineCacheUUID[16];
-        public VkPhysicalDeviceLimits limits;
-        public VkPhysicalDeviceSparseProperties sparseProperties;
+        [FieldOffset(0)] public uint apiVersion;
+        [FieldOffset(16)] public VkPhysicalDeviceType deviceType;
+        [FieldOffset(20)] public fixed byte deviceName[256];
+        [FieldOffset(296)] public VkPhysicalDeviceLimits limits;
     }
 
     unsafe struct VkExtent3D

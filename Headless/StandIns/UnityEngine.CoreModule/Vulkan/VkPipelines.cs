@@ -76,21 +76,6 @@ namespace StandIns.Vulkan
         public uint* pCode;
     }
 
-    unsafe struct VkSpecializationInfo
-    {
-        public uint mapEntryCount;
-        public VkSpecializationMapEntry* pMapEntries;
-        public UIntPtr dataSize;
-        public void* pData;
-    }
-
-    unsafe struct VkSpecializationMapEntry
-    {
-        public uint constantID;
-        public uint offset;
-        public UIntPtr size;
-    }
-
     unsafe struct VkPipelineShaderStageCreateInfo
     {
         public VkStructureType sType;
@@ -99,7 +84,7 @@ namespace StandIns.Vulkan
         public VkShaderStageFlags stage;
         public ulong module;
         public byte* pName;
-        public VkSpecializationInfo* pSpecializationInfo;
+        public void* pSpecializationInfo;
     }
 
     unsafe struct VkComputePipelineCreateInfo

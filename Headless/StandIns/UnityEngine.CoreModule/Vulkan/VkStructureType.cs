@@ -37,7 +37,6 @@ namespace StandIns.Vulkan
         RenderingAttachmentInfo = 1000044001,
         PipelineRenderingCreateInfo = 1000044002,
         PhysicalDeviceFeatures2 = 1000059000,
-        DebugUtilsMessengerCallbackDataEXT = 1000128003,
         DebugUtilsMessengerCreateInfoEXT = 1000128004,
         SemaphoreTypeCreateInfo = 1000207002,
         SemaphoreWaitInfo = 1000207004,

@@ -5,7 +5,6 @@ namespace StandIns.Vulkan
 {
     enum VkSemaphoreType : int
     {
-        Binary = 0,
         Timeline = 1,
     }
 
