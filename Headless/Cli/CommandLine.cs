@@ -29,7 +29,8 @@ namespace FastPoints.Cli
             // --help belongs to every command, and is one option: its action is replaced, and its text is ours.
             root.Options.OfType<HelpOption>().Single().Action = new HelpTextAction(verbs);
 
-            var parsed = root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+            var parsed =
+                root.Parse(args, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
             if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction or null)
                 return WrongUsage(error, parsed.CommandResult.Command, parsed.Errors[0].Message);
             if (UnknownOption(parsed) is { } unknown)
@@ -49,8 +50,8 @@ namespace FastPoints.Cli
         /// <summary>The main job first.</summary>
         static List<Verb> AllVerbs() =>
         [
-            new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(), new PictureVerb(), new FlyVerb(),
-            new DemoCloudVerb(), new BenchVerb(),
+            new MainJob(), new InfoVerb(), new PreviewVerb(), new ConvertVerb(), new VerifyVerb(),
+            new PictureVerb(), new FlyVerb(), new DemoCloudVerb(), new BenchVerb(),
         ];
 
         static int WrongUsage(TextWriter error, Command command, string what)

@@ -125,8 +125,8 @@ namespace FastPoints.Cli
             }
         }
 
-        public string Describe() => Human.Count(Points) + " points" + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "")
-            + " in " + Human.Seconds(Seconds);
+        public string Describe() => Human.Count(Points) + " points"
+            + (Nodes is { } nodes ? " of " + Human.Count(nodes) + " nodes" : "") + " in " + Human.Seconds(Seconds);
 
         /// <summary>The keys of <c>picture</c> but for <c>seconds</c>, into an object that is open.</summary>
         public void WriteKeys(Utf8JsonWriter json)

@@ -29,8 +29,8 @@ namespace FastPoints.Cli
                 : AddSource(PointReaders.Open(path), stream, options, cancellation, out ranges, out number);
 
         /// <param name="reader">Becomes the stream's.</param>
-        internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-            out DisplayRanges ranges, out int number)
+        internal static PicturePlan AddSource(PointReader reader, StreamContext stream, PictureOptions options,
+            CancellationToken cancellation, out DisplayRanges ranges, out int number)
         {
             try
             {
@@ -40,7 +40,8 @@ namespace FastPoints.Cli
                 ranges = new DisplayRanges { IsInDegrees = double.IsNaN(reader.Info.Crs.MetresPerUnit) };
                 using (var batch = ReadTop(reader, ColorModes.AttributesToMeasure(options.Color), cancellation))
                     WorkPump.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
-                var source = new TreeSource(reader, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+                var source = new TreeSource(reader,
+                    CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
                 var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
                 number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
                 return plan;
@@ -53,10 +54,14 @@ namespace FastPoints.Cli
         }
 
         /// <summary>What a source without an octree can show: its preview.</summary>
-        static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options, CancellationToken cancellation,
-            out DisplayRanges ranges, out int number)
+        static PicturePlan AddSample(PointReader reader, StreamContext stream, PictureOptions options,
+            CancellationToken cancellation, out DisplayRanges ranges, out int number)
         {
-            var settings = new PreviewOptions { Picture = options, Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue) };
+            var settings = new PreviewOptions
+            {
+                Picture = options,
+                Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue),
+            };
             SampleReader sample;
             using (reader)
             using (var preview = new PreviewCloud(reader, settings))
@@ -66,7 +71,8 @@ namespace FastPoints.Cli
                 ranges = preview.Ranges;
                 sample = new SampleReader(preview.Sample, reader.Info.Path);
             }
-            var source = new TreeSource(sample, CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
+            var source = new TreeSource(sample,
+                CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty));
             number = stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             return new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
         }

@@ -16,7 +16,8 @@ namespace FastPoints.Cli
         /// <summary>A frame that takes longer than two of 60 a second.</summary>
         const double HitchMs = 1000.0 / 30;
 
-        readonly record struct Frame(FrameStats Stats, double MainThreadMs, double FrameMs, long GarbageBytes, double AtSeconds, bool IsCut);
+        readonly record struct Frame(FrameStats Stats, double MainThreadMs, double FrameMs, long GarbageBytes,
+            double AtSeconds, bool IsCut);
 
         readonly List<Frame> m_frames;
 
@@ -37,11 +38,13 @@ namespace FastPoints.Cli
         public double[] SelectMs => Percentiles(f => f.Stats.SelectMs);
         public double[] RequestMs => Percentiles(f => f.Stats.RequestMs);
 
-        public void Add(in FrameStats stats, double mainThreadMs, double frameMs, long garbageBytes, double atSeconds, bool isCut) =>
+        public void Add(in FrameStats stats, double mainThreadMs, double frameMs, long garbageBytes,
+            double atSeconds, bool isCut) =>
             m_frames.Add(new Frame(stats, mainThreadMs, frameMs, garbageBytes, atSeconds, isCut));
 
         /// <summary>Seconds from the beginning until nearly all that was selected was drawn; NaN where that never was.</summary>
-        public double SecondsToFull => FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
+        public double SecondsToFull =>
+            FirstFull(0) is var full and >= 0 ? m_frames[full].AtSeconds - m_frames[0].AtSeconds : double.NaN;
 
         /// <summary>For each cut: frames until nearly all that was selected was drawn (-1 where that never was), and the bytes
         /// that were copied until then.</summary>
@@ -68,20 +71,25 @@ namespace FastPoints.Cli
 
         public string ToCsv()
         {
-            var text = new StringBuilder("frame,cut,selectedNodes,selectedPoints,requestedNodes,requestedBytes,readBytes,uploadedNodes,"
-                + "uploadedBytes,evictedNodes,drawnNodes,drawnPoints,cachedNodes,poolBytes,hierarchyBytes,readsUnderWay,receiveMs,selectMs,"
-                + "uploadMs,requestMs,listMs,mainThreadMs,frameMs,garbageBytes\n");
+            var text = new StringBuilder("frame,cut,selectedNodes,selectedPoints,requestedNodes,requestedBytes,readBytes,"
+                + "uploadedNodes,uploadedBytes,evictedNodes,drawnNodes,drawnPoints,cachedNodes,poolBytes,hierarchyBytes,"
+                + "readsUnderWay,receiveMs,selectMs,uploadMs,requestMs,listMs,mainThreadMs,frameMs,garbageBytes\n");
             for (int i = 0; i < m_frames.Count; i++)
             {
                 var f = m_frames[i];
                 var s = f.Stats;
-                text.Append(string.Create(CultureInfo.InvariantCulture, $"{i},{(f.IsCut ? 1 : 0)},{s.SelectedNodes},{s.SelectedPoints},"))
+                text.Append(string.Create(CultureInfo.InvariantCulture,
+                    $"{i},{(f.IsCut ? 1 : 0)},{s.SelectedNodes},{s.SelectedPoints},"))
                     .Append(string.Create(CultureInfo.InvariantCulture, $"{s.RequestedNodes},{s.RequestedBytes},{s.ReadBytes},"))
                     .Append(string.Create(CultureInfo.InvariantCulture, $"{s.UploadedNodes},{s.UploadedBytes},{s.EvictedNodes},"))
-                    .Append(string.Create(CultureInfo.InvariantCulture, $"{s.DrawnNodes},{s.DrawnPoints},{s.CachedNodes},{s.PoolBytes},"))
-                    .Append(string.Create(CultureInfo.InvariantCulture, $"{s.HierarchyBytes},{s.ReadsUnderWay},{s.ReceiveMs:0.000},"))
-                    .Append(string.Create(CultureInfo.InvariantCulture, $"{s.SelectMs:0.000},{s.UploadMs:0.000},{s.RequestMs:0.000},"))
-                    .Append(string.Create(CultureInfo.InvariantCulture, $"{s.ListMs:0.000},{f.MainThreadMs:0.000},{f.FrameMs:0.000},"))
+                    .Append(string.Create(CultureInfo.InvariantCulture,
+                        $"{s.DrawnNodes},{s.DrawnPoints},{s.CachedNodes},{s.PoolBytes},"))
+                    .Append(string.Create(CultureInfo.InvariantCulture,
+                        $"{s.HierarchyBytes},{s.ReadsUnderWay},{s.ReceiveMs:0.000},"))
+                    .Append(string.Create(CultureInfo.InvariantCulture,
+                        $"{s.SelectMs:0.000},{s.UploadMs:0.000},{s.RequestMs:0.000},"))
+                    .Append(string.Create(CultureInfo.InvariantCulture,
+                        $"{s.ListMs:0.000},{f.MainThreadMs:0.000},{f.FrameMs:0.000},"))
                     .Append(string.Create(CultureInfo.InvariantCulture, $"{f.GarbageBytes}\n"));
             }
             return text.ToString();

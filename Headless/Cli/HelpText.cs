@@ -51,7 +51,8 @@ namespace FastPoints.Cli
             if (!isRoot)
                 return;
             writer.WriteLine();
-            writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled (Ctrl-C leaves nothing half-written).");
+            writer.WriteLine("Exit status: 0 done, 1 failed, 2 wrong usage, 3 the input is bad, 130 cancelled (Ctrl-C leaves "
+                + "nothing half-written).");
             writer.WriteLine("Lengths are metres, times seconds, sizes bytes, unless the name says otherwise.");
         }
 

@@ -26,7 +26,8 @@ namespace FastPoints.Cli
             int unit = 0;
             for (; value >= 999.5 && unit < units.Length - 1; unit++)
                 value /= 1000;
-            return value.ToString(unit == 0 || value >= 100 ? "0" : value < 10 ? "0.00" : "0.0", CultureInfo.InvariantCulture) + units[unit];
+            return value.ToString(unit == 0 || value >= 100 ? "0" : value < 10 ? "0.00" : "0.0", CultureInfo.InvariantCulture)
+                + units[unit];
         }
 
         public static string Seconds(double seconds) =>
@@ -61,7 +62,8 @@ namespace FastPoints.Cli
         /// <summary>To four digits: more of a measured figure is noise.</summary>
         public static string Measured(double value) => value == 0 ? "0"
             : Math.Abs(value) is >= 1e-4 and < 1e6
-                ? Math.Round(value, Math.Clamp(3 - (int)Math.Floor(Math.Log10(Math.Abs(value))), 0, 15)).ToString(CultureInfo.InvariantCulture)
+                ? Math.Round(value, Math.Clamp(3 - (int)Math.Floor(Math.Log10(Math.Abs(value))), 0, 15))
+                    .ToString(CultureInfo.InvariantCulture)
                 : value.ToString("0.###e0", CultureInfo.InvariantCulture);
 
         public static string Value(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);

@@ -19,14 +19,16 @@ namespace FastPoints.Cli
         const int WaveformStart = 227, EvlrStart = 235, Count64 = 247, ByReturn64 = 255;
 
         /// <returns>Points written.</returns>
-        public static long Write(string source, string destination, int times, StageProgress progress, CancellationToken cancellation)
+        public static long Write(string source, string destination, int times, StageProgress progress,
+            CancellationToken cancellation)
         {
             long points, pointsAt;
             int recordBytes;
             using (var reader = PointReaders.Open(source))
             {
                 if (reader.Info.Format != "LAS")
-                    throw new PointCloudException(FailureCode.Unsupported, source, -1, "only LAS files are tiled, this is " + reader.Info.Format);
+                    throw new PointCloudException(FailureCode.Unsupported, source, -1,
+                        "only LAS files are tiled, this is " + reader.Info.Format);
                 points = reader.PointCount;
                 recordBytes = reader.Info.RecordBytes;
             }
@@ -45,7 +47,8 @@ namespace FastPoints.Cli
             long shift = (long)maxX - minX + 1;
             if (maxX + shift * (times - 1) > int.MaxValue)
                 throw new UsageException(string.Create(CultureInfo.InvariantCulture,
-                    $"--times {times}: beyond what 32-bit coordinates hold; this file has room for {1 + (int.MaxValue - maxX) / shift}"));
+                    $"--times {times}: beyond what 32-bit coordinates hold; this file has room for "
+                        + $"{1 + (int.MaxValue - maxX) / shift}"));
             long total = checked(points * times);
             long tailAt = PatchHead(source, head, points, total, times, recordBytes, pointsAt, shift * (times - 1));
 
@@ -66,7 +69,8 @@ namespace FastPoints.Cli
                         for (int at = 0; at < bytes; at += recordBytes)
                         {
                             var x = buffer.AsSpan(at, 4);
-                            BinaryPrimitives.WriteInt32LittleEndian(x, (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * time));
+                            BinaryPrimitives.WriteInt32LittleEndian(x,
+                                (int)(BinaryPrimitives.ReadInt32LittleEndian(x) + shift * time));
                         }
                         output.Stream.Write(buffer, 0, bytes);
                         left -= bytes;
@@ -111,7 +115,8 @@ namespace FastPoints.Cli
 
         /// <summary>Counts, bounds, and where that which follows the points begins.</summary>
         /// <returns>Where it begins in the source, or 0 where nothing follows.</returns>
-        internal static long PatchHead(string source, byte[] head, long points, long total, int times, int recordBytes, long pointsAt, long shift)
+        internal static long PatchHead(string source, byte[] head, long points, long total, int times,
+            int recordBytes, long pointsAt, long shift)
         {
             double scale = BitConverter.ToDouble(head, ScaleX);
             // A negative scale turns the axis around: the copies lie below.

@@ -29,8 +29,8 @@ namespace FastPoints.Cli
                 Offset = transform.Offset,
                 Wkt = info.Crs.Wkt,
             };
-            var standard = new LasRecordLayout(LasPointFormat.Of(info.PointFormat), LasPointFormat.Of(info.PointFormat).RecordBytes,
-                Array.Empty<LasField>());
+            var standard = new LasRecordLayout(LasPointFormat.Of(info.PointFormat),
+                LasPointFormat.Of(info.PointFormat).RecordBytes, Array.Empty<LasField>());
             var extra = new List<PointAttribute>();
             foreach (var attribute in info.Schema)
                 if (!standard.TryFind(attribute.Name, out _))
@@ -41,7 +41,8 @@ namespace FastPoints.Cli
             if (!reader.BlocksAreKnown)
                 run.Pump(reader.FindBlocks());
             using var writer = LasWriter.Create(destination, settings);
-            run.Pump(SourceScan.Run(reader, info.Schema, new Appending(writer), SourceScan.SlotsFor(reader, info.Schema), run.Progress));
+            run.Pump(SourceScan.Run(reader, info.Schema, new Appending(writer),
+                SourceScan.SlotsFor(reader, info.Schema), run.Progress));
             writer.Complete();
             run.Progress.End();
         }

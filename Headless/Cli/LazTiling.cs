@@ -22,7 +22,8 @@ namespace FastPoints.Cli
         const int ChunkPointsAt = 12;
 
         /// <returns>Points written.</returns>
-        public static long Write(string path, string destination, int times, StageProgress progress, CancellationToken cancellation)
+        public static long Write(string path, string destination, int times, StageProgress progress,
+            CancellationToken cancellation)
         {
             using var source = FileSource.Open(path);
             var las = LasFile.Read(source);
@@ -39,10 +40,13 @@ namespace FastPoints.Cli
 
             byte[] head = source.Read(0, checked((int)pointsAt), "header").Bytes;
             double scale = BitConverter.ToDouble(head, ScaleX);
-            long shift = 1 + (long)Math.Ceiling((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, MinX)) / Math.Abs(scale));
-            double farthest = Math.Abs((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, ScaleX + 24)) / scale) + shift * (times - 1.0);
+            long shift = 1
+                + (long)Math.Ceiling((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, MinX)) / Math.Abs(scale));
+            double farthest = Math.Abs((BitConverter.ToDouble(head, MaxX) - BitConverter.ToDouble(head, ScaleX + 24)) / scale)
+                + shift * (times - 1.0);
             if (!(farthest <= int.MaxValue))
-                throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--times {times}: beyond what 32-bit coordinates hold"));
+                throw new UsageException(string.Create(CultureInfo.InvariantCulture,
+                    $"--times {times}: beyond what 32-bit coordinates hold"));
             if (head[VersionMinor] >= 3 && head.Length >= EvlrStart)
                 Array.Clear(head, WaveformStart, 8);
             if (head[VersionMinor] >= 4 && head.Length >= EvlrEnd)

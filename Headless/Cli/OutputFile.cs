@@ -18,7 +18,8 @@ namespace FastPoints.Cli
         {
             m_path = path;
             m_temporaryPath = path + "." + Environment.ProcessId + ".part";
-            Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16));
+            Guarded(path, () => Stream = new FileStream(m_temporaryPath, FileMode.Create,
+                FileAccess.Write, FileShare.Read, 1 << 16));
         }
 
         public FileStream Stream { get; private set; } = null!;

@@ -41,7 +41,8 @@ namespace FastPoints.Cli
         readonly Option<string[]> m_clip = new("--clip")
         {
             HelpName = "x,y,z,X,Y,Z",
-            Description = "Draw only what is in the box between two corners, or in any of several (of converted clouds and octrees).",
+            Description = "Draw only what is in the box between two corners, or in any of several (of "
+                + "converted clouds and octrees).",
         };
         readonly Option<string[]> m_cut = new("--cut")
         {
@@ -93,7 +94,8 @@ namespace FastPoints.Cli
             {
                 var up = new double3(0, 0, 0);
                 up[(int)options.UpAxis] = 1;
-                options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up, options.FovDegrees);
+                options.Camera = Camera.Perspective(Position("--eye", eye), Position("--target", target!), up,
+                    options.FovDegrees);
             }
             options.View = view switch
             {

@@ -23,7 +23,9 @@ namespace FastPoints.Cli
         public PlyOutput(Stream stream, long points)
         {
             m_stream = stream;
-            stream.Write(Encoding.ASCII.GetBytes("ply\nformat binary_little_endian 1.0\ncomment seeded terrestrial laser scan, WGS 84 / UTM zone 32N\n"
+            stream.Write(Encoding.ASCII.GetBytes(
+                "ply\nformat binary_little_endian 1.0\n"
+                + "comment seeded terrestrial laser scan, WGS 84 / UTM zone 32N\n"
                 + "element vertex " + points.ToString(CultureInfo.InvariantCulture) + "\n"
                 + "property double x\nproperty double y\nproperty double z\n"
                 + "property uchar red\nproperty uchar green\nproperty uchar blue\n"

@@ -45,7 +45,8 @@ namespace FastPoints.Cli
             }
             int cells = (int)(progress.Share * BarCells);
             // Back to the start, and what is left of a longer line cleared.
-            m_error.Write("\r" + progress.Current.PadRight(10) + " [" + new string('=', cells) + new string(' ', BarCells - cells) + "] "
+            m_error.Write("\r" + progress.Current.PadRight(10) + " [" + new string('=', cells)
+                + new string(' ', BarCells - cells) + "] "
                 + figures + "\u001b[K");
             m_isDrawn = true;
         }

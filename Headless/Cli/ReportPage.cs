@@ -9,14 +9,18 @@ namespace FastPoints.Cli
     public sealed class ReportPage(string title)
     {
         const string Style = """
-            body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem; padding: 0 1rem; color: #222; background: #fff; }
+            body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem; padding: 0 1rem;
+              color: #222; background: #fff; }
             h1 { font-size: 1.6rem; } h2 { font-size: 1.15rem; margin-top: 2rem; border-bottom: 1px solid #ddd; }
             table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-            td, th { padding: .15rem .9rem .15rem 0; text-align: right; font-weight: normal; white-space: pre-wrap; vertical-align: top; }
+            td, th { padding: .15rem .9rem .15rem 0; text-align: right; font-weight: normal; white-space: pre-wrap;
+              vertical-align: top; }
             th { color: #666; } td:first-child, th:first-child { text-align: left; } table.facts td { text-align: left; }
             table.facts td:first-child { color: #666; white-space: nowrap; } img { max-width: 100%; border: 1px solid #ddd; }
-            .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; } .row figure { margin: 0; }
-            .row svg { width: 100%; height: auto; } .rows svg { max-width: 100%; height: auto; } .wide { overflow-x: auto; } .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
+            .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
+            .row figure { margin: 0; }
+            .row svg { width: 100%; height: auto; } .rows svg { max-width: 100%; height: auto; } .wide { overflow-x: auto; }
+            .wide td, .wide th { padding-right: .6rem; font-size: 13px; }
             .warning { color: #8a4b00; } figcaption { color: #666; } figure { margin: 1rem 0; }
             @media (prefers-color-scheme: dark) { body { color: #ddd; background: #181818; } h2, img { border-color: #444; }
               th, figcaption, table.facts td:first-child { color: #999; } .warning { color: #f0b060; } }
@@ -48,7 +52,8 @@ namespace FastPoints.Cli
             m_body.Append("</div>\n");
         }
 
-        public void Chart(RowChart chart) => m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
+        public void Chart(RowChart chart) =>
+            m_body.Append("<figure class=\"rows\">\n").Append(chart.ToSvg()).Append("\n</figure>\n");
 
         /// <summary>Charts side by side, as many as fit.</summary>
         public void Charts(IEnumerable<LineChart> charts)
@@ -86,13 +91,15 @@ namespace FastPoints.Cli
         public void Picture(byte[] png, string caption)
         {
             m_body.Append("<figure><img alt=\"").Append(Escape(caption)).Append("\" src=\"data:image/png;base64,")
-                .Append(System.Convert.ToBase64String(png)).Append("\">\n<figcaption>").Append(Escape(caption)).Append("</figcaption></figure>\n");
+                .Append(System.Convert.ToBase64String(png)).Append("\">\n<figcaption>").Append(Escape(caption))
+                .Append("</figcaption></figure>\n");
         }
 
         public void Chart(LineChart chart) => m_body.Append("<figure>\n").Append(chart.ToSvg()).Append("\n</figure>\n");
 
         public byte[] ToBytes() => Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture,
-            $"<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{Escape(title)}</title>\n<style>\n{Style}\n</style>\n"
+            $"<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            + $"<title>{Escape(title)}</title>\n<style>\n{Style}\n</style>\n"
             + $"</head>\n<body>\n<h1>{Escape(title)}</h1>\n{m_body}</body>\n</html>\n"));
     }
 }

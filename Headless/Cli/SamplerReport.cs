@@ -22,8 +22,8 @@ namespace FastPoints.Cli
         /// faces.</summary>
         static readonly (Sampler Sampler, int CellsLog2, int MemoryMiB)[] s_settings =
         [
-            (Sampler.Random, 7, 0), (Sampler.Poisson, 6, 0), (Sampler.Poisson, 7, 0), (Sampler.Poisson, 8, 0), (Sampler.Average, 7, 0),
-            (Sampler.Poisson, 7, 64),
+            (Sampler.Random, 7, 0), (Sampler.Poisson, 6, 0), (Sampler.Poisson, 7, 0),
+            (Sampler.Poisson, 8, 0), (Sampler.Average, 7, 0), (Sampler.Poisson, 7, 64),
         ];
         static readonly long[] s_budgets = [250_000, 500_000, 1_000_000, 2_000_000, 5_000_000];
 
@@ -62,7 +62,8 @@ namespace FastPoints.Cli
 
         Built Build(Sampler sampler, int cellsLog2, int memoryMiB, List<View> views)
         {
-            string name = sampler.ToString().ToLowerInvariant() + ", edge/" + (1 << cellsLog2) + (memoryMiB > 0 ? ", in " + memoryMiB + " MiB" : "");
+            string name = sampler.ToString().ToLowerInvariant() + ", edge/" + (1 << cellsLog2)
+                + (memoryMiB > 0 ? ", in " + memoryMiB + " MiB" : "");
             string target = Path.Combine(folder, "report" + StoreFormat.FolderExtension);
             var step = ConvertStep.Run([reader], target, new ConvertSettings
             {
@@ -85,8 +86,8 @@ namespace FastPoints.Cli
                     }
                 }
                 run.Out.WriteLine(name + ": " + step.Describe());
-                return new Built(name, step.Seconds, step.Result.BytesOnDisk / (double)Math.Max(1, step.Result.Manifest.Points), levels,
-                    pictures);
+                return new Built(name, step.Seconds,
+                    step.Result.BytesOnDisk / (double)Math.Max(1, step.Result.Manifest.Points), levels, pictures);
             }
             finally
             {
@@ -109,19 +110,23 @@ namespace FastPoints.Cli
 
         void WritePictures(List<Built> built)
         {
-            var csv = new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,uncovered\n");
+            var csv =
+                new StringBuilder("setting,buildSeconds,bytesPerPoint,view,budget,points,drawSeconds,psnr,ssim,uncovered\n");
             foreach (var b in built)
                 foreach (var p in b.Pictures)
-                    csv.Append('"').Append(b.Name).Append("\",").AppendJoin(',', Number(b.Seconds), Number(b.BytesPerPoint), p.View, p.Budget,
-                        p.Points, Number(p.Seconds), Number(p.Error.Psnr), Number(p.Error.Ssim), Number(p.Error.Uncovered)).Append('\n');
+                    csv.Append('"').Append(b.Name).Append("\",")
+                        .AppendJoin(',', Number(b.Seconds), Number(b.BytesPerPoint), p.View, p.Budget,
+                        p.Points, Number(p.Seconds), Number(p.Error.Psnr), Number(p.Error.Ssim),
+                        Number(p.Error.Uncovered)).Append('\n');
             Save("pictures.csv", csv.ToString());
         }
 
         void WritePage(List<Built> built, List<View> views)
         {
             var page = new ReportPage("Samplers: " + Path.GetFileName(reader.Info.Path));
-            page.Paragraph("Built by each sampler and with several spacings (a node's edge by the number given); drawn under budgets of points, "
-                + "against a picture of all points. Errors are of what is drawn, times of this machine and run.");
+            page.Paragraph("Built by each sampler and with several spacings (a node's edge by the number given); drawn "
+                + "under budgets of points, against a picture of all points. Errors are of what is drawn, times "
+                + "of this machine and run.");
             var times = new TextTable("setting", "build, s", "bytes a point", "PSNR iso 1 M, dB", "PSNR close 1 M, dB");
             foreach (var b in built)
                 times.Add(b.Name, Human.Value(Math.Round(b.Seconds, 2)), Human.Value(Math.Round(b.BytesPerPoint, 2)),
@@ -137,7 +142,8 @@ namespace FastPoints.Cli
                 page.Picture(Png.Encode(view.Reference), "all points");
             }
             page.Heading("Evenness");
-            var variation = new LineChart("Coefficient of variation of the distance to the nearest neighbour", "level", "variation");
+            var variation = new LineChart("Coefficient of variation of the distance to the nearest neighbour",
+                "level", "variation");
             var near = new LineChart("Smallest distance inside chunks by spacing", "level", "spacings");
             foreach (var b in built)
             {
@@ -159,7 +165,8 @@ namespace FastPoints.Cli
 
         static Drawn At(Built built, string view) => built.Pictures.First(p => p.View == view && p.Budget == 1_000_000);
 
-        void Chart(ReportPage page, string file, string title, string x, string y, List<Built> built, string view, Func<ImageError, double> of)
+        void Chart(ReportPage page, string file, string title, string x, string y, List<Built> built, string view,
+            Func<ImageError, double> of)
         {
             var chart = new LineChart(title, x, y) { LogX = true };
             foreach (var b in built)

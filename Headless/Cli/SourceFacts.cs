@@ -32,7 +32,9 @@ namespace FastPoints.Cli
         {
             yield return ("format", Kind);
             yield return ("size", Human.Count(Info.FileBytes) + " bytes");
-            string claimed = Info.HasPointsClaimed ? Human.Count(Info.PointsClaimed) + " by the header" : "the file does not say how many";
+            string claimed = Info.HasPointsClaimed
+                ? Human.Count(Info.PointsClaimed) + " by the header"
+                : "the file does not say how many";
             if (Found != null)
                 yield return ("points", Human.Count(Found.Points) + " found, " + claimed);
             else if (Info.PointsReadable >= 0 && (ulong)Info.PointsReadable != Info.PointsClaimed && Info.HasPointsClaimed)
@@ -84,7 +86,8 @@ namespace FastPoints.Cli
             }
             for (int axis = 0; axis < 3; axis++)
             {
-                double step = Info.Schema.Has(AttributeNames.X) && !Info.Schema[Info.Schema.IndexOf(AttributeNames.X)].Type.IsFloat()
+                double step = Info.Schema.Has(AttributeNames.X) &&
+                    !Info.Schema[Info.Schema.IndexOf(AttributeNames.X)].Type.IsFloat()
                     ? Info.Transform.Scale[axis] : 0.001;
                 string low = Human.Coordinate(bounds.Min[axis], step), high = Human.Coordinate(bounds.Max[axis], step);
                 yield return (axis == 0 ? name : "", "xyz"[axis] + "  " + low + " to " + high + "   ("
@@ -101,7 +104,8 @@ namespace FastPoints.Cli
                 if (Found == null)
                     table.Add(attribute.Name, attribute.Type.ToString());
                 else
-                    table.Add(attribute.Name, attribute.Type.ToString(), Found.Columns[i].MinText ?? "", Found.Columns[i].MaxText ?? "");
+                    table.Add(attribute.Name, attribute.Type.ToString(), Found.Columns[i].MinText ?? "",
+                        Found.Columns[i].MaxText ?? "");
             }
             return table;
         }

@@ -9,8 +9,8 @@ namespace FastPoints.Cli
         readonly Option<string?> m_columns = new("--columns")
         {
             HelpName = "x,y,z,...",
-            Description = "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any other name; - leaves one out "
-                + "(default: by its header, or guessed; info says what was taken).",
+            Description = "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any "
+                + "other name; - leaves one out (default: by its header, or guessed; info says what was taken).",
         };
 
         public SourceSettings(Command command) => command.Add(m_columns);

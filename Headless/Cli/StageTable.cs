@@ -18,7 +18,9 @@ namespace FastPoints.Cli
                 table.Add(stage.Name, stage.Seconds.ToString("0.000", CultureInfo.InvariantCulture),
                     stage.Points > 0 ? Human.Count(stage.Points) : "",
                     stage.Points > 0 && stage.Seconds > 0 ? Human.Short(stage.Points / stage.Seconds) : "",
-                    stage.Bytes > 0 && stage.Seconds > 0 ? (stage.Bytes / stage.Seconds / 1e6).ToString("N0", CultureInfo.InvariantCulture) : "");
+                    stage.Bytes > 0 && stage.Seconds > 0
+                        ? (stage.Bytes / stage.Seconds / 1e6).ToString("N0", CultureInfo.InvariantCulture)
+                        : "");
             }
             table.Add("together", seconds.ToString("0.000", CultureInfo.InvariantCulture));
             return table;

@@ -49,8 +49,8 @@ namespace FastPoints.Cli
             }
             if (bounds.IsEmpty)
                 throw new PointCloudException(FailureCode.BadInput, clouds[0], -1, "no points to draw");
-            var camera = options.Camera ?? CameraFraming.Frame(options.View, bounds, outline.ToArray(), options.WidthPx, options.HeightPx,
-                options.UpAxis, options.FovDegrees, new double3(1, 1, 1));
+            var camera = options.Camera ?? CameraFraming.Frame(options.View, bounds, outline.ToArray(),
+                options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, new double3(1, 1, 1));
 
             run.Progress.Begin("stream");
             var stats = Rest(stream, camera, options, run);
@@ -73,7 +73,8 @@ namespace FastPoints.Cli
         /// <summary>Frames until nothing more comes: all is there, or the pool has no room for more.</summary>
         static FrameStats Rest(StreamContext stream, in Camera camera, PictureOptions options, CliRun run)
         {
-            using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)], Allocator.Persistent);
+            using var views = new NativeArray<StreamView>([camera.ToStreamView(options.WidthPx, options.HeightPx)],
+                Allocator.Persistent);
             for (int quiet = 0; ;)
             {
                 run.Cancellation.ThrowIfCancellationRequested();

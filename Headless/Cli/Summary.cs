@@ -17,7 +17,8 @@ namespace FastPoints.Cli
         /// <summary>Beyond this a double no longer holds every integer, and readers of JSON would round.</summary>
         const long LargestExact = 1L << 53;
 
-        static readonly JsonWriterOptions s_options = new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        static readonly JsonWriterOptions s_options =
+            new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
         /// <param name="destination">A file, or <c>-</c> for <paramref name="output"/>.</param>
         public static void Write(string destination, TextWriter output, string verb, CliRun run, Failure? failure)

@@ -23,7 +23,8 @@ namespace FastPoints.Cli
         {
             var size = ranges.Robust.Size;
             double edge = Math.Max(size.x, Math.Max(size.y, size.z));
-            var cells = new BareCells { Corner = ranges.Robust.Min, CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0 };
+            double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
+            var cells = new BareCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
             var isFirst = new bool[points.Count];
             int firsts = 0;
             double* x = stackalloc double[RunLength], y = stackalloc double[RunLength], z = stackalloc double[RunLength];

@@ -7,8 +7,8 @@ using StandIns.Engine;
 
 namespace FastPoints.HostTests
 {
-    /// <summary>A test during which an exception was logged fails, as in Unity's runner: what a job or a system throws, nobody else
-    /// is told.</summary>
+    /// <summary>A test during which an exception was logged fails, as in Unity's runner: what a job or a system throws, nobody
+    /// else is told.</summary>
     [AttributeUsage(AttributeTargets.Assembly)]
     sealed class FailsOnLoggedExceptionsAttribute : Attribute, ITestAction
     {

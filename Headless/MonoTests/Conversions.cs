@@ -12,8 +12,8 @@ using FastPoints.Tests;
 
 namespace FastPoints.MonoTests
 {
-    /// <summary>Converts samples and seeded clouds with each sampler, and prints a line for each: what came out, to be compared with
-    /// another run time's.</summary>
+    /// <summary>Converts samples and seeded clouds with each sampler, and prints a line for each: what came out, to be compared
+    /// with another run time's.</summary>
     internal static class Conversions
     {
         private const int SeededPoints = 300_000;
@@ -65,8 +65,10 @@ namespace FastPoints.MonoTests
             {
                 using (PointReader reader = PointReaders.Open(source))
                 {
-                    WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings { Sampler = sampler }, _ => { }, null));
-                    string told = string.Join("\n", reader.Info.Facts.Select(f => f.ToString()).Concat(reader.Info.Warnings.Select(w => w.Text)));
+                    WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target,
+                        new ConvertSettings { Sampler = sampler }, _ => { }, null));
+                    string told = string.Join("\n",
+                        reader.Info.Facts.Select(f => f.ToString()).Concat(reader.Info.Warnings.Select(w => w.Text)));
                     return Hashes(target) + " told:" + Hash(System.Text.Encoding.UTF8.GetBytes(told));
                 }
             }
@@ -81,7 +83,8 @@ namespace FastPoints.MonoTests
             }
         }
 
-        private static string Hashes(string folder) => string.Join(" ", Sorted(Directory.GetFiles(folder, "*", SearchOption.AllDirectories))
+        private static string Hashes(string folder) =>
+            string.Join(" ", Sorted(Directory.GetFiles(folder, "*", SearchOption.AllDirectories))
             .Select(f => f.Substring(folder.Length + 1).Replace('\\', '/') + ":" + Hash(File.ReadAllBytes(f))));
 
         private static string Hash(byte[] bytes)

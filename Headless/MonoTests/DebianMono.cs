@@ -6,9 +6,9 @@ using Mono.Cecil;
 namespace FastPoints.MonoTests
 {
     /// <summary>
-    /// Makes assemblies for .NET Standard run on Debian's Mono. Debian compiles Mono's libraries with mcs (Roslyn is not built from its
-    /// sources there), which leaves the modifier out that "ref readonly" results have everywhere else, Unity's Mono included: without
-    /// this ReadOnlySpan's indexer is a method that is not found.
+    /// Makes assemblies for .NET Standard run on Debian's Mono. Debian compiles Mono's libraries with mcs (Roslyn is not built
+    /// from its sources there), which leaves the modifier out that "ref readonly" results have everywhere else, Unity's Mono
+    /// included: without this ReadOnlySpan's indexer is a method that is not found.
     /// </summary>
     internal static class DebianMono
     {
@@ -21,7 +21,8 @@ namespace FastPoints.MonoTests
             foreach (string file in Directory.GetFiles(to, "*.dll"))
             {
                 bool hasSymbols = File.Exists(Path.ChangeExtension(file, ".pdb"));
-                using var module = ModuleDefinition.ReadModule(file, new ReaderParameters { InMemory = true, ReadSymbols = hasSymbols });
+                using var module = ModuleDefinition.ReadModule(file,
+                    new ReaderParameters { InMemory = true, ReadSymbols = hasSymbols });
                 if (module.AssemblyReferences.Any(r => r.Name == "netstandard") && Adapt(module) > 0)
                     module.Write(file, new WriterParameters { WriteSymbols = hasSymbols });
             }

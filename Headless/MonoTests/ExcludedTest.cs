@@ -2,11 +2,12 @@ using System.Collections.Generic;
 
 namespace FastPoints.MonoTests
 {
-    /// <summary>A test that Mono cannot run, and why. Whoever adds one says what of Mono it is: what Unity's Mono does too is a fault of
-    /// the package.</summary>
+    /// <summary>A test that Mono cannot run, and why. Whoever adds one says what of Mono it is: what Unity's Mono does too is a
+    /// fault of the package.</summary>
     internal sealed class ExcludedTest
     {
-        private const string Brotli = "Mono's native Brotli decoder frees what it never allocated after a damaged stream, and the process ends";
+        private const string Brotli = "Mono's native Brotli decoder frees what it never allocated after a damaged "
+            + "stream, and the process ends";
 
         public static readonly IReadOnlyList<ExcludedTest> All = new[]
         {

@@ -47,9 +47,11 @@ namespace FastPoints.MonoTests
                 left.Add("<not><test>" + SecurityElement.Escape(test.Name) + "</test></not>");
             }
             if (left.Count > 0)
-                filter = "<filter><and>" + filter.Replace("<filter>", "").Replace("</filter>", "") + string.Concat(left) + "</and></filter>";
+                filter = "<filter><and>" + filter.Replace("<filter>", "").Replace("</filter>", "")
+                    + string.Concat(left) + "</and></filter>";
             runner.Run(run, TestFilter.FromXml(filter));
-            Console.WriteLine(run.m_passed + " passed, " + run.m_failed + " failed, " + (run.m_skipped + left.Count) + " skipped");
+            Console.WriteLine(run.m_passed + " passed, " + run.m_failed + " failed, "
+                + (run.m_skipped + left.Count) + " skipped");
             return run.m_failed == 0 && run.m_passed > 0 ? 0 : 1;
         }
 

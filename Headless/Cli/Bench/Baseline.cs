@@ -29,7 +29,8 @@ namespace FastPoints.Cli.Bench
 
         /// <summary>When and where it ran, as far as it says.</summary>
         public string Describe() => m_run.Date == 0 ? Path : string.Create(CultureInfo.InvariantCulture,
-            $"{Path}: {DateTimeOffset.FromUnixTimeMilliseconds(m_run.Date):yyyy-MM-dd HH:mm} UTC, {m_run.Hardware.ProcessorType}, "
+            $"{Path}: {DateTimeOffset.FromUnixTimeMilliseconds(m_run.Date):yyyy-MM-dd HH:mm} UTC, "
+                + $"{m_run.Hardware.ProcessorType}, "
             + $"{m_run.Hardware.ProcessorCount} cores, {m_run.Hardware.DeviceName}, {m_run.Editor.Version}");
 
         /// <summary>What was otherwise in the earlier run, so that ratios say less; or null.</summary>
@@ -40,7 +41,8 @@ namespace FastPoints.Cli.Bench
             var pairs = new[]
             {
                 (m_run.Hardware.ProcessorType, now.Hardware.ProcessorType), (m_run.Hardware.DeviceName, now.Hardware.DeviceName),
-                (m_run.Hardware.ProcessorCount + " cores", now.Hardware.ProcessorCount + " cores"), (m_run.Editor.Version, now.Editor.Version),
+                (m_run.Hardware.ProcessorCount + " cores", now.Hardware.ProcessorCount + " cores"),
+                (m_run.Editor.Version, now.Editor.Version),
             };
             var different = pairs.Where(p => p.Item1 != p.Item2).Select(p => p.Item1 + ", now " + p.Item2).ToList();
             return different.Count == 0 ? null : "not the same machine or runtime: " + string.Join("; ", different);
@@ -56,7 +58,8 @@ namespace FastPoints.Cli.Bench
 
         BaselineRow Compare(WorkloadSamples now)
         {
-            if (!m_results.TryGetValue(now.Name, out var before) || Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
+            if (!m_results.TryGetValue(now.Name, out var before) ||
+                Samples(before, WorkloadSamples.Time) is not { Count: > 0 } times)
                 return new BaselineRow(now.Name, times: [], null, null, null, "new");
             var error = before.SampleGroups.Find(g => g.Name.StartsWith(WorkloadSamples.Error, StringComparison.Ordinal));
             double? earlierError = error == null ? null : WorkloadSamples.Median(error.Samples);
@@ -75,7 +78,8 @@ namespace FastPoints.Cli.Bench
             var judged = isByLimit ? limit : time;
             if (judged == null || judged.IsUnknown)
                 return "too few samples";
-            return (!judged.IsBeyondNoise ? "within the noise" : judged.Ratio > 1 ? Slower : Faster) + (isByLimit ? ", by its limit" : "");
+            return (!judged.IsBeyondNoise ? "within the noise" : judged.Ratio > 1 ? Slower : Faster)
+                + (isByLimit ? ", by its limit" : "");
         }
 
         /// <summary>Points or bytes of one run, from what a second does; 0 where that is not there.</summary>
@@ -118,13 +122,16 @@ namespace FastPoints.Cli.Bench
             // Between no change and that of all, or with that of all inside what the scatter allows.
             bool isAsAll = time.Low <= all && all <= time.High;
             bool isLess = verdict == Baseline.Slower ? all > time.High : all < time.Low;
-            string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange ? ", as all are" : isLess ? ", less than all are" : "";
+            string beside = isAsAll && Math.Abs(Math.Log(all)) > CommonChange
+                ? ", as all are"
+                : isLess ? ", less than all are" : "";
             return new BaselineRow(name, times, time, limit, error, verdict + beside);
         }
 
         /// <summary>0.93 (0.90 to 0.97): a ratio and what the scatter allows.</summary>
         public static string Interval(SampleComparison? comparison) => comparison == null ? ""
             : comparison.IsUnknown ? comparison.Ratio.ToString("0.00", CultureInfo.InvariantCulture)
-            : string.Create(CultureInfo.InvariantCulture, $"{comparison.Ratio:0.00} ({comparison.Low:0.00} to {comparison.High:0.00})");
+            : string.Create(CultureInfo.InvariantCulture,
+                $"{comparison.Ratio:0.00} ({comparison.Low:0.00} to {comparison.High:0.00})");
     }
 }

@@ -20,10 +20,12 @@ namespace FastPoints.Cli.Bench
             var page = new ReportPage("Benchmarks");
             page.Facts(
             [
-                ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture) + " UTC"),
+                ("run", DateTimeOffset.FromUnixTimeMilliseconds(run.Date).ToString("yyyy-MM-dd HH:mm",
+                    CultureInfo.InvariantCulture) + " UTC"),
                 ("machine", Machine.Describe()),
                 ("made inputs", Human.Count(points) + " points"),
-                ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs are repeated within one"),
+                ("samples", samples.Max(s => s.Ms.Count) + " of each workload, in turns with its limit; short runs "
+                    + "are repeated within one"),
             ]);
             if (baseline != null && rows != null)
                 Compare(page, run, samples, baseline, rows);
@@ -33,14 +35,16 @@ namespace FastPoints.Cli.Bench
                 var present = family.Where(p => p.Samples.HadInput).ToList();
                 if (present.Count > 0)
                     page.Chart(Times(family.Key, present, baseline != null));
-                page.WideTable(BenchTable.Of(family.Select(p => p.Samples).ToList(), rows == null ? null : family.Select(p => p.Row!).ToList()));
+                page.WideTable(BenchTable.Of(family.Select(p => p.Samples).ToList(),
+                    rows == null ? null : family.Select(p => p.Row!).ToList()));
                 foreach (var noted in family.Where(p => p.Samples.Note != null))
                     page.Paragraph(noted.Samples.Name + ": " + noted.Samples.Note);
             }
             page.Heading("How to read this");
-            page.Paragraph("Each marker is a sample, the tick across the bar is their median, which tables give. \"Scatter\" is the shortest and "
-                + "the longest sample. \"x limit\" is time by point over that of what bounds the workload (a plain read and copy, the same loop "
-                + "over raw pointers), sample by sample, in turns. An error is that of an approximation; what has none is exact.");
+            page.Paragraph("Each marker is a sample, the tick across the bar is their median, which tables give. "
+                + "\"Scatter\" is the shortest and the longest sample. \"x limit\" is time by point over that of what bounds the "
+                + "workload (a plain read and copy, the same loop over raw pointers), sample by sample, in turns. An error is "
+                + "that of an approximation; what has none is exact.");
             return page.ToBytes();
         }
 
@@ -64,7 +68,8 @@ namespace FastPoints.Cli.Bench
             page.Chart(chart);
             for (int i = 0; i < rows.Count; i++)
                 if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
-                    page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now {BenchTable.Error(samples[i])}.");
+                    page.Paragraph($"{rows[i].Name}: its error was {Human.Measured(before)}, now "
+                        + $"{BenchTable.Error(samples[i])}.");
         }
 
         static double[] Interval(SampleComparison? comparison) => comparison == null ? []
@@ -79,19 +84,25 @@ namespace FastPoints.Cli.Bench
                 yield return "No workload of that run can be compared with this one.";
                 yield break;
             }
-            yield return string.Create(CultureInfo.InvariantCulture, $"\"slower\" and \"faster\" mark what is beyond the scatter of the "
-                + $"samples of both runs (95 %); of {times.Count} compared, {Math.Max(1, (int)Math.Round(times.Count * 0.05))} would be marked by "
-                + $"chance if nothing had changed. The median ratio of all is {WorkloadSamples.Median(times.Select(t => t.Ratio)):0.00}: what slows "
-                + $"all alike is the machine or what all share. Samples of one run know nothing of how a machine changes from hour to hour: repeat both "
-                + $"runs in turns before believing a difference, or go by those that are judged by their limit.");
+            yield return string.Create(CultureInfo.InvariantCulture,
+                $"\"slower\" and \"faster\" mark what is beyond the scatter of the samples of both runs (95 %); of {times.Count} "
+                    + $"compared, {Math.Max(1, (int)Math.Round(times.Count * 0.05))} would be marked by "
+                + $"chance if nothing had changed. The median ratio of all is "
+                + $"{WorkloadSamples.Median(times.Select(t => t.Ratio)):0.00}: what slows "
+                + $"all alike is the machine or what all share. Samples of one run know nothing of how a machine changes from "
+                + $"hour to hour: repeat both runs in turns before believing a difference, or go by those that are "
+                + $"judged by their limit.");
             if (times.Any(t => t.IsUnknown))
-                yield return "Fewer than four samples in one of the runs (or a --json summary, which holds medians only): nothing can be said of noise there.";
+                yield return "Fewer than four samples in one of the runs (or a --json summary, which holds medians only): "
+                    + "nothing can be said of noise there.";
         }
 
-        static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads, bool isCompared)
+        static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads,
+            bool isCompared)
         {
             var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.Times ?? [])).Where(v => v > 0).ToList();
-            var chart = new RowChart("Time of one run: " + family, "milliseconds", "error", isCompared ? ["now", "earlier"] : ["now"])
+            var chart = new RowChart("Time of one run: " + family, "milliseconds", "error",
+                isCompared ? ["now", "earlier"] : ["now"])
             {
                 LogX = ms.Count > 0 && ms.Max() / ms.Min() > WideRange,
             };

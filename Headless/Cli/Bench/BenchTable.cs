@@ -34,7 +34,8 @@ namespace FastPoints.Cli.Bench
                     Human.Bytes(s.MedianGarbageBytes),
                 };
                 if (baseline != null)
-                    cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit), baseline[i].Verdict]);
+                    cells.AddRange([BaselineRow.Interval(baseline[i].Time), BaselineRow.Interval(baseline[i].Limit),
+                        baseline[i].Verdict]);
                 table.Add(cells.ToArray());
             }
             return table;

@@ -57,7 +57,8 @@ namespace FastPoints.Cli.Bench
         public static string? WorkloadOf(PerformanceTestResult result)
         {
             string begin = TestClass + "." + TestMethod + "(\"";
-            return result.Name.StartsWith(begin, StringComparison.Ordinal) && result.Name.EndsWith("\")", StringComparison.Ordinal)
+            return result.Name.StartsWith(begin, StringComparison.Ordinal) &&
+                result.Name.EndsWith("\")", StringComparison.Ordinal)
                 ? result.Name[begin.Length..^2] : null;
         }
 

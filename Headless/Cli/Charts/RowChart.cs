@@ -88,7 +88,8 @@ namespace FastPoints.Cli
             }
         }
 
-        static int WidthOf(IEnumerable<string> texts) => (int)(texts.Select(t => t.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx);
+        static int WidthOf(IEnumerable<string> texts) =>
+            (int)(texts.Select(t => t.Length).DefaultIfEmpty().Max() * ChartSvg.LetterPx);
 
         sealed record Row(string Name, string Text, double[][] Lanes);
     }

@@ -16,7 +16,8 @@ namespace FastPoints.Cli.Stability
             new("one point", (folder, n) => Las(folder, 1, i => new int3(5, 6, 7))),
             new("two points", (folder, n) => Las(folder, 2, i => new int3(i * 1000, 0, 0))),
             new("all equal", (folder, n) => Las(folder, n, i => new int3(5, -6, 7))),
-            new("60,000 equal in a cloud", (folder, n) => Las(folder, n + 60000, i => i < 60000 ? new int3(777, 778, 779) : Uniform(i))),
+            new("60,000 equal in a cloud",
+                (folder, n) => Las(folder, n + 60000, i => i < 60000 ? new int3(777, 778, 779) : Uniform(i))),
             new("collinear", (folder, n) => Las(folder, n, i => new int3(i * 3, i * 3, i * 3))),
             new("planar", (folder, n) => Las(folder, n, i => new int3(Uniform(i).xy, -12345))),
             new("lattice", (folder, n) => Lattice(folder, n)),
@@ -26,7 +27,8 @@ namespace FastPoints.Cli.Stability
                 ? Uniform(i) * 10000
                 : Uniform(i) + new int3(500000000, 400000000, 300000000))),
             new("density of a million to one", (folder, n) => Las(folder, n, Terrestrial)),
-            new("outlier at 1e9 m beside 0.1 mm", (folder, n) => new StabilityInput([StabilityFiles.Ply(folder, "cloud", n, i => i == n / 2
+            new("outlier at 1e9 m beside 0.1 mm",
+                (folder, n) => new StabilityInput([StabilityFiles.Ply(folder, "cloud", n, i => i == n / 2
                 ? new double3(1e9, -1e9, 1e9)
                 : new double3(Uniform(i)) * 1e-4)], n)),
             new("NaN and infinities", (folder, n) => NonFinite(folder, n)),
@@ -34,13 +36,18 @@ namespace FastPoints.Cli.Stability
                 ? new int3((i & 1) == 0 ? int.MinValue : int.MaxValue, (i & 2) == 0 ? int.MinValue : int.MaxValue, 0)
                 : Uniform(i))),
             new("UTM offset of 1e7, scale of 0.1 mm", (folder, n) => Las(folder, n, i => Uniform(i) * 100, 1e-4, 1e7)),
-            new("degrees, steps of 1e-7", (folder, n) => Las(folder, n, i => Uniform(i) + new int3(134000000, 525000000, 0), 1e-7)),
+            new("degrees, steps of 1e-7",
+                (folder, n) => Las(folder, n, i => Uniform(i) + new int3(134000000, 525000000, 0), 1e-7)),
             new("extent of a micrometre", (folder, n) => Las(folder, n, i => new int3(Uniform(i).xyz % 1000), 1e-9)),
-            new("points on the maximum bound", (folder, n) => Las(folder, n, i => i % 2 == 0 ? new int3(1 << 17, 1 << 17, 1 << 17) : Uniform(i))),
+            new("points on the maximum bound",
+                (folder, n) => Las(folder, n, i => i % 2 == 0 ? new int3(1 << 17, 1 << 17, 1 << 17) : Uniform(i))),
             new("header bounds zero", (folder, n) => Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimBounds(p, 0))),
-            new("header bounds too small", (folder, n) => Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimBounds(p, 400))),
-            new("header bounds NaN", (folder, n) => Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimBounds(p, double.NaN))),
-            new("header counts too high", (folder, n) => Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimCount(p, uint.MaxValue))),
+            new("header bounds too small",
+                (folder, n) => Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimBounds(p, 400))),
+            new("header bounds NaN", (folder, n) => Claim(Las(folder, n, Uniform),
+                p => StabilityFiles.ClaimBounds(p, double.NaN))),
+            new("header counts too high", (folder, n) => Claim(Las(folder, n, Uniform),
+                p => StabilityFiles.ClaimCount(p, uint.MaxValue))),
             new("header counts too low", (folder, n) =>
                 // What the header does not count is not read; the reader warns of it.
                 Claim(Las(folder, n, Uniform), p => StabilityFiles.ClaimCount(p, (uint)n / 2)) with { Points = n / 2 }),
@@ -100,7 +107,8 @@ namespace FastPoints.Cli.Stability
             string file = StabilityFiles.Ply(folder, "cloud", count, i =>
             {
                 var place = new double3(Uniform(i)) / 64;
-                double wrong = (i / 100 % 3) switch { 0 => double.NaN, 1 => double.PositiveInfinity, _ => double.NegativeInfinity };
+                double wrong =
+                    (i / 100 % 3) switch { 0 => double.NaN, 1 => double.PositiveInfinity, _ => double.NegativeInfinity };
                 if (i % 100 == 0)
                     place[i / 300 % 3] = wrong;
                 return place;

@@ -130,10 +130,11 @@ namespace FastPoints.Cli.Stability
             {
                 foreach (var level in verified.Levels)
                     if (level.MinDistance < 0.99 * level.Spacing)
-                        Problems.Add(string.Format(CultureInfo.InvariantCulture, "points at {0} where the spacing is {1}", level.MinDistance,
-                            level.Spacing));
+                        Problems.Add(string.Format(CultureInfo.InvariantCulture, "points at {0} where the spacing is {1}",
+                            level.MinDistance, level.Spacing));
             }
-            return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points) + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
+            return Math.Abs(made!.Manifest.Points + input.LeftOut - input.Points)
+                + Math.Abs(made.Manifest.PointsLeftOut - input.LeftOut);
         }
 
         static void Step(WorkSteps work, int steps)
@@ -171,7 +172,8 @@ namespace FastPoints.Cli.Stability
                 Problems.Add(stage + ": " + e);
             }
             using var process = Process.GetCurrentProcess();
-            Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds, process.WorkingSet64));
+            Stages.Add(new StageResult(stage, outcome, error, Stopwatch.GetElapsedTime(begin).TotalSeconds,
+                process.WorkingSet64));
         }
     }
 }

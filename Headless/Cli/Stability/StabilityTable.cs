@@ -58,7 +58,8 @@ namespace FastPoints.Cli.Stability
             {
                 var cells = s_stages.Select(s => Describe(result.Stages.FirstOrDefault(r => r.Stage == s)));
                 run.Out.WriteLine("| " + result.Name + " | " + string.Join(" | ", cells) + " | "
-                    + Human.Bytes(result.Stages.Max(s => s.ResidentBytes)) + " | " + (result.Problems.Count == 0 ? "yes" : "NO") + " |");
+                    + Human.Bytes(result.Stages.Max(s => s.ResidentBytes)) + " | "
+                    + (result.Problems.Count == 0 ? "yes" : "NO") + " |");
             }
             if (!HeadlessGraphics.IsAvailable)
                 run.Out.WriteLine("card: not drawn: " + HeadlessGraphics.WhyNot);

@@ -16,20 +16,21 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_names = new("NAME")
         {
             Arity = ArgumentArity.ZeroOrMore,
-            Description = "Workloads whose name contains this (default: all). --list names them. stability: extremes of input through every "
-                + "stage, with error, time, memory and outcome.",
+            Description = "Workloads whose name contains this (default: all). --list names them. stability: "
+                + "extremes of input through every stage, with error, time, memory and outcome.",
         };
         readonly Option<string?> m_baseline = new("--baseline")
         {
             HelpName = "FILE",
-            Description = "An earlier run on this machine (its PerformanceTestResults.json, here or from Unity, or its --json summary): each "
-                + "workload's time is given by that run's, and marked where the difference is beyond the scatter of the samples.",
+            Description = "An earlier run on this machine (its PerformanceTestResults.json, here or from Unity, or "
+                + "its --json summary): each workload's time is given by that run's, and marked where the difference is beyond "
+                + "the scatter of the samples.",
         };
         readonly Option<string> m_out = new("--out", "-o")
         {
             HelpName = "DIR",
-            Description = "Folder for report.html and PerformanceTestResults.json, in the format of Unity's Performance Testing package "
-                + "(default: ./bench-report/).",
+            Description = "Folder for report.html and PerformanceTestResults.json, in the format of Unity's "
+                + "Performance Testing package (default: ./bench-report/).",
             DefaultValueFactory = _ => "bench-report",
         };
         readonly Option<int> m_points = new("--points")
@@ -46,8 +47,9 @@ namespace FastPoints.Cli.Verbs
         };
         readonly Option<bool> m_list = new("--list") { Description = "Name the workloads and run none." };
 
-        public BenchVerb() : base(new Command("bench", "Run the benchmarks: median times, speeds, errors, garbage, and ratios to what "
-            + "bounds each workload in the same run."))
+        public BenchVerb() : base(new Command("bench",
+            "Run the benchmarks: median times, speeds, errors, garbage, and ratios to what bounds each "
+                + "workload in the same run."))
         {
             Command.Add(m_names);
             Command.Add(m_baseline);
@@ -63,7 +65,8 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints bench", "all workloads"),
             ("./fastpoints bench las --json las.json", "those with las in their name"),
             ("./fastpoints bench stability --points 1000000", "extremes of input, a million points each"),
-            ("./fastpoints bench -o now-report --baseline bench-report/PerformanceTestResults.json", "compare with an earlier run"),
+            ("./fastpoints bench -o now-report --baseline bench-report/PerformanceTestResults.json",
+                "compare with an earlier run"),
         ];
 
         public override void Run(ParseResult parsed, CliRun run)
@@ -71,18 +74,22 @@ namespace FastPoints.Cli.Verbs
             var names = parsed.GetValue(m_names) ?? [];
             if (names is ["stability"])
             {
-                StabilityTable.Run(parsed.GetResult(m_points)?.Implicit == false ? parsed.GetValue(m_points) : StabilityTable.DefaultPoints, run);
+                StabilityTable.Run(parsed.GetResult(m_points)?.Implicit == false
+                    ? parsed.GetValue(m_points)
+                    : StabilityTable.DefaultPoints, run);
                 return;
             }
             var all = WorkloadList.All();
-            var asked = all.Where(w => names.Length == 0 || names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
+            var asked = all.Where(w => names.Length == 0 ||
+                names.Any(n => w.Name.Contains(n, StringComparison.OrdinalIgnoreCase))).ToList();
             if (asked.Count == 0)
                 throw new UsageException("no workload is called that: " + string.Join(", ", names) + " (--list names them)");
             var groups = WorkloadTurns.Groups(all, asked).ToList();
             if (parsed.GetValue(m_list))
             {
                 foreach (var workload in groups.SelectMany(g => g))
-                    run.Out.WriteLine(workload.Name + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
+                    run.Out.WriteLine(workload.Name
+                        + (workload.LimitName == null ? "" : "   (limit: " + workload.LimitName + ")"));
                 return;
             }
             int points = parsed.GetValue(m_points), runs = parsed.GetValue(m_runs);
@@ -141,7 +148,8 @@ namespace FastPoints.Cli.Verbs
             run.Out.WriteLine();
             foreach (var noted in results.Where(m => m.Note != null))
                 run.Out.WriteLine(noted.Name + ": " + noted.Note);
-            run.Out.WriteLine($"{Threads.InUse} threads, median of interleaved runs; \"x limit\": time by point over the limit's of the same run.");
+            run.Out.WriteLine($"{Threads.InUse} threads, median of interleaved runs; \"x limit\": time by point over the "
+                + "limit's of the same run.");
             if (baseline?.Differences(performance) is { } differences)
                 run.Out.WriteLine("warning: the baseline is " + differences);
             foreach (string line in rows == null ? [] : BenchReport.Honesty(rows))

@@ -25,15 +25,16 @@ namespace FastPoints.Cli.Verbs
         readonly Option<string> m_sampler = new("--sampler")
         {
             HelpName = "NAME",
-            Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly spaced; average, as poisson "
-                + "with colour and intensity averaged besides (default: random).",
+            Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
+                + "spaced; average, as poisson with colour and intensity averaged besides (default: random).",
             DefaultValueFactory = _ => "random",
         };
         readonly Option<string?> m_memory = new("--memory")
         {
             HelpName = "SIZE",
-            Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). What does not fit goes to "
-                + "temporary files beside the target; with little memory the stored chunks are smaller.",
+            Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
+                + "What does not fit goes to temporary files beside the target; with little memory the "
+                + "stored chunks are smaller.",
         };
         readonly Option<string?> m_attributes = new("--attributes")
         {
@@ -48,8 +49,8 @@ namespace FastPoints.Cli.Verbs
         };
         readonly SourceSettings m_source;
 
-        public ConvertVerb() : base(new Command("convert", "Build the octree that is streamed from: every point, every attribute, "
-            + "nothing rounded."))
+        public ConvertVerb() : base(new Command("convert",
+            "Build the octree that is streamed from: every point, every attribute, nothing rounded."))
         {
             Command.Add(m_files);
             Command.Add(m_output);

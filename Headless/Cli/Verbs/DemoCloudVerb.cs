@@ -26,14 +26,15 @@ namespace FastPoints.Cli.Verbs
         readonly Option<uint> m_seed = new("--seed")
         {
             HelpName = "S",
-            Description = "Another seed is another street; the same seed gives the same bytes, whatever the threads (default: 1).",
+            Description = "Another seed is another street; the same seed gives the same bytes, whatever "
+                + "the threads (default: 1).",
             DefaultValueFactory = _ => 1,
         };
         readonly Option<string> m_order = new("--order")
         {
             HelpName = "ORDER",
-            Description = "strip: as acquired, station by station and line by line (default); tile: by tiles of 50 m; class: by class; "
-                + "random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
+            Description = "strip: as acquired, station by station and line by line (default); tile: by tiles "
+                + "of 50 m; class: by class; random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
             DefaultValueFactory = _ => "strip",
         };
         readonly Option<string?> m_tile = new("--tile")
@@ -44,7 +45,8 @@ namespace FastPoints.Cli.Verbs
         };
         readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
 
-        public DemoCloudVerb() : base(new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
+        public DemoCloudVerb() : base(
+            new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
             + "colour, intensity, classes, several returns; UTM-sized coordinates), or a larger file of a file."))
         {
             Command.Add(m_output);
@@ -81,7 +83,8 @@ namespace FastPoints.Cli.Verbs
                 if (parsed.GetValue(m_times) != 0)
                     throw new UsageException("--times belongs to --tile");
                 written = parsed.GetValue(m_points);
-                if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) || !Enum.IsDefined(order))
+                if (!Enum.TryParse(parsed.GetRequiredValue(m_order), ignoreCase: true, out ScanOrder order) ||
+                    !Enum.IsDefined(order))
                     throw new UsageException("--order: wanted tile, strip, class or random, got " + parsed.GetValue(m_order));
                 if (written < 1)
                     throw new UsageException("--points is at least 1");

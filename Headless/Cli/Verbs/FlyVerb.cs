@@ -27,14 +27,14 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are flown over at once, where "
-                + "their coordinates put them.",
+            Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are "
+                + "flown over at once, where their coordinates put them.",
         };
         readonly Option<string?> m_path = new("--path")
         {
             HelpName = "FILE",
-            Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] (default: an overview, a dive, "
-                + "a way along the ground, a cut).",
+            Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] "
+                + "(default: an overview, a dive, a way along the ground, a cut).",
         };
         readonly Option<int> m_frames = new("--frames")
         {
@@ -42,11 +42,13 @@ namespace FastPoints.Cli.Verbs
             Description = "Frames, 60 a second (default: 360, or as many as the path has).",
         };
         readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
-        readonly Option<bool> m_gpu = new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
+        readonly Option<bool> m_gpu =
+            new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
         readonly Option<string?> m_output = new("--output", "-o")
         {
             HelpName = "DIR",
-            Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. Without it nothing is drawn.",
+            Description = "Draw: frames.csv, flight.png (an animation that browsers play) and last.png. "
+                + "Without it nothing is drawn.",
         };
         readonly Option<int> m_every = new("--every")
         {
@@ -120,7 +122,9 @@ namespace FastPoints.Cli.Verbs
             stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
             stream.Settings.UploadBytesPerFrame = upload;
             stream.SetClipBoxes(options.ClipBoxes);
-            using var picture = shaders != null ? new GpuPicture(shaders, stream, options) : (FlightPicture)new CpuPicture(stream, options);
+            using var picture = shaders != null
+                ? new GpuPicture(shaders, stream, options)
+                : (FlightPicture)new CpuPicture(stream, options);
             var bounds = BoundsGeo.Empty;
             foreach (string cloud in clouds)
             {
@@ -152,8 +156,8 @@ namespace FastPoints.Cli.Verbs
             Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
         }
 
-        static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options, FlightPicture picture, string? output,
-            int every, FlightLog log, CliRun run)
+        static void Fly(StreamContext stream, CameraPath path, int frames, PictureOptions options,
+            FlightPicture picture, string? output, int every, FlightLog log, CliRun run)
         {
             run.Progress.Begin("fly");
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
@@ -197,13 +201,16 @@ namespace FastPoints.Cli.Verbs
         static void Describe(CliRun run, FlightLog log, int uploadBytes, double disposeMs)
         {
             static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
-            run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints) + " points of " + Human.Count(log.Last.DrawnNodes) + " nodes, "
+            run.Out.WriteLine("last frame: " + Human.Count(log.Last.DrawnPoints) + " points of "
+                + Human.Count(log.Last.DrawnNodes) + " nodes, "
                 + Human.Bytes(log.PoolBytesPeak) + " of pool at most, " + Human.Bytes(log.BytesRead) + " read");
             var main = log.MainThreadMs;
-            run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 {Ms(log.SelectMs[1])}, "
+            run.Out.WriteLine($"main thread: {Ms(main[0])} ms, p99 {Ms(main[1])}, most {Ms(main[2])} (selection p99 "
+                + $"{Ms(log.SelectMs[1])}, "
                 + $"requests p99 {Ms(log.RequestMs[1])}); {log.Hitches} hitches; {Human.Bytes(log.GarbageBytes)} of garbage");
             foreach (var (frame, toFull, bytes) in log.Cuts())
-                run.Out.WriteLine($"from frame {frame}: " + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
+                run.Out.WriteLine($"from frame {frame}: "
+                    + (toFull < 0 ? "never 95 % drawn" : $"95 % drawn after {toFull} frames; "
                     + $"its {Human.Bytes(bytes)} need {(bytes + uploadBytes - 1) / uploadBytes}"));
             run.Out.WriteLine($"ended in {Ms(disposeMs)} ms");
             foreach (string warning in run.Warnings)

@@ -42,8 +42,9 @@ namespace FastPoints.Cli.Verbs
 
         readonly SourceSettings m_source;
 
-        public MainJob() : base(new RootCommand("Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and "
-            + "writes a page with pictures, facts and times."))
+        public MainJob() : base(new RootCommand(
+            "Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and writes "
+                + "a page with pictures, facts and times."))
         {
             Command.Add(m_files);
             Command.Add(m_asOne);
@@ -167,10 +168,11 @@ namespace FastPoints.Cli.Verbs
                 run.Progress.Group = null;
                 if (gpu != null)
                     OutputFile.Write(Path.Combine(folder, "gpu.png"), gpu.Png);
-                run.Out.WriteLine("  gpu      " + (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
+                run.Out.WriteLine("  gpu      "
+                    + (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.WhyNot));
                 run.Out.WriteLine();
 
-                var page = new ReportPage(files.Length > 1 ? reader.Info.Path : Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file));
+                var page = new ReportPage(files.Length > 1 ? reader.Info.Path : NameOf(file));
                 page.Facts(facts.Lines());
                 foreach (var warning in reader.Info.Warnings)
                     page.Warning("warning: " + warning);
@@ -193,11 +195,23 @@ namespace FastPoints.Cli.Verbs
                 }
                 page.Heading("What took how long");
                 page.Table(StageTable.Of(run.Progress, firstStage));
-                page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes) + " of memory resident.");
+                page.Paragraph(Threads.InUse + " threads; at most " + Human.Bytes(PeakMemory.ResidentBytes)
+                    + " of memory resident.");
                 string pagePath = Path.Combine(folder, "report.html");
                 OutputFile.Write(pagePath, page.ToBytes());
-                return new Report { File = file, Page = pagePath, Facts = facts, Preview = preview, Convert = convert, Picture = drawn, Gpu = gpu };
+                return new Report
+                {
+                    File = file,
+                    Page = pagePath,
+                    Facts = facts,
+                    Preview = preview,
+                    Convert = convert,
+                    Picture = drawn,
+                    Gpu = gpu,
+                };
             }
+
+            static string NameOf(string file) => Directory.Exists(file) ? CloudName.Of(file) : Path.GetFileName(file);
 
             public void WriteKeys(Utf8JsonWriter json)
             {

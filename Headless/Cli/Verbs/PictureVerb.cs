@@ -15,10 +15,11 @@ namespace FastPoints.Cli.Verbs
         readonly Argument<string[]> m_clouds = new("CLOUD")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With --budget, COPC, Potree and "
-                + "EPT are drawn from their own octrees; so are converted clouds and these together.",
+            Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With "
+                + "--budget, COPC, Potree and EPT are drawn from their own octrees; so are converted clouds and these together.",
         };
-        readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+        readonly Option<string> m_output =
+            new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<long> m_budget = new("--budget")
         {
             HelpName = "N",
@@ -54,7 +55,8 @@ namespace FastPoints.Cli.Verbs
             ("./fastpoints picture scan.fastpoints -o p.png --budget 1000000", "from the octree"),
             ("./fastpoints picture scan.fastpoints -o p.png --gpu", "by the renderer that a game would use"),
             ("./fastpoints picture scan.las -o c.png --style color=classification", "by class"),
-            ("./fastpoints picture scan.fastpoints -o g.png --style classes=2,size=adaptive", "the ground alone, its surface closed"),
+            ("./fastpoints picture scan.fastpoints -o g.png --style classes=2,size=adaptive",
+                "the ground alone, its surface closed"),
             ("./fastpoints picture scan.las -o p.png --eye 0,-50,20 --target 0,0,0", "a camera of one's own"),
         ];
 
@@ -72,8 +74,8 @@ namespace FastPoints.Cli.Verbs
                 run.Inputs.Add(against);
             var reference = against != null ? Png.Read(against) : null;
             if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
-                throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size", options.WidthPx + "x" + options.HeightPx,
-                    reference.Width + "x" + reference.Height);
+                throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",
+                    options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
             var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)
                 : clouds.Length == 1 && CloudFolder.IsCloud(clouds[0]) && !IsForStream(options)
@@ -92,8 +94,8 @@ namespace FastPoints.Cli.Verbs
             foreach (string assumption in result.Assumptions)
                 run.Out.WriteLine("  " + assumption);
             if (result.Error is { } error)
-                run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr) + " dB, SSIM " + Human.Value(error.Ssim)
-                    + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
+                run.Out.WriteLine("  against " + against + ": PSNR " + Human.Value(error.Psnr)
+                    + " dB, SSIM " + Human.Value(error.Ssim) + ", uncovered " + Human.Value(100 * error.Uncovered) + "%");
             StageTable.Of(run.Progress).Write(run.Out, "  ");
         }
 

@@ -13,7 +13,8 @@ namespace FastPoints.Cli.Verbs
             Arity = ArgumentArity.OneOrMore,
             Description = "Point clouds, or folders of them; several are drawn as one.",
         };
-        readonly Option<string> m_output = new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+        readonly Option<string> m_output =
+            new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
         readonly Option<int> m_points = new("--points")
         {
             HelpName = "N",
@@ -26,13 +27,14 @@ namespace FastPoints.Cli.Verbs
         };
         readonly Option<bool> m_quick = new("--quick")
         {
-            Description = "Stop at the first N points. Of LAZ, text and several files, these are the beginnings of blocks: all of "
-                + "them are read in the end without this.",
+            Description = "Stop at the first N points. Of LAZ, text and several files, these are the "
+                + "beginnings of blocks: all of them are read in the end without this.",
         };
         readonly Option<bool> m_report = new("--report")
         {
-            Description = "Measure the error over time, of this and of other ways to sample, against all points: distances, bare cells, "
-                + "evenness, pictures. Writes a page with charts, and a table. Reads the file some dozen times.",
+            Description = "Measure the error over time, of this and of other ways to sample, against all "
+                + "points: distances, bare cells, evenness, pictures. Writes a page with charts, and a table. Reads "
+                + "the file some dozen times.",
         };
         readonly Option<string?> m_out = new("--out")
         {

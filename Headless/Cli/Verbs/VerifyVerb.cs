@@ -17,13 +17,14 @@ namespace FastPoints.Cli.Verbs
             HelpName = "FILE...",
             Arity = ArgumentArity.OneOrMore,
             AllowMultipleArgumentsPerToken = true,
-            Description = "The files (or their folder) that it was made from: the points are the same, position and every attribute, or it fails.",
+            Description = "The files (or their folder) that it was made from: the points are the same, position and every "
+                + "attribute, or it fails.",
         };
 
         readonly SourceSettings m_source;
 
-        public VerifyVerb() : base(new Command("verify", "Read every byte of a converted cloud: structure, hashes, each point in its "
-            + "cube, counts."))
+        public VerifyVerb() : base(new Command("verify",
+            "Read every byte of a converted cloud: structure, hashes, each point in its cube, counts."))
         {
             Command.Add(m_cloud);
             Command.Add(m_against);
@@ -63,21 +64,26 @@ namespace FastPoints.Cli.Verbs
                 run.Out.WriteLine(problem);
             if (result.ProblemCount > result.Problems.Count)
                 run.Out.WriteLine("and " + Human.Count(result.ProblemCount - result.Problems.Count) + " more");
-            var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance", "across chunks", "share too near");
+            var table = new TextTable("level", "nodes", "points", "spacing", "minimum distance",
+                "across chunks", "share too near");
             for (int level = 0; level < result.Levels.Count; level++)
             {
                 var at = result.Levels[level];
                 if (at.Nodes > 0)
-                    table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points), at.Spacing > 0 ? Human.Value(at.Spacing) : "",
+                    table.Add(Human.Count(level), Human.Count(at.Nodes), Human.Count(at.Points),
+                        at.Spacing > 0 ? Human.Value(at.Spacing) : "",
                         double.IsFinite(at.MinDistance) ? Human.Value(at.MinDistance) : "",
                         double.IsFinite(at.MinDistanceAcrossChunks) ? Human.Value(at.MinDistanceAcrossChunks) : "",
-                        at.SampledPoints > 0 ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %" : "");
+                        at.SampledPoints > 0
+                            ? Human.Value(Math.Round(100.0 * at.NearAcrossChunks / at.SampledPoints, 3)) + " %"
+                            : "");
             }
             table.Write(run.Out, "  ");
             if (!result.Ok)
                 throw new PointCloudException(FailureCode.BadInput, cloud, -1,
                     result.ProblemCount == 1 ? "1 problem" : Human.Count(result.ProblemCount) + " problems");
-            run.Out.WriteLine(cloud + ": " + Human.Count(result.Points) + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
+            run.Out.WriteLine(cloud + ": " + Human.Count(result.Points)
+                + (result.IsBuilding ? " points so far (it is being built), all there" : " points, all there")
                 + (readers.Count > 0 ? ", the same as in the source" : ""));
         }
 
@@ -102,7 +108,8 @@ namespace FastPoints.Cli.Verbs
                 WriteLength(json, "spacing", at.Spacing > 0 ? at.Spacing : double.NaN);
                 WriteLength(json, "minDistance", at.MinDistance);
                 WriteLength(json, "minDistanceAcrossChunks", at.MinDistanceAcrossChunks);
-                WriteLength(json, "shareNearAcrossChunks", at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
+                WriteLength(json, "shareNearAcrossChunks",
+                    at.SampledPoints > 0 ? at.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
                 json.WriteEndObject();
             }
             json.WriteEndArray();

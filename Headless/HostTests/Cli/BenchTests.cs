@@ -43,8 +43,10 @@ namespace FastPoints.HostTests.Cli
         public void Results_OfARun_HaveEverySampleAndItsFigures()
         {
             using var json = JsonDocument.Parse(File.ReadAllBytes(m_results));
-            var result = json.RootElement.GetProperty("Results").EnumerateArray().Single(r => r.GetProperty("Name").GetString()!.EndsWith("(\"loop over native arrays\")"));
-            var groups = result.GetProperty("SampleGroups").EnumerateArray().ToDictionary(g => g.GetProperty("Name").GetString()!);
+            var result = json.RootElement.GetProperty("Results").EnumerateArray()
+                .Single(r => r.GetProperty("Name").GetString()!.EndsWith("(\"loop over native arrays\")"));
+            var groups = result.GetProperty("SampleGroups").EnumerateArray()
+                .ToDictionary(g => g.GetProperty("Name").GetString()!);
 
             Assert.That(groups.Keys, Is.EquivalentTo(new[] { "Time", "Points/s", "Bytes/s", "GC", "Error", "Times limit" }));
             Assert.That(groups["Time"].GetProperty("Unit").GetInt32(), Is.EqualTo(2));
@@ -59,7 +61,8 @@ namespace FastPoints.HostTests.Cli
                 Assert.That(group.GetProperty("Sum").GetDouble(), Is.EqualTo(samples.Sum()).Within(1e-9).Percent);
                 Assert.That(group.GetProperty("Average").GetDouble(), Is.EqualTo(samples.Average()).Within(1e-9).Percent);
                 Assert.That(group.GetProperty("Median").GetDouble(), Is.InRange(samples.Min(), samples.Max()));
-                Assert.That(group.GetProperty("StandardDeviation").GetDouble(), Is.LessThanOrEqualTo(samples.Max() - samples.Min()));
+                Assert.That(group.GetProperty("StandardDeviation").GetDouble(),
+                    Is.LessThanOrEqualTo(samples.Max() - samples.Min()));
             }
         }
 
@@ -89,8 +92,10 @@ namespace FastPoints.HostTests.Cli
             var svg = XElement.Parse(html[from..(html.IndexOf("</svg>", from, System.StringComparison.Ordinal) + 6)]);
             var texts = svg.Descendants().Where(e => e.Name.LocalName == "text").Select(e => e.Value).ToList();
 
-            Assert.That(texts, Does.Contain("loop over native arrays").And.Contain("loop over pointers").And.Contain("error").And.Contain("exact"));
-            Assert.That(svg.Descendants().Count(e => ((string)e.Attribute("class"))?.Contains("mark") == true), Is.EqualTo(8), "each sample");
+            Assert.That(texts, Does.Contain("loop over native arrays").And.Contain("loop over pointers").And.Contain(
+                "error").And.Contain("exact"));
+            Assert.That(svg.Descendants().Count(e => ((string)e.Attribute("class"))?.Contains("mark") == true),
+                Is.EqualTo(8), "each sample");
         }
 
         [Test]
@@ -98,8 +103,10 @@ namespace FastPoints.HostTests.Cli
         {
             var call = Bench("second", "--baseline", m_results);
 
-            Assert.That(call.Output, Does.Contain("x baseline (95 %)").And.Match(@"\d\.\d\d \(\d\.\d\d to \d+\.\d\d\)").And.Contain("by chance"));
-            Assert.That(File.ReadAllText(Path.Combine(m_scratch["second"], "report.html")), Does.Contain("Against the earlier run"));
+            Assert.That(call.Output,
+                Does.Contain("x baseline (95 %)").And.Match(@"\d\.\d\d \(\d\.\d\d to \d+\.\d\d\)").And.Contain("by chance"));
+            Assert.That(File.ReadAllText(Path.Combine(m_scratch["second"], "report.html")),
+                Does.Contain("Against the earlier run"));
         }
 
         static BaselineRow[] Compare(double ownNow, double othersNow)
@@ -129,7 +136,8 @@ namespace FastPoints.HostTests.Cli
 
         [Test]
         public void Baseline_OtherInput_IsNotCompared() =>
-            Assert.That(Bench("third", "3000", ["--baseline", m_results]).Output, Does.Contain("other input").And.Contain("No workload of that run"));
+            Assert.That(Bench("third", "3000", ["--baseline", m_results]).Output,
+                Does.Contain("other input").And.Contain("No workload of that run"));
 
         [Test]
         public void Baseline_ASummary_HasMediansAndNoNoise()
@@ -137,7 +145,8 @@ namespace FastPoints.HostTests.Cli
             string summary = m_scratch["summary.json"];
             Bench("fourth", "--json", summary);
 
-            Assert.That(Bench("fifth", "--baseline", summary).Output, Does.Contain("too few samples").And.Contain("nothing can be said of noise"));
+            Assert.That(Bench("fifth", "--baseline", summary).Output,
+                Does.Contain("too few samples").And.Contain("nothing can be said of noise"));
         }
 
         [TestCase("{}")]
@@ -148,7 +157,8 @@ namespace FastPoints.HostTests.Cli
             string path = m_scratch["bad.json"];
             File.WriteAllText(path, text);
 
-            var call = CliCall.Of("bench", "loop over native arrays", "--runs", "1", "--points", "1000", "--out", m_scratch["none"], "--baseline", path);
+            var call = CliCall.Of("bench", "loop over native arrays", "--runs", "1", "--points", "1000", "--out",
+                m_scratch["none"], "--baseline", path);
 
             Assert.That(call.Status, Is.EqualTo(ExitStatus.BadInput));
             Assert.That(call.Error, Does.Contain("bad.json").And.Contain("is neither a PerformanceTestResults.json nor"));

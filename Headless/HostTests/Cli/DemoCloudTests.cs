@@ -60,7 +60,8 @@ namespace FastPoints.HostTests.Cli
                 Assert.That(laz.GetProperty(key).GetRawText(), Is.EqualTo(las.GetProperty(key).GetRawText()), key);
             Assert.That(laz.GetProperty("warnings").GetArrayLength(), Is.Zero);
             Assert.That(new FileInfo(m_scratch["a.laz"]).Length, Is.LessThan(new FileInfo(m_scratch["a.las"]).Length / 2));
-            Assert.That(Directory.GetFiles(Path.GetDirectoryName(m_scratch["a.laz"])!).Length, Is.EqualTo(2), "nothing is left beside");
+            Assert.That(Directory.GetFiles(Path.GetDirectoryName(m_scratch["a.laz"])!).Length,
+                Is.EqualTo(2), "nothing is left beside");
         }
 
         [Test]
@@ -75,7 +76,8 @@ namespace FastPoints.HostTests.Cli
             Assert.That(min[1], Is.InRange(5_611_700, 5_612_000));
             Assert.That(max[2], Is.InRange(125, 150), "roofs and trees");
             var ranges = json.GetProperty("attributes").EnumerateArray()
-                .ToDictionary(a => a.GetProperty("name").GetString(), a => (a.GetProperty("min").GetDouble(), a.GetProperty("max").GetDouble()));
+                .ToDictionary(a => a.GetProperty("name").GetString(),
+                    a => (a.GetProperty("min").GetDouble(), a.GetProperty("max").GetDouble()));
             Assert.That(ranges["Classification"], Is.EqualTo((1.0, 65.0)));
             Assert.That(ranges["NumberOfReturns"].Item2, Is.EqualTo(4));
             Assert.That(ranges["PointSourceId"], Is.EqualTo((1.0, 3.0)));
@@ -93,7 +95,8 @@ namespace FastPoints.HostTests.Cli
             {
                 Make(order + ".las", "--points", "30000", "--order", order);
                 Assert.That(Scan(order + ".las").GetProperty("columnSums").GetRawText(), Is.EqualTo(sums), order);
-                Assert.That(File.ReadAllBytes(m_scratch[order + ".las"]), Is.Not.EqualTo(File.ReadAllBytes(m_scratch["strip.las"])), order);
+                Assert.That(File.ReadAllBytes(m_scratch[order + ".las"]),
+                    Is.Not.EqualTo(File.ReadAllBytes(m_scratch["strip.las"])), order);
             }
         }
 
@@ -127,7 +130,8 @@ namespace FastPoints.HostTests.Cli
             Assert.That(three.GetProperty("boundsClaimed").GetProperty("max")[0].GetDouble(), Is.EqualTo(grown).Within(1e-6));
             foreach (string unmoved in new[] { "Y", "Z", "Red" })
                 Assert.That(ulong.Parse(three.GetProperty("columnSums").GetProperty(unmoved).GetString()),
-                    Is.EqualTo(unchecked(3 * ulong.Parse(one.GetProperty("columnSums").GetProperty(unmoved).GetString()))), unmoved);
+                    Is.EqualTo(unchecked(3 * ulong.Parse(one.GetProperty("columnSums").GetProperty(unmoved).GetString()))),
+                    unmoved);
         }
 
         // Moved chunks and unpacked, tiled records are the same points.

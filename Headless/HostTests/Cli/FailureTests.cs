@@ -26,10 +26,12 @@ namespace FastPoints.HostTests.Cli
         }
 
         [Test]
-        public void Info_OfNoFile_IsBadInput() => FailsInOneLine(CliCall.Of("info", m_scratch["none.las"]), ExitStatus.BadInput, m_scratch["none.las"]);
+        public void Info_OfNoFile_IsBadInput() =>
+            FailsInOneLine(CliCall.Of("info", m_scratch["none.las"]), ExitStatus.BadInput, m_scratch["none.las"]);
 
         [Test]
-        public void Info_OfAFolder_IsBadInput() => FailsInOneLine(CliCall.Of("info", m_scratch.Root), ExitStatus.BadInput, m_scratch.Root);
+        public void Info_OfAFolder_IsBadInput() =>
+            FailsInOneLine(CliCall.Of("info", m_scratch.Root), ExitStatus.BadInput, m_scratch.Root);
 
         [TestCase("")]
         [TestCase("LASF")]
@@ -69,8 +71,8 @@ namespace FastPoints.HostTests.Cli
         {
             string demo = m_scratch.Demo(), small = m_scratch["small.png"];
             Assert.That(CliCall.Of("picture", demo, "-o", small, "--size", "16x16").Status, Is.EqualTo(ExitStatus.Done));
-            FailsInOneLine(CliCall.Of("picture", demo, "-o", m_scratch["p.png"], "--size", "32x16", "--against", small), ExitStatus.BadInput,
-                small);
+            FailsInOneLine(CliCall.Of("picture", demo, "-o", m_scratch["p.png"], "--size", "32x16", "--against", small),
+                ExitStatus.BadInput, small);
         }
 
         [TestCase("demo-cloud", "-o", "OUT/made.las", "--points", "100000")]

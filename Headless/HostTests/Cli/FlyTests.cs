@@ -31,10 +31,12 @@ namespace FastPoints.HostTests.Cli
         public void Fly_TwoClouds_WritesPicturesFramesAndTheKeys()
         {
             string folder = m_scratch["flight"];
-            var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "40", "--every", "10", "--size", "160x90", "-o", folder, "--json", "-");
+            var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "40", "--every", "10", "--size", "160x90",
+                "-o", folder, "--json", "-");
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             var json = call.Json;
-            foreach (string key in new[] { "frames", "garbageBytes", "pointsDrawn", "bytesRead", "secondsToFull", "hitches", "disposeMs" })
+            foreach (string key in new[] { "frames", "garbageBytes", "pointsDrawn", "bytesRead",
+                "secondsToFull", "hitches", "disposeMs" })
                 Assert.That(json.GetProperty(key).ValueKind, Is.EqualTo(JsonValueKind.Number), key);
             foreach (string key in new[] { "frameMs", "mainThreadMs" })
                 foreach (string part in new[] { "p50", "p99", "max" })
@@ -53,7 +55,8 @@ namespace FastPoints.HostTests.Cli
         public void Fly_PathOfOnesOwn_HasItsFramesAndCuts()
         {
             string path = m_scratch["way.txt"];
-            File.WriteAllText(path, "# a comment\n0 -50 -50 30 0 0 0\n10, 50,-50,30, 0,0,0\n12 0 0 5 10 10 0 cut\n20 1 0 5 10 10 0\n");
+            File.WriteAllText(path, "# a comment\n0 -50 -50 30 0 0 0\n10, 50,-50,30, 0,0,0\n12 0 0 5 10 10 0 "
+                + "cut\n20 1 0 5 10 10 0\n");
             var call = CliCall.Of("fly", m_cloud, "--path", path, "--json", "-");
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             Assert.That(call.Json.GetProperty("frames").GetInt32(), Is.EqualTo(21));
@@ -67,7 +70,8 @@ namespace FastPoints.HostTests.Cli
             string folder = m_scratch["short"];
             Assert.That(CliCall.Of("fly", m_cloud, "--frames", "3", "--every", "10", "--size", "32x18", "-o", folder).Status,
                 Is.EqualTo(ExitStatus.Done));
-            Assert.That(Png.Read(Path.Combine(folder, "flight.png")).Rgba, Is.EqualTo(Png.Read(Path.Combine(folder, "last.png")).Rgba));
+            Assert.That(Png.Read(Path.Combine(folder, "flight.png")).Rgba,
+                Is.EqualTo(Png.Read(Path.Combine(folder, "last.png")).Rgba));
         }
 
         [TestCase("0 1 2 3 4 5\n", "line 1")]
@@ -130,7 +134,8 @@ namespace FastPoints.HostTests.Cli
         public void Picture_BudgetForAllPoints_IsThePictureOfTheFile(string sample, string color)
         {
             string cloud = sample.EndsWith(".laz") ? TestData.SampleOrIgnore(sample)
-                : Path.GetDirectoryName(TestData.SampleOrIgnore(sample + (sample.StartsWith("ept") ? "/ept.json" : "/metadata.json")));
+                : Path.GetDirectoryName(TestData.SampleOrIgnore(sample
+                    + (sample.StartsWith("ept") ? "/ept.json" : "/metadata.json")));
             var info = CliCall.Of("info", cloud, "--json", "-").Json.GetProperty("boundsClaimed");
             double[] Corner(string name) => info.GetProperty(name).EnumerateArray().Select(v => v.GetDouble()).ToArray();
             double[] min = Corner("min"), max = Corner("max"), size = min.Zip(max, (a, b) => b - a).ToArray();
@@ -143,7 +148,8 @@ namespace FastPoints.HostTests.Cli
             ];
             string whole = m_scratch["whole.png"], streamed = m_scratch["streamed.png"];
             Assert.That(CliCall.Of(["picture", cloud, "-o", whole, .. camera]).Status, Is.EqualTo(ExitStatus.Done));
-            var call = CliCall.Of(["picture", cloud, "-o", streamed, "--budget", "1000000", "--against", whole, "--json", "-", .. camera]);
+            var call = CliCall.Of(["picture", cloud, "-o", streamed, "--budget", "1000000", "--against",
+                whole, "--json", "-", .. camera]);
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             Assert.That(call.Json.GetProperty("nodes").GetInt32(), Is.GreaterThan(0));
             // Nodes smaller than a pixel are left out, and which of two points at one depth is seen is chance.

@@ -56,7 +56,8 @@ namespace FastPoints.HostTests.Cli
         [TestCase(100_000, 12, 20, LittleMemory, "poisson", Category = "Long")]
         [TestCase(100_000, 12, 20, MuchMemory, "random", Category = "Long")]
         [TestCase(100_000, 12, 20, MuchMemory, "poisson", Category = "Long")]
-        public void Kill_AtRandomMoments_TheSameCommandGoesOnToTheSameBytes(int points, int times, int kills, string memory, string sampler)
+        public void Kill_AtRandomMoments_TheSameCommandGoesOnToTheSameBytes(int points, int times, int kills,
+            string memory, string sampler)
         {
             using var scratch = new ScratchFolder();
             MakeCloud(scratch, points, times);
@@ -121,7 +122,8 @@ namespace FastPoints.HostTests.Cli
         {
             using var scratch = new ScratchFolder();
             MakeCloud(scratch, points, times);
-            var made = ConvertToEnd(scratch["cloud.las"], scratch["cloud.fastpoints"], LittleMemory, "random", scratch["cloud.json"]);
+            var made = ConvertToEnd(scratch["cloud.las"], scratch["cloud.fastpoints"], LittleMemory,
+                "random", scratch["cloud.json"]);
             Assert.That(made.GetProperty("points").GetInt64(), Is.EqualTo((long)points * times));
             Assert.That(made.GetProperty("peakResidentBytes").GetInt64(), Is.LessThanOrEqualTo(160L << 20));
         }
@@ -131,7 +133,8 @@ namespace FastPoints.HostTests.Cli
             string[] files = Directory.GetFiles(wanted, "*", SearchOption.AllDirectories);
             Assert.That(Directory.GetFiles(got, "*", SearchOption.AllDirectories), Has.Length.EqualTo(files.Length));
             foreach (string file in files)
-                Assert.That(File.ReadAllBytes(got + file.Substring(wanted.Length)).AsSpan().SequenceEqual(File.ReadAllBytes(file)), file);
+                Assert.That(File.ReadAllBytes(got + file.Substring(wanted.Length)).AsSpan().SequenceEqual(
+                    File.ReadAllBytes(file)), file);
         }
     }
 }

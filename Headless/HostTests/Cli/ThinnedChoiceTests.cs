@@ -12,7 +12,8 @@ namespace FastPoints.HostTests.Cli
         /// <summary>A thousand points at one place, then one at each of ten places in a row.</summary>
         static PointBatch Heap()
         {
-            var schema = new PointSchema([new(AttributeNames.X, AttributeType.Float64), new(AttributeNames.Y, AttributeType.Float64),
+            var schema =
+                new PointSchema([new(AttributeNames.X, AttributeType.Float64), new(AttributeNames.Y, AttributeType.Float64),
                 new(AttributeNames.Z, AttributeType.Float64)]);
             var batch = new PointBatch(schema, 1010, Allocator.Persistent) { Count = 1010 };
             NativeArray<double> x = batch.Column<double>(AttributeNames.X), y = batch.Column<double>(AttributeNames.Y),

@@ -70,7 +70,8 @@ namespace FastPoints.HostTests.Conformance
         {
             var nunit = new AssemblyNameReference("nunit.framework", new System.Version(3, 6));
             m_package.Module.AssemblyReferences.Add(nunit);
-            m_package.Emit(OpCodes.Call, m_package.Method(new TypeReference(space, type, m_package.Module, nunit), method, m_void, true));
+            m_package.Emit(OpCodes.Call,
+                m_package.Method(new TypeReference(space, type, m_package.Module, nunit), method, m_void, true));
 
             Assert.That(m_package.Check(), reported == null ? Is.Empty : Has.Some.Contains(reported));
         }
@@ -118,7 +119,8 @@ namespace FastPoints.HostTests.Conformance
         {
             Call("Old", m_void, false);
 
-            Assert.That(m_package.Check(generation).Any(p => p.Contains("Box`1.Old is obsolete, using it is an error")), Is.EqualTo(isReported));
+            Assert.That(m_package.Check(generation).Any(p => p.Contains("Box`1.Old is obsolete, using it is an error")),
+                Is.EqualTo(isReported));
         }
 
         [Test]

@@ -60,7 +60,8 @@ namespace FastPoints.HostTests.Conformance
         [Test]
         public void OfMethod_RefsPointersArraysAndNestedGenerics_AsTheListWritesThem() => Assert.That(
             DocId.OfMethod(Method("Take")),
-            Is.EqualTo($"M:{Prefix}.Take``1(`0[]@,``0*@,System.Collections.Generic.Dictionary{{`0,System.Collections.Generic.List{{``0}}}}.Enumerator@)"));
+            Is.EqualTo($"M:{Prefix}.Take``1(`0[]@,``0*@," +
+                $"System.Collections.Generic.Dictionary{{`0,System.Collections.Generic.List{{``0}}}}.Enumerator@)"));
 
         [Test]
         public void InSignature_RefReadonlyReturn_IsByReferenceOfTheParameter() =>
@@ -76,7 +77,8 @@ namespace FastPoints.HostTests.Conformance
             DocId.OfMethod(Method("op_Addition")), Is.EqualTo($"M:{Prefix}.op_Addition({Prefix[..^2]}{{`0}},System.Int32@)"));
 
         [Test]
-        public void OfMethod_Constructor_HasAHash() => Assert.That(DocId.OfMethod(Method(".ctor")), Is.EqualTo($"M:{Prefix}.#ctor"));
+        public void OfMethod_Constructor_HasAHash() =>
+            Assert.That(DocId.OfMethod(Method(".ctor")), Is.EqualTo($"M:{Prefix}.#ctor"));
 
         [TestCase("get_Item", "P:OWNER.Item(System.Int32,`0*)")]
         [TestCase("set_Item", "P:OWNER.Item(System.Int32,`0*)")]
@@ -94,9 +96,11 @@ namespace FastPoints.HostTests.Conformance
         [Test]
         public void InSignature_NestedInstance_GivesEachLevelItsArguments()
         {
-            MethodDefinition method = m_sample.NestedTypes.Single(t => t.Name == "Nested`1").Methods.Single(m => m.Name == "Other");
+            MethodDefinition method = m_sample.NestedTypes.Single(t => t.Name == "Nested`1")
+                .Methods.Single(m => m.Name == "Other");
 
-            Assert.That(DocId.InSignature(method.Parameters[0].ParameterType), Is.EqualTo($"{Prefix[..^2]}{{System.Int32}}.Nested{{`1}}[]"));
+            Assert.That(DocId.InSignature(method.Parameters[0].ParameterType),
+                Is.EqualTo($"{Prefix[..^2]}{{System.Int32}}.Nested{{`1}}[]"));
             Assert.That(DocId.InSignature(method.ReturnType), Is.EqualTo($"{Prefix[..^2]}{{`0}}.Nested{{System.String}}"));
         }
 

@@ -82,7 +82,8 @@ namespace FastPoints.HostTests.Conformance
             return box;
         }
 
-        internal MethodReference Method(TypeReference type, string name, TypeReference returns, bool isStatic, params TypeReference[] parameters)
+        internal MethodReference Method(TypeReference type, string name, TypeReference returns, bool isStatic,
+            params TypeReference[] parameters)
         {
             var method = new MethodReference(name, returns, type) { HasThis = !isStatic };
             foreach (TypeReference parameter in parameters)
@@ -107,7 +108,8 @@ namespace FastPoints.HostTests.Conformance
             return type;
         }
 
-        internal static MethodDefinition Define(TypeDefinition type, string name, MethodAttributes attributes, params TypeReference[] parameters)
+        internal static MethodDefinition Define(TypeDefinition type, string name, MethodAttributes attributes,
+            params TypeReference[] parameters)
         {
             var method = new MethodDefinition(name, MethodAttributes.Public | attributes, type.Module.TypeSystem.Void);
             foreach (TypeReference parameter in parameters)
@@ -127,7 +129,8 @@ namespace FastPoints.HostTests.Conformance
         internal IReadOnlyCollection<string> Check(string generation = "6000.0", string reference = "Unity.Things")
         {
             UnityApi api = UnityApi.Read("the list", new StringReader(List));
-            var assemblies = new AssemblyTable(new[] { new Asmdef("FastPoints.Planted", "", new[] { reference, "Unity.Other" }, false) });
+            var assemblies =
+                new AssemblyTable(new[] { new Asmdef("FastPoints.Planted", "", new[] { reference, "Unity.Other" }, false) });
             return new RepoTools.Api.Conformance(api, generation, assemblies).Check(Module);
         }
 

@@ -12,17 +12,22 @@ namespace FastPoints.HostTests.Conformance
         private const string Box = "T:Unity.Things.Box\tUnity.Things\tstruct\t\tunmanaged\t\t\t\t*\n";
 
         [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tcount=4\t\t\t*", null)]
-        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tcount=5\t\t\t*", "is 5 by default, 4 here")]
-        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tcount\t\t\t*", "count is not optional in Unity")]
-        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tn=4\t\t\t*", "is called n in Unity, count here")]
-        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\tstatic\tcount=4\t\t\t*", "is static in Unity")]
-        [TestCase("M:Unity.Things.Box.Fill\tUnity.Things\tmethod\tSystem.Void\t\t\t\t\t*", "Box.Fill(System.Int32) is not Unity's")]
+        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tcount=5\t\t\t*",
+            "is 5 by default, 4 here")]
+        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tcount\t\t\t*",
+            "count is not optional in Unity")]
+        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\t\tn=4\t\t\t*",
+            "is called n in Unity, count here")]
+        [TestCase("M:Unity.Things.Box.Fill(System.Int32)\tUnity.Things\tmethod\tSystem.Void\tstatic\tcount=4\t\t\t*",
+            "is static in Unity")]
+        [TestCase("M:Unity.Things.Box.Fill\tUnity.Things\tmethod\tSystem.Void\t\t\t\t\t*",
+            "Box.Fill(System.Int32) is not Unity's")]
         public void Check_Method_IsComparedWithUnitys(string row, string reported) =>
             Expect(Audit(Box + row, box =>
             {
                 var method = new MethodDefinition("Fill", MethodAttributes.Public, box.Module.TypeSystem.Void);
-                method.Parameters.Add(new ParameterDefinition("count", ParameterAttributes.Optional | ParameterAttributes.HasDefault,
-                    box.Module.TypeSystem.Int32)
+                method.Parameters.Add(new ParameterDefinition("count",
+                    ParameterAttributes.Optional | ParameterAttributes.HasDefault, box.Module.TypeSystem.Int32)
                 { Constant = 4 });
                 box.Methods.Add(method);
             }), reported);

@@ -142,7 +142,8 @@ namespace FastPoints.HostTests.Editor
 
             Assert.That(session.State, Is.EqualTo(BuildState.Failed));
             Assert.That(session.Failure, Has.Property("Code").EqualTo(FailureCode.Unexpected));
-            Assert.That(session.Failure, Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
+            Assert.That(session.Failure,
+                Has.Property("Story").Contains("InvalidOperationException: planted").And.Property("Story")
                 .Contains(nameof(BuildSessionTests)));
         }
 

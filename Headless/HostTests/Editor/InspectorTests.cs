@@ -70,7 +70,8 @@ namespace FastPoints.HostTests.Editor
             {
                 var logged = new List<string>();
                 Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-                var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
+                var buttons =
+                    new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
                 try
                 {
                     project.Imports.Take(project.Scratch.Demo("scan.las", 20_000), "Assets");
@@ -90,7 +91,8 @@ namespace FastPoints.HostTests.Editor
                         GUILayout.Pressed = null;
                         Draw();
                     }
-                    ImportProject.Updates(Draw, () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
+                    ImportProject.Updates(Draw,
+                        () => !project.Imports.Checks.IsChecking && project.Imports.Queue.Requests.Count == 0);
                     Object.DestroyImmediate(inspector);
                     Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
                 }
@@ -135,7 +137,8 @@ namespace FastPoints.HostTests.Editor
             Assert.That(asset.FindProperty("m_Script"), Is.Not.Null);
             Assert.That(asset.FindProperty("ProjectPath"), Is.Not.Null);
             Assert.That(asset.FindProperty("Unknown"), Is.Null);
-            Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")), Throws.TypeOf<NullReferenceException>());
+            Assert.That(() => EditorGUILayout.PropertyField(asset.FindProperty("Unknown")),
+                Throws.TypeOf<NullReferenceException>());
         }
 
         [Test]
@@ -151,7 +154,8 @@ namespace FastPoints.HostTests.Editor
             Assert.That(() => GUILayoutUtility.Repaint(Draw), Throws.ArgumentException);
             controls = 1;
             GUILayoutUtility.Send(new Event { type = EventType.Layout }, Draw);
-            Assert.That(() => GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, Draw), Throws.Nothing, "a click may change it");
+            Assert.That(() => GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, Draw),
+                Throws.Nothing, "a click may change it");
             Event.current = null;
         }
 

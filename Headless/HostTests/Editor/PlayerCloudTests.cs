@@ -76,7 +76,8 @@ namespace FastPoints.HostTests.Editor
             var context = Build(scene == null ? null : new[] { scene });
 
             Assert.That(context.FolderOfPlayerPath, Is.Empty);
-            Assert.That(m_logged.Single(), Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
+            Assert.That(m_logged.Single(),
+                Does.StartWith("Warning: FastPoints: no point cloud in the player").And.Contains(said));
         }
 
         [Test]
@@ -118,7 +119,8 @@ namespace FastPoints.HostTests.Editor
             string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
             var kept = XDocument.Load(link).Root.Element("assembly");
             Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
-                .GetType((string)kept.Element("type").Attribute("fullname")), Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
+                .GetType((string)kept.Element("type").Attribute("fullname")),
+                Is.EqualTo(typeof(FastPoints.SourceFeeds.PointFileReaders)));
             File.Delete(source);
             Assert.That(Build, Throws.TypeOf<BuildFailedException>().With.Message.Contains("neither converted"));
         }

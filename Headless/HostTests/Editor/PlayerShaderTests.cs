@@ -77,7 +77,8 @@ namespace FastPoints.HostTests.Editor
         public void Build_SceneWithoutSettings_HasWhatTheDefaultNeeds()
         {
             Assert.That(Build(ScenePath), Is.EquivalentTo(new[] { "Points FASTPOINTS_SQUARES", "Compose" }));
-            Assert.That(m_logged.Single(), Is.EqualTo("Log: FastPoints: 2 of 107 variants of the point shaders: as the built scenes draw points"));
+            Assert.That(m_logged.Single(),
+                Is.EqualTo("Log: FastPoints: 2 of 107 variants of the point shaders: as the built scenes draw points"));
             Assert.That(EditorSceneManager.s_previewScenes, Is.Zero);
         }
 
@@ -94,7 +95,8 @@ namespace FastPoints.HostTests.Editor
                 "Points FASTPOINTS_SQUARES", "Points FASTPOINTS_CLIPPED FASTPOINTS_SQUARES",
                 "Points FASTPOINTS_ADAPTIVE FASTPOINTS_DISCS FASTPOINTS_LAYERED",
                 "Points FASTPOINTS_ADAPTIVE FASTPOINTS_CLIPPED FASTPOINTS_DISCS FASTPOINTS_LAYERED",
-                "Blending FASTPOINTS_ADAPTIVE", "Blending FASTPOINTS_ADAPTIVE FASTPOINTS_CLIPPED", "Compose", "Compose FASTPOINTS_BLENDED",
+                "Blending FASTPOINTS_ADAPTIVE", "Blending FASTPOINTS_ADAPTIVE FASTPOINTS_CLIPPED", "Compose",
+                "Compose FASTPOINTS_BLENDED",
             }));
         }
 
@@ -107,8 +109,8 @@ namespace FastPoints.HostTests.Editor
 
             Assert.That(Build(ScenePath), Is.SupersetOf(new[]
             {
-                "Points", "Points FASTPOINTS_FILTERED", "Points FASTPOINTS_STEREO", "Points FASTPOINTS_FILTERED FASTPOINTS_STEREO",
-                "Compose FASTPOINTS_FROM_PIXELS",
+                "Points", "Points FASTPOINTS_FILTERED", "Points FASTPOINTS_STEREO",
+                "Points FASTPOINTS_FILTERED FASTPOINTS_STEREO", "Compose FASTPOINTS_FROM_PIXELS",
             }).And.None.Contain("CLIPPED").And.None.Contain("LAYERED"));
         }
 
@@ -204,7 +206,8 @@ namespace FastPoints.HostTests.Editor
 
             Settings(PointShape.Disc);
             FromCache();
-            Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: Unity took the shaders of an earlier build").And.EndsWith("Clean Build."));
+            Assert.That(m_logged.Single(),
+                Does.StartWith("Error: FastPoints: Unity took the shaders of an earlier build").And.EndsWith("Clean Build."));
         }
     }
 }

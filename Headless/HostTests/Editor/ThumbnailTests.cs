@@ -43,7 +43,8 @@ namespace FastPoints.HostTests.Editor
             var second = Png.Read(PictureOf(asset));
             AssertShowsSomething(second);
             Assert.That(second.Rgba, Is.Not.EqualTo(first.Rgba));
-            Assert.That(ImageError.Compare(first, second, new PictureOptions().Background).Psnr, Is.GreaterThan(10), "they show the same");
+            Assert.That(ImageError.Compare(first, second, new PictureOptions().Background).Psnr,
+                Is.GreaterThan(10), "they show the same");
             Assert.That(m_logged, Is.Empty);
             CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
             Assert.That(Directory.GetFileSystemEntries(m_project.Paths.Clouds), Is.Empty, "it goes with the converted data");

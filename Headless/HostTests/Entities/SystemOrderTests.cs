@@ -48,7 +48,9 @@ namespace FastPoints.HostTests.Entities
             Assert.That(logged, Is.Empty);
         }
 
-        /// <summary>The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.</summary>
+        /// <summary>
+        /// The editor's world takes systems that say Editor, and no others; a group's flags are not its systems'.
+        /// </summary>
         [Test]
         public void Systems_All_AreOfTheEditorsWorldAndOfPlayers()
         {

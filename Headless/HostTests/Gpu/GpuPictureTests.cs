@@ -112,7 +112,8 @@ namespace FastPoints.HostTests.Gpu
             uint[] Of(int palette) => palettes.GetSubArray(palette * Palettes.Length, Palettes.Length).ToArray();
             var classes = Of(Palettes.IndexOf(ColorMode.Classification));
             var turbo = Of(Palettes.IndexOf(ColorMode.Elevation, Gradient.Turbo));
-            int Count(RgbaImage image, uint[] colors) => Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
+            int Count(RgbaImage image, uint[] colors) =>
+                Enumerable.Range(0, 320 * 180).Count(i => colors.Contains(image[i % 320, i / 320]));
             Assert.That(Count(alone, turbo), Is.LessThan(Count(both, turbo) / 10));
             Assert.That(Count(both, classes), Is.GreaterThan(500));
         }
@@ -199,8 +200,8 @@ namespace FastPoints.HostTests.Gpu
         {
             var options = Options(0);
             options.EdlStrength = edlStrength;
-            Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", "paraboloid", out error),
-                Is.True, error);
+            Assert.That(options.TrySetStyle("size", size, out string error) &&
+                options.TrySetStyle("points", "paraboloid", out error), Is.True, error);
             using var streams = new TwinStreams(m_demo, options, Points / 2);
             string name = "paraboloid-" + size + "-" + edlStrength;
             Compare(streams, streams.Plan.Camera, name);
@@ -232,7 +233,8 @@ namespace FastPoints.HostTests.Gpu
             streams.Clip();
             Compare(streams, streams.Plan.Camera, "clip-" + keeps + cuts + sizePx);
             var left = streams.Draw(streams.Plan.Camera).Gpu;
-            int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
+            int Covered(RgbaImage image) =>
+                Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);
             Assert.That(Covered(left), keeps ? Is.LessThan(Covered(all) * 0.8) : (IResolveConstraint)Is.EqualTo(Covered(all)));
         }
 
@@ -285,7 +287,8 @@ namespace FastPoints.HostTests.Gpu
             using var streams = new TwinStreams(m_demo, Options(2), Points);
             var center = streams.Ranges.Robust.Center;
             var size = streams.Ranges.Robust.Size;
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y), "orthographic");
+            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y),
+                "orthographic");
         }
 
         /// <summary>A cloud's transform: scaled, not evenly, and turned; the camera goes with it.</summary>
@@ -318,7 +321,8 @@ namespace FastPoints.HostTests.Gpu
             Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
             var camera = streams.Plan.Camera;
             var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
-            Compare(streams, Camera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60), name + "-near-" + sizePx);
+            Compare(streams, Camera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),
+                name + "-near-" + sizePx);
         }
     }
 }

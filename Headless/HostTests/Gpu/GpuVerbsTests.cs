@@ -30,8 +30,10 @@ namespace FastPoints.HostTests.Gpu
         public void Picture_OnTheGpu_SaysWhatDrewItAndIsNearThatOfTheCpu()
         {
             string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"], style = "size=3,points=round";
-            Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status, Is.EqualTo(ExitStatus.Done));
-            var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style, "--against", cpu, "--json", "-");
+            Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
+                Is.EqualTo(ExitStatus.Done));
+            var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,
+                "--against", cpu, "--json", "-");
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             Assert.That(call.Json.GetProperty("device").GetString(), Does.StartWith("gpu, "));
             Assert.That(call.Json.GetProperty("points").GetInt64(), Is.GreaterThan(1000));
@@ -44,8 +46,8 @@ namespace FastPoints.HostTests.Gpu
             string[] folders = { m_scratch["cpu"], m_scratch["gpu"] };
             for (int i = 0; i < 2; i++)
             {
-                var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "30", "--every", "15", "--size", "160x90", "-o", folders[i],
-                    i == 0 ? "--cpu" : "--gpu", "--style", "size=3,points=round");
+                var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "30", "--every", "15",
+                    "--size", "160x90", "-o", folders[i], i == 0 ? "--cpu" : "--gpu", "--style", "size=3,points=round");
                 Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
             }
             var last = folders.Select(f => Png.Read(Path.Combine(f, "last.png"))).ToArray();

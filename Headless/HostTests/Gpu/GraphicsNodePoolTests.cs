@@ -67,7 +67,8 @@ namespace FastPoints.HostTests.Gpu
             var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
             var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
             var eye = low + (high - low) * new double3(share, 1 - share, 0.7);
-            return Camera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5), new double3(0, 0, 1), 60);
+            return Camera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5),
+                new double3(0, 0, 1), 60);
         }
 
         static FrameStats Frame(StreamContext stream, Camera camera)
@@ -138,8 +139,9 @@ namespace FastPoints.HostTests.Gpu
             Assert.That(stream.Pool.FindProblem(), Is.Null);
         }
 
-        /// <summary>A card that is five frames behind, frames without updates, updates without frames: what a copy has yet to read
-        /// is not written to again. (Memory that is locked is filled with something else; locked too early, it throws.)</summary>
+        /// <summary>A card that is five frames behind, frames without updates, updates without frames: what a copy has yet to
+        /// read is not written to again. (Memory that is locked is filled with something else; locked too early, it
+        /// throws.)</summary>
         [Test]
         public void Stream_CardFarBehind_ItsCopiesReadWhatWasWritten()
         {

@@ -27,7 +27,8 @@ namespace FastPoints.HostTests.Gpu
         [TestCase(nameof(BuiltInHost), false, 0.3f)]
         [TestCase(nameof(UrpHost), true, 0.3f)]
         [TestCase(nameof(HdrpHost), false, 0.3f)]
-        public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline, bool isOrthographic, float edlStrength = 0)
+        public void Render_CameraOfTheEngine_IsThePictureOfTheSoftwareRasterizer(string pipeline,
+            bool isOrthographic, float edlStrength = 0)
         {
             Scene.Style = new PointStyle { Shape = PointShape.Disc, Size = PointSize.Pixels(3), EdlStrength = edlStrength };
             Begin(pipeline);
@@ -71,7 +72,8 @@ namespace FastPoints.HostTests.Gpu
                     covered += wanted[x, y] != options.Background ? 1 : 0;
                     differ += wanted[x, y] != drawn[x, y] ? 1 : 0;
                 }
-            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory, pipeline + (isOrthographic ? "-flat" : "") + (edlStrength > 0 ? "-edl" : "") + ".png");
+            string output = Path.Combine(TestContext.CurrentContext.WorkDirectory,
+                pipeline + (isOrthographic ? "-flat" : "") + (edlStrength > 0 ? "-edl" : "") + ".png");
             File.WriteAllBytes(output, Png.Encode(drawn));
             Assert.That(covered, Is.GreaterThan(2000));
             Assert.That(differ / (double)covered, Is.LessThan(0.003), output);
@@ -160,7 +162,8 @@ namespace FastPoints.HostTests.Gpu
             Add(reference, options, out _);
             var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
             target.Create();
-            var camera = CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
+            var camera =
+                CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
                 Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
             camera.cameraType = CameraType.Preview;
             RenderOnce(camera);

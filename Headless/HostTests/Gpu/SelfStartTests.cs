@@ -55,7 +55,8 @@ namespace FastPoints.HostTests.Gpu
         public void PointCloud_InFrontOfACamera_IsDrawn()
         {
             string path = m_scratch["scan.fastpoints"];
-            Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+            Assert.That(CliCall.Of("convert", m_scratch.Demo(points: 20_000), "-o", path, "--quiet").Status,
+                Is.EqualTo(ExitStatus.Done));
             var target = new RenderTexture(160, 90, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
             target.Create();
             var camera = new GameObject("camera").AddComponent<Camera>();
@@ -104,7 +105,9 @@ namespace FastPoints.HostTests.Gpu
             target.Release();
         }
 
-        /// <summary>In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.</summary>
+        /// <summary>
+        /// In paused play mode cameras go on drawing, and no system runs; without a window it is the other way round.
+        /// </summary>
         [Test]
         public void Camera_DrawnAgainAndAgainWithoutUpdates_IsAnnouncedOnceAsItIsNow()
         {

@@ -18,7 +18,8 @@ namespace FastPoints.HostTests.Hpc
             string file = typeof(HpcVerifierTests).Assembly.Location;
             var resolver = new DefaultAssemblyResolver();
             resolver.AddSearchDirectory(Path.GetDirectoryName(file));
-            m_module = ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
+            m_module = ModuleDefinition.ReadModule(file,
+                new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
             m_verifier = new HpcVerifier(new[] { m_module });
         }
 
@@ -46,8 +47,8 @@ namespace FastPoints.HostTests.Hpc
             string problem = m_verifier.Verify(t => t.FullName == type).Single();
 
             Assert.That(problem, Does.Match(
-                @"^FastPoints\.HostTests\.Hpc\.PlantedJobs\.CallsDeepJob: CallsDeepJob\.Execute > Helpers\.Outer > Helpers\.Inner " +
-                @"\(PlantedJobs\.cs:\d+\): makes a System\.Object$"));
+                @"^FastPoints\.HostTests\.Hpc\.PlantedJobs\.CallsDeepJob: " +
+                @"CallsDeepJob\.Execute > Helpers\.Outer > Helpers\.Inner \(PlantedJobs\.cs:\d+\): makes a System\.Object$"));
         }
 
         [Test]

@@ -35,7 +35,10 @@ namespace FastPoints.HostTests.Layers
         public void CheckProject_PlantedDifference_IsReported()
         {
             Asmdef asmdef = Table().All.Single(a => a.Name == "FastPoints");
-            var planted = asmdef with { References = asmdef.References.Where(r => r != "Unity.Burst").Append("Unity.Entities").ToArray() };
+            var planted = asmdef with
+            {
+                References = asmdef.References.Where(r => r != "Unity.Burst").Append("Unity.Entities").ToArray(),
+            };
 
             Assert.That(AssemblyReferences.CheckProject(planted, ProjectOf(asmdef)), Is.EqualTo(new[]
             {

@@ -18,7 +18,8 @@ namespace FastPoints.HostTests.Layers
             Assert.That(beginning.Select(m => m.Assembly.Name.Name),
                 Is.SupersetOf(new[] { "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp", "FastPoints.Rendering.Hdrp" }));
             // A player has readers where something refers to them: they register themselves then.
-            Assert.That(beginning.Where(m => !m.Assembly.CustomAttributes.Any(a => a.AttributeType.Name == "AlwaysLinkAssemblyAttribute"))
+            Assert.That(
+                beginning.Where(m => !m.Assembly.CustomAttributes.Any(a => a.AttributeType.Name == "AlwaysLinkAssemblyAttribute"))
                 .Select(m => m.Assembly.Name.Name), Is.EqualTo(new[] { "FastPoints.Import" }));
         }
 

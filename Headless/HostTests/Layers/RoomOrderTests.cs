@@ -16,7 +16,8 @@ namespace FastPoints.HostTests.Layers
             Is.Empty);
 
         [Test]
-        public void Il_OfThePackage_KeepsTheOrder([ValueSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
+        public void Il_OfThePackage_KeepsTheOrder(
+            [ValueSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]
             string generation)
         {
             using GenerationBuilds builds = Checkout.Builds(generation);
@@ -32,8 +33,10 @@ namespace FastPoints.HostTests.Layers
             Assert.That(RoomOrder.CheckSource(assembly, path, text), Is.Empty);
 
         [TestCase("FastPoints", "Base/A.cs", "using FastPoints.Points;\nnamespace FastPoints.Base { }", "uses FastPoints.Points")]
-        [TestCase("FastPoints", "Picture/A.cs", "namespace FastPoints.Picture { class A : FastPoints.Files.B { } }", "uses FastPoints.Files")]
-        [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }", "comes after Files")]
+        [TestCase("FastPoints", "Picture/A.cs", "namespace FastPoints.Picture { class A : FastPoints.Files.B { } }",
+            "uses FastPoints.Files")]
+        [TestCase("FastPoints.Import", "Files/A.cs", "using FastPoints.Nodes;\nnamespace FastPoints.Files { }",
+            "comes after Files")]
         [TestCase("FastPoints", "Base/A.cs", "namespace FastPoints.Points { }", "wanted FastPoints.Base")]
         [TestCase("FastPoints", "Attic/A.cs", "namespace FastPoints.Attic { }", "no room Attic")]
         [TestCase("FastPoints", "A.cs", "namespace FastPoints { }", "is in no room")]
@@ -52,7 +55,8 @@ namespace FastPoints.HostTests.Layers
             module.Types.Add(late);
             module.Types.Add(early);
 
-            Assert.That(RoomOrder.CheckIl(module), Has.Some.Contains("FastPoints.Base.Early.Lates (Base) names FastPoints.Picture.Late"));
+            Assert.That(RoomOrder.CheckIl(module),
+                Has.Some.Contains("FastPoints.Base.Early.Lates (Base) names FastPoints.Picture.Late"));
         }
     }
 }

@@ -40,7 +40,8 @@ namespace FastPoints.HostTests.Manual
         static List<string> Verbs()
         {
             string help = CliCall.Of("--help").Output;
-            var verbs = Regex.Matches(help, @"^  ([a-z][a-z-]+)\s", RegexOptions.Multiline).Select(m => m.Groups[1].Value).ToList();
+            var verbs = Regex.Matches(help, @"^  ([a-z][a-z-]+)\s", RegexOptions.Multiline)
+                .Select(m => m.Groups[1].Value).ToList();
             Assert.That(verbs, Does.Contain("convert").And.Contain("demo-cloud"));
             return verbs;
         }

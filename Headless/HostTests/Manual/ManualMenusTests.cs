@@ -18,7 +18,8 @@ namespace FastPoints.HostTests.Manual
         static readonly string[] s_roots = { "Assets", "FastPoints", "GameObject", "Project Settings", "Tools" };
 
         [Test]
-        public void Menus_ThatPagesName_AreThere() => Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
+        public void Menus_ThatPagesName_AreThere() =>
+            Assert.That(ManualPage.All().SelectMany(p => Unknown(p, Menus())), Is.Empty);
 
         [Test]
         public void Menus_ThatAreThere_AreNamedInTheManual()
@@ -41,14 +42,17 @@ namespace FastPoints.HostTests.Manual
 
         static HashSet<string> Menus()
         {
-            var types = new[] { typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PointFileReaders).Assembly, Assembly.Load("FastPoints.Samples"),
+            var types = new[] { typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly,
+                typeof(PointFileReaders).Assembly, Assembly.Load("FastPoints.Samples"),
                 Assembly.Load("FastPoints.Samples.Editor") }.SelectMany(a => a.GetTypes()).ToList();
-            var methods = types.SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)).ToList();
+            var methods = types.SelectMany(t => t.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic))
+                .ToList();
             var menus = types.Select(t => t.GetCustomAttribute<AddComponentMenu>()?.componentMenu)
                 // A component without a name of its own cannot be added by menu.
                 .Where(m => !string.IsNullOrEmpty(m))
                 .Where(m => !m.StartsWith("FastPoints/Samples/", StringComparison.Ordinal))
-                .Concat(methods.Select(m => m.GetCustomAttribute<MenuItem>()).Where(m => m != null && !m.validate).Select(m => m.menuItem))
+                .Concat(methods.Select(m => m.GetCustomAttribute<MenuItem>())
+                    .Where(m => m != null && !m.validate).Select(m => m.menuItem))
                 .Concat(methods.Where(m => m.GetCustomAttribute<SettingsProviderAttribute>() != null)
                     .Select(m => ((SettingsProvider)m.Invoke(null, null)).settingsPath.Replace("Project/", "Project Settings/")));
             return menus.Select(m => m.Replace("/", " > ")).ToHashSet();

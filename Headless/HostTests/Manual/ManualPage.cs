@@ -26,7 +26,8 @@ namespace FastPoints.HostTests.Manual
             .Select(f => new ManualPage(f, File.ReadAllText(System.IO.Path.Combine(Checkout.Repository.Root, f)))).ToList();
 
         /// <summary>A page of the manual by its name.</summary>
-        public static ManualPage Of(string name) => All().Single(p => p.Path.EndsWith("/Documentation~/" + name, StringComparison.Ordinal));
+        public static ManualPage Of(string name) =>
+            All().Single(p => p.Path.EndsWith("/Documentation~/" + name, StringComparison.Ordinal));
 
         /// <summary>What a link with '#' may go to, as GitHub and Unity's documentation tool name headings.</summary>
         public IEnumerable<string> Anchors() => Regex.Matches(Text, @"^#+ +(.+?)\s*$", RegexOptions.Multiline)

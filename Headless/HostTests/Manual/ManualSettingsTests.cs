@@ -35,8 +35,10 @@ namespace FastPoints.HostTests.Manual
         [Test]
         public void Table_OfProjectSettings_IsWhatThePageShows()
         {
-            string source = File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
-            var shown = Regex.Matches(source, @"EditorGUILayout\.\w+\(""(?<label>[^""]+)"", settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")
+            string source =
+                File.ReadAllText(Path.Combine(Checkout.Repository.PackageRoot, "Editor/Assets/FastPointsSettingsPage.cs"));
+            var shown = Regex.Matches(source,
+                @"EditorGUILayout\.\w+\(""(?<label>[^""]+)"", settings\.(?<field>\w+)(, (?<low>\d+), (?<high>\d+))?\)")
                 .Select(m => Row(m.Groups["label"].Value, typeof(FastPointsSettings).GetField(m.Groups["field"].Value),
                     m.Groups["low"].Success ? m.Groups["low"].Value + " to " + m.Groups["high"].Value : null)).ToList();
 
@@ -55,7 +57,8 @@ namespace FastPoints.HostTests.Manual
         {
             var field = typeof(PointCloudSettings).GetField(nameof(PointCloudSettings.MillionPoints));
 
-            Assert.That(Row("Million Points", field, RangeOf(field)), Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
+            Assert.That(Row("Million Points", field, RangeOf(field)),
+                Is.EqualTo("Million Points, `MillionPoints`, 2, 0.1 to 100"));
         }
 
         static string Written(string[] cells) => string.Join(", ", cells.Take(4));
@@ -66,7 +69,8 @@ namespace FastPoints.HostTests.Manual
         /// <summary>Those that Unity serializes and shows, as they are declared.</summary>
         static IEnumerable<FieldInfo> Fields(Type type) =>
             type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
-                .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) && f.GetCustomAttribute<HideInInspector>() == null);
+                .Where(f => (f.IsPublic || f.GetCustomAttribute<SerializeField>() != null) &&
+                    f.GetCustomAttribute<HideInInspector>() == null);
 
         static string DefaultOf(FieldInfo field)
         {
@@ -96,7 +100,8 @@ namespace FastPoints.HostTests.Manual
         static string Nicified(string field)
         {
             string name = field.StartsWith("m_", StringComparison.Ordinal) ? field[2..] : field;
-            return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..], "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
+            return Regex.Replace(char.ToUpperInvariant(name[0]) + name[1..],
+                "(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ");
         }
     }
 }

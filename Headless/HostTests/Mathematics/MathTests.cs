@@ -124,7 +124,8 @@ namespace FastPoints.HostTests.Mathematics
         [Test]
         public void Finiteness_OfSpecialNumbers_IsTold()
         {
-            Assert.That(math.isfinite(new float3(1, float.NaN, float.PositiveInfinity)), Is.EqualTo(new bool3(true, false, false)));
+            Assert.That(math.isfinite(new float3(1, float.NaN, float.PositiveInfinity)),
+                Is.EqualTo(new bool3(true, false, false)));
             Assert.That(math.isnan(double.NaN), Is.True);
             Assert.That(math.isinf(double.NegativeInfinity), Is.True);
             Assert.That(math.isnan(float.NegativeInfinity), Is.False);
@@ -134,7 +135,8 @@ namespace FastPoints.HostTests.Mathematics
         public void Selection_ByMask_TakesTheSecondWhereTrue()
         {
             Assert.That(math.select(1, 2, true), Is.EqualTo(2));
-            Assert.That(math.select(new int3(1, 1, 1), new int3(2, 2, 2), new bool3(true, false, true)), Is.EqualTo(new int3(2, 1, 2)));
+            Assert.That(math.select(new int3(1, 1, 1), new int3(2, 2, 2), new bool3(true, false, true)),
+                Is.EqualTo(new int3(2, 1, 2)));
             Assert.That(math.any(new bool4(false, false, true, false)), Is.True);
             Assert.That(math.all(new float2(1, 0)), Is.False);
             Assert.That(math.cmin(new int4(4, -2, 7, 0)), Is.EqualTo(-2));

@@ -13,7 +13,8 @@ namespace FastPoints.HostTests.Mathematics
             var random = new Random(11);
             for (int i = 0; i < 50; i++)
             {
-                var m = new double4x4(random.NextDouble4(-2, 2), random.NextDouble4(-2, 2), random.NextDouble4(-2, 2), random.NextDouble4(-2, 2));
+                var m = new double4x4(random.NextDouble4(-2, 2), random.NextDouble4(-2, 2),
+                    random.NextDouble4(-2, 2), random.NextDouble4(-2, 2));
                 if (System.Math.Abs(math.determinant(m)) < 0.05)
                     continue;
                 double4x4 product = math.mul(m, math.inverse(m));

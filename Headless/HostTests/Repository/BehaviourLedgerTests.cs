@@ -10,11 +10,13 @@ namespace FastPoints.HostTests.Repository
     {
         private const string Header = "behaviour\twhat\tevidence\tsure\theld by\ttest\tstep\n";
         private const string Held =
-            "assets-import\tIt imports.\tUnityCsReference 6000.0.78f1: A.cs\tsource\tREADME.md\tPlantedTests.Import_Twice_Once\t\n";
+            "assets-import\tIt imports.\tUnityCsReference 6000.0.78f1: "
+                + "A.cs\tsource\tREADME.md\tPlantedTests.Import_Twice_Once\t\n";
         private const string Open = "builds-copy\tIt copies a | b.\tManual: Builds\tmanual\t-\tunverified\t13\n";
         private const string Earlier = "loads-early\tIt is early.\tManual: Loads\tmanual\t-\tunverified\t2, 15\n";
 
-        private static readonly ILookup<string, string> s_tests = new[] { "public void Import_Twice_Once()" }.ToLookup(_ => "PlantedTests");
+        private static readonly ILookup<string, string> s_tests =
+            new[] { "public void Import_Twice_Once()" }.ToLookup(_ => "PlantedTests");
 
         [Test]
         public void Problems_RowsAsWanted_None() => Assert.That(Problems(Held + Open), Is.Empty);

@@ -32,7 +32,8 @@ namespace FastPoints.HostTests.Repository
 
             Assert.That(result.Problems, Is.Empty);
             string[] metas = Directory.GetFiles(m_root, "*.meta", SearchOption.AllDirectories)
-                .Select(f => Path.GetRelativePath(m_root, f).Replace('\\', '/')).OrderBy(f => f, System.StringComparer.Ordinal).ToArray();
+                .Select(f => Path.GetRelativePath(m_root, f).Replace('\\', '/'))
+                .OrderBy(f => f, System.StringComparer.Ordinal).ToArray();
             Assert.That(metas, Is.EqualTo(new[]
             {
                 "Runtime.meta", "Runtime/A.meta", "Runtime/A/One.cs.meta", "Samples~/First.meta",
@@ -50,7 +51,8 @@ namespace FastPoints.HostTests.Repository
         {
             new MetaFiles(m_root).Run(false);
 
-            Assert.That(File.ReadAllText(Path.Combine(m_root, meta)), Does.StartWith("fileFormatVersion: 2\nguid: ").And.Contain(block));
+            Assert.That(File.ReadAllText(Path.Combine(m_root, meta)),
+                Does.StartWith("fileFormatVersion: 2\nguid: ").And.Contain(block));
         }
 
         [Test]

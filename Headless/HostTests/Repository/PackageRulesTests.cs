@@ -55,7 +55,8 @@ namespace FastPoints.HostTests.Repository
         }
 
         void PutAsmdef(string file, string platforms = "", string references = "", string defines = "") => Put(file,
-            Asmdef.Replace("NAME", Path.GetFileNameWithoutExtension(file)).Replace("PLATFORMS", platforms).Replace("REFERENCES", references)
+            Asmdef.Replace("NAME", Path.GetFileNameWithoutExtension(file)).Replace("PLATFORMS", platforms)
+                .Replace("REFERENCES", references)
                 .Replace("DEFINES", defines));
 
         void Change(string file, string from, string to)
@@ -75,7 +76,8 @@ namespace FastPoints.HostTests.Repository
         public void Check_WithoutSamples_FindsNothing()
         {
             Directory.Delete(Path.Combine(Package, "Samples~"), true);
-            Change("package.json", "{ \"displayName\": \"First\", \"description\": \"The first.\", \"path\": \"Samples~/First\" }", "");
+            Change("package.json", "{ \"displayName\": \"First\", \"description\": \"The first.\", \"path\": "
+                + "\"Samples~/First\" }", "");
 
             Assert.That(Problems(), Is.Empty);
         }
@@ -108,8 +110,10 @@ namespace FastPoints.HostTests.Repository
         [TestCase("Documentation~/index.md", "Cloud", "Clouds", "Cloud (Runtime/A/Cloud.cs) is on no page")]
         [TestCase("Runtime/A/Cloud.cs", "#if UNITY_EDITOR", "#if UNITY_6000_0_OR_NEWER", "Runtime/A/Cloud.cs: names UnityEditor")]
         [TestCase("Runtime/A/A.asmdef", "\"A\"", "\"B\"", "Runtime/A/A.asmdef: the assembly is called B")]
-        [TestCase("Runtime/A/A.asmdef", "Unity.Burst", "Unity.Entities", "A.asmdef: references Unity.Entities and not Unity.Collections")]
-        [TestCase("Samples~/First/Samples.First.asmdef", "Unity.Burst", "Unity.Entities", "First.asmdef: references Unity.Entities and not")]
+        [TestCase("Runtime/A/A.asmdef", "Unity.Burst", "Unity.Entities",
+            "A.asmdef: references Unity.Entities and not Unity.Collections")]
+        [TestCase("Samples~/First/Samples.First.asmdef", "Unity.Burst", "Unity.Entities",
+            "First.asmdef: references Unity.Entities and not")]
         [TestCase("Runtime/A/A.asmdef", "[]", "[\"Editor\"]", "only an editor or a test would have it")]
         [TestCase("Editor/A.Editor.asmdef", "[\"Editor\"]", "[\"Editor\", \"iOS\"]", "wanted Editor and nothing else")]
         [TestCase("Tests/T/T.asmdef", "nunit.framework.dll", "other.dll", "no test assembly")]
@@ -171,7 +175,8 @@ namespace FastPoints.HostTests.Repository
         public void Pack_FilesLeftOutAndAdded_AreReported(string json)
         {
             var pack = NpmPack.Parse(json.Replace("PACKAGE",
-                "{ \"size\": 10, \"unpackedSize\": 20, \"files\": [ { \"path\": \"package.json\" }, { \"path\": \"extra\" } ] }"));
+                "{ \"size\": 10, \"unpackedSize\": 20, \"files\": [ { \"path\": \"package.json\" }, { "
+                    + "\"path\": \"extra\" } ] }"));
 
             Assert.That(pack.Check(new[] { "package.json", "README.md" }),
                 Is.EquivalentTo(new[] { "README.md: npm pack leaves it out", "extra: npm pack adds it" }));

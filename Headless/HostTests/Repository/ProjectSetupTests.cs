@@ -9,7 +9,8 @@ namespace FastPoints.HostTests.Repository
     /// scripts are compiled with the generations.</summary>
     public sealed class ProjectSetupTests
     {
-        static string[] Projects() => Directory.GetDirectories(Path.Combine(Checkout.Repository.Root, "Projects")).Select(Path.GetFileName)
+        static string[] Projects() => Directory.GetDirectories(Path.Combine(Checkout.Repository.Root, "Projects"))
+            .Select(Path.GetFileName)
             .Order().ToArray();
 
         static string Read(string project, string file)
@@ -22,7 +23,8 @@ namespace FastPoints.HostTests.Repository
         [TestCaseSource(nameof(Projects))]
         public void Project_WithAPipelinesPackage_NamesItsAssetAndTestsThatItIsUsed(string project)
         {
-            string[] packages = JsonDocument.Parse(Read(project, "Packages/manifest.json")).RootElement.GetProperty("dependencies")
+            string[] packages = JsonDocument.Parse(Read(project, "Packages/manifest.json"))
+                .RootElement.GetProperty("dependencies")
                 .EnumerateObject().Select(p => p.Name).ToArray();
             string asset = packages.Contains("com.unity.render-pipelines.universal") ? "UniversalRenderPipelineAsset"
                 : packages.Contains("com.unity.render-pipelines.high-definition") ? "HDRenderPipelineAsset" : null;
@@ -32,7 +34,8 @@ namespace FastPoints.HostTests.Repository
             Assert.That(setup, asset == null ? Does.Not.Contain("defaultRenderPipeline")
                 : Does.Contain("GraphicsSettings.defaultRenderPipeline = ").And.Contain("LoadAssetAtPath<" + asset + ">"));
             Assert.That(Read(project, "Assets/Tests/PipelineTests.cs"),
-                Does.Contain("GraphicsSettings.currentRenderPipeline, " + (asset == null ? "Is.Null" : "Is.TypeOf<" + asset + ">()")));
+                Does.Contain("GraphicsSettings.currentRenderPipeline, "
+                    + (asset == null ? "Is.Null" : "Is.TypeOf<" + asset + ">()")));
         }
     }
 }

@@ -18,8 +18,8 @@ namespace FastPoints.HostTests.Repository
 
         private static readonly string[] s_text =
         {
-            ".cs", ".md", ".json", ".csproj", ".props", ".proj", ".slnx", ".asmdef", ".meta", ".tsv", ".hlsl", ".shader", ".compute",
-            ".yml", ".txt", ".sh", "", ".html", ".xml",
+            ".cs", ".md", ".json", ".csproj", ".props", ".proj", ".slnx", ".asmdef", ".meta", ".tsv",
+            ".hlsl", ".shader", ".compute", ".yml", ".txt", ".sh", "", ".html", ".xml",
         };
 
         [Test]
@@ -27,7 +27,8 @@ namespace FastPoints.HostTests.Repository
         {
             var found = new List<string>();
             foreach (string file in Checkout.Files().Where(f => s_text.Contains(Path.GetExtension(f))))
-                found.AddRange(Foreign(File.ReadAllText(Path.Combine(Checkout.Repository.Root, file))).Select(p => $"{file}: {p}"));
+                found.AddRange(Foreign(File.ReadAllText(Path.Combine(Checkout.Repository.Root, file)))
+                    .Select(p => $"{file}: {p}"));
 
             Assert.That(found, Is.Empty);
         }
@@ -62,10 +63,12 @@ namespace FastPoints.HostTests.Repository
             string root = Checkout.Repository.Root;
             string workflow = File.ReadAllText(Path.Combine(root, ".github", "workflows", "test.yml"));
             string versions = Regex.Match(workflow, @"version: \[(.*)\]").Groups[1].Value;
-            List<string> projects = Regex.Matches(workflow, @"project: \[?(\w+)\]?$", RegexOptions.Multiline).Select(m => m.Groups[1].Value).ToList();
+            List<string> projects = Regex.Matches(workflow, @"project: \[?(\w+)\]?$", RegexOptions.Multiline)
+                .Select(m => m.Groups[1].Value).ToList();
 
             Assert.That(versions.Split(", ").Select(v => v[..v.LastIndexOf('.')]), Is.EqualTo(RepoTools.Repository.Generations));
-            Assert.That(projects, Is.EquivalentTo(Directory.GetDirectories(Path.Combine(root, "Projects")).Select(Path.GetFileName)));
+            Assert.That(projects,
+                Is.EquivalentTo(Directory.GetDirectories(Path.Combine(root, "Projects")).Select(Path.GetFileName)));
         }
 
         private static List<string> Foreign(string text) => s_foreign.Where(p => text.Contains(p)).ToList();

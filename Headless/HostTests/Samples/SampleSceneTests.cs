@@ -148,7 +148,8 @@ namespace FastPoints.HostTests.Samples
 
             Assert.That(got, Has.Count.EqualTo(3));
             Assert.That(got.Distinct().Count(), Is.EqualTo(1));
-            Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"), Has.Length.EqualTo(1));
+            Assert.That(Directory.GetFiles(Path.Combine(m_project.Paths.Project, "Assets"), "*.pointcloud"),
+                Has.Length.EqualTo(1));
         }
 
         [Test]

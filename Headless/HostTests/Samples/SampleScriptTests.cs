@@ -48,7 +48,8 @@ namespace FastPoints.HostTests.Samples
             load.enabled = false;
             load.enabled = true;
             m_world.Frames(() => load.IsDone);
-            Assert.That(Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max(), Is.EqualTo(made));
+            Assert.That(Directory.GetFiles(target, "*", SearchOption.AllDirectories).Select(File.GetLastWriteTimeUtc).Max(),
+                Is.EqualTo(made));
         }
 
         [Test]
@@ -138,7 +139,8 @@ namespace FastPoints.HostTests.Samples
             Assert.That((places[120] - places[0]).magnitude, Is.LessThan(0.01f));
             var along = (Vector3)fly.transform.localToWorldMatrix.GetColumn(2);
             var level = new Vector3(along.x, 0, along.z).normalized;
-            Assert.That(Vector3.Dot(level, (places[120] - places[119]).normalized), Is.GreaterThan(0.85f), "it looks along its way");
+            Assert.That(Vector3.Dot(level, (places[120] - places[119]).normalized),
+                Is.GreaterThan(0.85f), "it looks along its way");
             Assert.That(along.y, Is.LessThan(0), "and down");
         }
 
@@ -166,7 +168,8 @@ namespace FastPoints.HostTests.Samples
 
             Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
             m_world.Frames(() => m_world.Count<PointCloudLook>() == 1);
-            Assert.That(m_world.World.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity).Value.HiddenClasses.Has(2), Is.True);
+            Assert.That(m_world.World.EntityManager.GetComponentData<PointCloudLook>(cloud.Entity).Value.HiddenClasses.Has(2),
+                Is.True);
             cloud.Color = ColorMode.Classification;
             Assert.That(cloud.HiddenClasses, Is.EqualTo(new[] { 2 }));
         }

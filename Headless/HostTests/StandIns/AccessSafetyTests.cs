@@ -191,7 +191,8 @@ namespace FastPoints.HostTests.StandIns
                 Refused("WriteToReadOnlyJob.Values has been declared as [ReadOnly] in the job, but you are writing to it"));
             new PointerToReadOnlyJob { Values = m_values }.Run();
             Assert.That(() => LoggedExceptions.ThrowFirst(), Refused("declared as [ReadOnly]"));
-            Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().CompleteAndThrow(), Refused("declared as [ReadOnly]"));
+            Assert.That(() => new ReadOnlyListJob { List = m_list }.Schedule().CompleteAndThrow(),
+                Refused("declared as [ReadOnly]"));
             Assert.That(m_values[0], Is.Zero);
         }
 
@@ -259,7 +260,8 @@ namespace FastPoints.HostTests.StandIns
 
         [Test]
         public void Dispose_FromWithinAJob_Throws() =>
-            Assert.That(() => new DisposingJob { Values = m_values }.Schedule().CompleteAndThrow(), Refused("can not be deallocated"));
+            Assert.That(() => new DisposingJob { Values = m_values }.Schedule().CompleteAndThrow(),
+                Refused("can not be deallocated"));
 
         [Test]
         public void Dispose_Twice_Throws()

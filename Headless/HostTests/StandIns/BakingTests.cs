@@ -52,7 +52,8 @@ namespace FastPoints.HostTests.StandIns
         sealed class CarelessBaker : Baker<Authoring>
         {
             public override void Bake(Authoring authoring) =>
-                AddComponent(GetEntity(authoring.Used != null ? TransformUsageFlags.Dynamic : TransformUsageFlags.None), new LocalToWorld());
+                AddComponent(GetEntity(authoring.Used != null ? TransformUsageFlags.Dynamic : TransformUsageFlags.None),
+                    new LocalToWorld());
         }
 
         sealed class TwiceBaker : Baker<Authoring>

@@ -85,10 +85,12 @@ namespace FastPoints.HostTests.StandIns
             Entities.SetComponentEnabled<Burning>(out1, false);
             Assert.That(Entities.IsComponentEnabled<Burning>(burns), Is.True, "enabled when it is added");
             Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Burning>().Build(Entities)), Is.EqualTo(1));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithNone<Burning>().Build(Entities)), Is.EqualTo(2));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithNone<Burning>().Build(Entities)),
+                Is.EqualTo(2));
             Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithDisabled<Burning>().Build(Entities)), Is.EqualTo(1));
             Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithPresent<Burning>().Build(Entities)), Is.EqualTo(2));
-            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithAbsent<Burning>().Build(Entities)), Is.EqualTo(1));
+            Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAll<Health>().WithAbsent<Burning>().Build(Entities)),
+                Is.EqualTo(1));
             Assert.That(Count(new EntityQueryBuilder(Allocator.Temp).WithAny<Burning>().Build(Entities)), Is.EqualTo(1));
         }
 
@@ -137,10 +139,12 @@ namespace FastPoints.HostTests.StandIns
             var bare = Entities.CreateEntity();
             Assert.That(() => Entities.GetComponentData<Health>(gone),
                 Throws.ArgumentException.With.Message.Contains("must exist"));
-            Assert.That(() => Entities.GetComponentData<Health>(bare), Throws.ArgumentException.With.Message.Contains("has not been added"));
+            Assert.That(() => Entities.GetComponentData<Health>(bare),
+                Throws.ArgumentException.With.Message.Contains("has not been added"));
             Assert.That(() => Entities.SetComponentEnabled<Burning>(bare, true), Throws.ArgumentException);
             Entities.AddComponent<Burning>(bare);
-            Assert.That(() => Entities.GetComponentData<Burning>(bare), Throws.ArgumentException.With.Message.Contains("zero sized"));
+            Assert.That(() => Entities.GetComponentData<Burning>(bare),
+                Throws.ArgumentException.With.Message.Contains("zero sized"));
             Assert.That(() => Entities.CreateEntity(default(EntityArchetype)), Throws.ArgumentException);
             Assert.That(() => default(EntityQuery).CalculateEntityCount(), Throws.InstanceOf<ObjectDisposedException>());
             var manager = Entities;
@@ -254,7 +258,8 @@ namespace FastPoints.HostTests.StandIns
                 DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(A));
                 Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("Warning").And.Some.Contains("group was not created"));
                 logged.Clear();
-                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group), typeof(B), typeof(F), typeof(C));
+                DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(Group),
+                    typeof(B), typeof(F), typeof(C));
                 m_world.Update();
                 Assert.That(logged, Has.Count.EqualTo(1).And.Some.Contains("precedence"));
                 logged.Clear();

@@ -35,11 +35,13 @@ namespace FastPoints.HostTests.StandIns
             using var resolver = new DefaultAssemblyResolver();
             resolver.AddSearchDirectory(TestContext.CurrentContext.TestDirectory);
             var wanted = new List<MethodDefinition>();
-            foreach (string name in Directory.GetDirectories(Path.Combine(Checkout.Repository.Headless, "StandIns")).Select(Path.GetFileName))
+            foreach (string name in Directory.GetDirectories(Path.Combine(Checkout.Repository.Headless, "StandIns"))
+                .Select(Path.GetFileName))
             {
                 string file = Path.Combine(TestContext.CurrentContext.TestDirectory, name + ".dll");
                 if (File.Exists(file))
-                    wanted.AddRange(guards.Wanted(ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver })));
+                    wanted.AddRange(
+                        guards.Wanted(ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver })));
             }
             Assert.That(wanted.Where(m => !MainThreadGuards.IsGuarded(m)).Select(m => m.FullName), Is.Empty);
             Assert.That(wanted.Count, Is.GreaterThan(400));
@@ -59,7 +61,8 @@ namespace FastPoints.HostTests.StandIns
             var guards = new MainThreadGuards(ThreadTable.Read(new StringReader(Table)));
 
             Assert.That(guards.Guard(module), Is.EqualTo(3));
-            Assert.That(box.Methods.Where(MainThreadGuards.IsGuarded).Select(m => m.Name), Is.EqualTo(new[] { "Fill", "Later", "set_Size" }));
+            Assert.That(box.Methods.Where(MainThreadGuards.IsGuarded).Select(m => m.Name),
+                Is.EqualTo(new[] { "Fill", "Later", "set_Size" }));
             Assert.That(box.Methods[0].Body.Instructions[0].Operand, Is.EqualTo("Fill"));
             Assert.That(guards.Guard(module), Is.Zero, "once is enough");
         }

@@ -35,7 +35,8 @@ namespace FastPoints.HostTests.StandIns
         public void Temp_OnAThreadOfThePool_IsRefused(Action<Allocator> make)
         {
             var failure = Assert.Throws<ArgumentException>(() => OnThePool(() => make(Allocator.Temp)));
-            Assert.That(failure.Message, Is.EqualTo("Could not allocate native memory. If this allocation was made from a managed "
+            Assert.That(failure.Message,
+                Is.EqualTo("Could not allocate native memory. If this allocation was made from a managed "
                 + "thread outside of a job, you must use Allocator.Persistent or Allocator.TempJob."));
         }
 

@@ -461,7 +461,8 @@ namespace FastPoints.HostTests.Threads
         [Planted]
         internal static class OtherMemory
         {
-            internal static Task Begin() => Task.Run(() => TakeOf(Allocator.TempJob).Length + TakeOf(Allocator.Persistent).Length);
+            internal static Task Begin() =>
+                Task.Run(() => TakeOf(Allocator.TempJob).Length + TakeOf(Allocator.Persistent).Length);
         }
 
         [Planted]

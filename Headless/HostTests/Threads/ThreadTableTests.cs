@@ -20,7 +20,8 @@ namespace FastPoints.HostTests.Threads
         [Test]
         public void Table_ThatIsRead_HasItsLinesAndRemembersWhatWasAskedFor()
         {
-            ThreadTable table = ThreadTable.Read(new StringReader(ThreadRow.Header + "\nM:A.B\tany\tpure\nM:A.C\tmain\textern\n"));
+            ThreadTable table =
+                ThreadTable.Read(new StringReader(ThreadRow.Header + "\nM:A.B\tany\tpure\nM:A.C\tmain\textern\n"));
 
             Assert.That(table.Find("M:A.C").Threads, Is.EqualTo("main"));
             Assert.That(table.Find("M:A.D"), Is.Null);

@@ -20,7 +20,8 @@ namespace FastPoints.HostTests.Threads
             string file = typeof(ThreadVerifierTests).Assembly.Location;
             var resolver = new DefaultAssemblyResolver();
             resolver.AddSearchDirectory(Path.GetDirectoryName(file));
-            m_module = ModuleDefinition.ReadModule(file, new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
+            m_module = ModuleDefinition.ReadModule(file,
+                new ReaderParameters { AssemblyResolver = resolver, ReadSymbols = true });
             m_verifier = new ThreadVerifier(new[] { m_module }, ThreadTable.Load(Checkout.Repository.UsedThreads), "6000.0");
         }
 
@@ -50,8 +51,9 @@ namespace FastPoints.HostTests.Threads
             string problem = Verify(typeof(PlantedThreads.ThroughAnIterator).FullName.Replace('+', '/')).Single();
 
             Assert.That(problem, Does.Match(
-                @"^Task\.Run \(PlantedThreads\.cs:\d+\): ThroughAnIterator\.Begin > PlantedThreads\.Count > PlantedThreads\.Ask " +
-                @"\(PlantedThreads\.cs:\d+\): uses UnityEngine\.Application\.get_isPlaying, which is for the main thread \(extern\)$"));
+                @"^Task\.Run \(PlantedThreads\.cs:\d+\): ThroughAnIterator\.Begin > " +
+                @"PlantedThreads\.Count > PlantedThreads\.Ask \(PlantedThreads\.cs:\d+\): " +
+                @"uses UnityEngine\.Application\.get_isPlaying, which is for the main thread \(extern\)$"));
         }
 
         private IReadOnlyCollection<string> Verify(string type) => m_verifier.Verify(

@@ -11,18 +11,20 @@ using NUnit.Framework;
 
 namespace FastPoints.HostTests.Writing
 {
-    /// <summary>Fractions become text, and text fractions, by NumberText alone: what the run time has for that differs between Mono
-    /// and .NET. For people it may round ("N0", "0.##").</summary>
+    /// <summary>Fractions become text, and text fractions, by NumberText alone: what the run time has for that differs between
+    /// Mono and .NET. For people it may round ("N0", "0.##").</summary>
     public sealed class RunTimeNumbersTests
     {
-        private static readonly string[] s_forPeopleAlone = { "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance" };
+        private static readonly string[] s_forPeopleAlone =
+            { "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance" };
 
         [Test]
         public void Package_WritesAndReadsNoFractionByTheRunTime()
         {
             using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
-            Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Findings), Is.Empty);
+            Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Findings),
+                Is.Empty);
         }
 
         [TestCase(nameof(Planted.Digits), 1)]
@@ -34,7 +36,8 @@ namespace FastPoints.HostTests.Writing
         public void Planted_Method_IsFound(string method, int findings)
         {
             using ModuleDefinition module = ModuleDefinition.ReadModule(typeof(RunTimeNumbersTests).Assembly.Location);
-            TypeDefinition planted = module.GetType(typeof(RunTimeNumbersTests).FullName).NestedTypes.Single(t => t.Name == nameof(Planted));
+            TypeDefinition planted = module.GetType(typeof(RunTimeNumbersTests).FullName)
+                .NestedTypes.Single(t => t.Name == nameof(Planted));
 
             Assert.That(Findings(planted.Methods.Single(m => m.Name == method)).Count(), Is.EqualTo(findings));
         }
@@ -53,7 +56,8 @@ namespace FastPoints.HostTests.Writing
                 double.Parse(text, CultureInfo.InvariantCulture) > 1 || float.TryParse(text, out float _);
 
             internal static string ForPeople(double value) =>
-                value.ToString("N0", CultureInfo.InvariantCulture) + string.Format(CultureInfo.InvariantCulture, "{0:0.00}", value);
+                value.ToString("N0", CultureInfo.InvariantCulture)
+                    + string.Format(CultureInfo.InvariantCulture, "{0:0.00}", value);
         }
 
         private static IEnumerable<string> Findings(ModuleDefinition module) =>

@@ -12,9 +12,9 @@ namespace FastPoints.RepoTools.Api
         private static readonly string[] s_assemblies =
         {
             "FastPoints", "FastPoints.Import", "FastPoints.Rendering", "FastPoints.Rendering.BuiltIn", "FastPoints.Rendering.Urp",
-            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Scenes", "FastPoints.Benchmarks", "FastPoints.Evaluation",
-            "FastPoints.Samples", "FastPoints.Samples.Editor", "FastPoints.Benchmarks.Unity", "FastPoints.Tests",
-            "FastPoints.UnityTests", "FastPoints.UnityTests.Performance",
+            "FastPoints.Rendering.Hdrp", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Scenes",
+            "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Samples", "FastPoints.Samples.Editor",
+            "FastPoints.Benchmarks.Unity", "FastPoints.Tests", "FastPoints.UnityTests", "FastPoints.UnityTests.Performance",
         };
 
         private readonly Resolver m_resolver = new Resolver();

@@ -25,7 +25,8 @@ namespace FastPoints.RepoTools.Api
             || assembly.StartsWith("System.", StringComparison.Ordinal);
 
         /// <summary>What a package may reference beside Unity's: netstandard, its own, and two that Unity brings along.</summary>
-        public static bool IsThereInUnity(string assembly) => assembly is "netstandard" or "mscorlib" or "nunit.framework" or "Newtonsoft.Json"
+        public static bool IsThereInUnity(string assembly) =>
+            assembly is "netstandard" or "mscorlib" or "nunit.framework" or "Newtonsoft.Json"
             || assembly.StartsWith("FastPoints", StringComparison.Ordinal);
 
         /// <summary>The list's "A|B" (moved from A to B), UnityEngine:Core and so on, as names of assemblies.</summary>

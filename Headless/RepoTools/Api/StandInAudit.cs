@@ -131,7 +131,8 @@ namespace FastPoints.RepoTools.Api
                 string? fallback = wanted[i].Default;
                 if (parameter.IsOptional != (fallback != null))
                     differences.Add($"parameter {wanted[i].Name} is {(fallback != null ? "" : "not ")}optional in Unity");
-                else if (fallback != null && parameter.HasConstant && parameter.Constant != null && !SameValue(fallback, parameter.Constant))
+                else if (fallback != null && parameter.HasConstant && parameter.Constant != null &&
+                    !SameValue(fallback, parameter.Constant))
                     differences.Add($"parameter {wanted[i].Name} is {fallback} by default, {parameter.Constant} here");
             }
             return differences;
@@ -185,6 +186,7 @@ namespace FastPoints.RepoTools.Api
             : type.IsPublic;
 
         internal static bool IsVisible(FieldAttributes attributes) =>
-            (attributes & FieldAttributes.FieldAccessMask) is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem;
+            (attributes & FieldAttributes.FieldAccessMask)
+                is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem;
     }
 }

@@ -22,7 +22,8 @@ namespace FastPoints.RepoTools.Api
         private static readonly HashSet<string> s_types = new HashSet<string>(StringComparer.Ordinal)
         {
             "NUnit.Framework.MultipleAssertException", "NUnit.Framework.NonTestAssemblyAttribute", "NUnit.Framework.Warn",
-            "NUnit.Framework.Internal.TestResult", "NUnit.Framework.Internal.TestCaseResult", "NUnit.Framework.Internal.TestSuiteResult",
+            "NUnit.Framework.Internal.TestResult", "NUnit.Framework.Internal.TestCaseResult",
+            "NUnit.Framework.Internal.TestSuiteResult",
             "NUnit.Framework.Internal.TestExecutionContext", "NUnit.Framework.Internal.StackFilter",
             "NUnit.Framework.Interfaces.AssertionResult", "NUnit.Framework.Interfaces.AssertionStatus",
             "NUnit.Framework.Constraints.Interval", "NUnit.Framework.Constraints.ItemsConstraintExpression",
@@ -35,7 +36,8 @@ namespace FastPoints.RepoTools.Api
         {
             "NUnit.Framework.Assert.Multiple", "NUnit.Framework.Assert.Warn",
             "NUnit.Framework.Interfaces.IApplyToContext.ApplyToContext",
-            "NUnit.Framework.Interfaces.ITestResult.get_AssertionResults", "NUnit.Framework.Interfaces.ITestResult.get_WarningCount",
+            "NUnit.Framework.Interfaces.ITestResult.get_AssertionResults",
+            "NUnit.Framework.Interfaces.ITestResult.get_WarningCount",
             "NUnit.Framework.Interfaces.ResultState.Matches", "NUnit.Framework.Interfaces.ResultState.Warning",
             "NUnit.Framework.TestContext.ResultAdapter.get_WarningCount",
             "NUnit.Framework.Constraints.DelayedConstraint.get_DelayInterval",

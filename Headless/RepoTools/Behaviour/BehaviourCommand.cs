@@ -5,7 +5,9 @@ using System.Text.RegularExpressions;
 
 namespace FastPoints.RepoTools.Behaviour
 {
-    /// <summary>Holds the ledger of behaviours to stand-ins and tests, and makes the manual's list of what is unverified from it.</summary>
+    /// <summary>
+    /// Holds the ledger of behaviours to stand-ins and tests, and makes the manual's list of what is unverified from it.
+    /// </summary>
     public static class BehaviourCommand
     {
         private const string Heading = "\n## What could not be verified without an editor\n";
@@ -28,7 +30,8 @@ namespace FastPoints.RepoTools.Behaviour
             List<string> problems = ledger.Problems(repository.Headless, Tests(repository), steps).ToList();
             string made = s_table.Replace(manual, ledger.UnverifiedTable().Replace("$", "$$"), 1, heading);
             if (check && (made != manual || ledger.Text() != text))
-                problems.Add("behaviour.tsv is not in order, or try-in-unity.md is not made from it (RepoTools behaviour writes both)");
+                problems.Add("behaviour.tsv is not in order, or try-in-unity.md is not made from it (RepoTools "
+                    + "behaviour writes both)");
             if (!check)
             {
                 File.WriteAllText(file, ledger.Text());

@@ -9,8 +9,8 @@ using System.Text.RegularExpressions;
 namespace FastPoints.RepoTools.Behaviour
 {
     /// <summary>
-    /// Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its evidence, and
-    /// either the stand-in and the test that hold it, or the step of the manual's page that would show it in an editor.
+    /// Headless/Api/behaviour.tsv: what Unity does, beyond its signatures, that the package relies on. A row has its evidence,
+    /// and either the stand-in and the test that hold it, or the step of the manual's page that would show it in an editor.
     /// </summary>
     public sealed class BehaviourLedger
     {
@@ -88,7 +88,8 @@ namespace FastPoints.RepoTools.Behaviour
                 yield return "no behaviour or no evidence";
             if (!s_sureties.Contains(row[3]))
                 yield return $"sure is '{row[3]}', not one of {string.Join(", ", s_sureties)}";
-            if (row[4] != "-" && !File.Exists(Path.Combine(headless, "StandIns", row[4])) && !File.Exists(Path.Combine(headless, row[4])))
+            if (row[4] != "-" && !File.Exists(Path.Combine(headless, "StandIns", row[4])) &&
+                !File.Exists(Path.Combine(headless, row[4])))
                 yield return $"there is no {row[4]} in Headless or in StandIns";
             if (row[5] == Unverified)
             {
@@ -106,7 +107,8 @@ namespace FastPoints.RepoTools.Behaviour
             if (row[6].Length > 0)
                 yield return "a test holds it, so it has no step";
             Match test = s_test.Match(row[5]);
-            if (!test.Success || !tests[test.Groups[1].Value].Any(t => t.Contains($" {test.Groups[2].Value}(", StringComparison.Ordinal)))
+            if (!test.Success ||
+                !tests[test.Groups[1].Value].Any(t => t.Contains($" {test.Groups[2].Value}(", StringComparison.Ordinal)))
                 yield return $"there is no test {row[5]}";
         }
     }

@@ -29,7 +29,8 @@ namespace FastPoints.RepoTools.Hlsl
                 lines.Add(($"    {HlslType(field, type)} {field.Name}{array};", field));
             }
             if (layout.Size != end || end == 0 || end > LargestStride)
-                throw new ToolException($"{type.FullName}: a stride of {layout.Size} bytes, HLSL would have {end}, at most {LargestStride}");
+                throw new ToolException($"{type.FullName}: a stride of {layout.Size} bytes, HLSL would have {end}, " +
+                    $"at most {LargestStride}");
 
             int width = lines.Max(l => l.Declaration.Length);
             string guard = "FASTPOINTS_" + string.Concat(type.Name.Select((c, i) =>

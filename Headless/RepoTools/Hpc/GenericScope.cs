@@ -21,8 +21,12 @@ namespace FastPoints.RepoTools.Hpc
 
         /// <summary>The scope of a method that is called from this one.</summary>
         internal GenericScope Of(MethodReference called) => new GenericScope(
-            called.DeclaringType is GenericInstanceType type ? type.GenericArguments.Select(Concrete).ToList() : Array.Empty<TypeReference>(),
-            called is GenericInstanceMethod method ? method.GenericArguments.Select(Concrete).ToList() : Array.Empty<TypeReference>());
+            called.DeclaringType is GenericInstanceType type
+                ? type.GenericArguments.Select(Concrete).ToList()
+                : Array.Empty<TypeReference>(),
+            called is GenericInstanceMethod method
+                ? method.GenericArguments.Select(Concrete).ToList()
+                : Array.Empty<TypeReference>());
 
         /// <summary>The scope of a method of a concrete type that stands for a generic parameter.</summary>
         internal static GenericScope OfMember(TypeReference concrete, IReadOnlyList<TypeReference> ofMethod) => new GenericScope(
@@ -33,7 +37,9 @@ namespace FastPoints.RepoTools.Hpc
             switch (type)
             {
                 case GenericParameter parameter:
-                    IReadOnlyList<TypeReference> arguments = parameter.Type == GenericParameterType.Method ? m_ofMethod : m_ofType;
+                    IReadOnlyList<TypeReference> arguments = parameter.Type == GenericParameterType.Method
+                        ? m_ofMethod
+                        : m_ofType;
                     return parameter.Position < arguments.Count ? arguments[parameter.Position] : parameter;
                 case GenericInstanceType instance:
                     var concrete = new GenericInstanceType(instance.ElementType);

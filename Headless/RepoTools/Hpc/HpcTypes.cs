@@ -18,7 +18,9 @@ namespace FastPoints.RepoTools.Hpc
 
         internal static bool IsException(TypeReference type)
         {
-            for (TypeDefinition? at = Resolution.Of(type); at != null; at = at.BaseType == null ? null : Resolution.Of(at.BaseType))
+            for (TypeDefinition? at = Resolution.Of(type);
+                at != null;
+                at = at.BaseType == null ? null : Resolution.Of(at.BaseType))
             {
                 if (at.FullName == "System.Exception")
                     return true;

@@ -29,7 +29,8 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.HighDefinition.Runtime" }).ToArray(),
             ["FastPoints.Entities"] = s_view.Append("FastPoints.Rendering").Concat(s_entities).ToArray(),
             ["FastPoints.Editor"] = s_shared
-                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes", "Unity.Entities", "Unity.Entities.Hybrid" })
+                .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes",
+                    "Unity.Entities", "Unity.Entities.Hybrid" })
                 .ToArray(),
             ["FastPoints.Tests"] = s_shared.Concat(s_entities)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Benchmarks", "FastPoints.Evaluation" })
@@ -39,17 +40,19 @@ namespace FastPoints.RepoTools.Layers
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Samples.Editor"] = new[]
             {
-                "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering", "FastPoints.Samples", "Unity.Collections",
-                "Unity.Entities", "Unity.Mathematics",
+                "FastPoints", "FastPoints.Editor", "FastPoints.Entities", "FastPoints.Rendering",
+                "FastPoints.Samples", "Unity.Collections", "Unity.Entities", "Unity.Mathematics",
             },
             ["FastPoints.UnityTests"] = s_shared.Concat(s_testRunner)
                 .Concat(new[] { "FastPoints.Rendering", "FastPoints.Entities", "FastPoints.Editor", "FastPoints.Benchmarks" })
                 .Concat(new[] { "Unity.Entities", "Unity.Scenes" })
                 .ToArray(),
             ["FastPoints.UnityTests.Performance"] = s_testRunner
-                .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" }).ToArray(),
+                .Concat(new[] { "FastPoints.Editor", "FastPoints.Entities", "FastPoints.UnityTests", "Unity.PerformanceTesting" })
+                .ToArray(),
             ["FastPoints.Evaluation"] = s_shared,
-            ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities).Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
+            ["FastPoints.Benchmarks"] = s_shared.Concat(s_entities)
+                .Concat(new[] { "FastPoints.Entities", "FastPoints.Scenes" }).ToArray(),
             ["FastPoints.Benchmarks.Unity"] = new[] { "FastPoints.Benchmarks", "Unity.Burst", "Unity.PerformanceTesting" }
                 .Concat(s_testRunner).ToArray(),
         };

@@ -19,8 +19,8 @@ namespace FastPoints.RepoTools.Layers
             ("FastPoints", new[] { "Base", "Points", "Store", "Streaming", "Gpu", "Picking", "Picture", "Feeds" }),
             ("FastPoints.Import", new[]
             {
-                "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing", "Draw", "SourceFeeds", "Verify",
-                "Convert",
+                "Files", "Preview", "Density", "Partition", "Records", "Samplers", "Nodes", "Writing",
+                "Draw", "SourceFeeds", "Verify", "Convert",
             }),
         };
 
@@ -107,7 +107,9 @@ namespace FastPoints.RepoTools.Layers
             {
                 MethodReference method => method.Parameters.Select(p => p.ParameterType).Append(method.ReturnType)
                     .Append(method.DeclaringType)
-                    .Concat(method is GenericInstanceMethod generic ? generic.GenericArguments : Enumerable.Empty<TypeReference>()),
+                    .Concat(method is GenericInstanceMethod generic
+                        ? generic.GenericArguments
+                        : Enumerable.Empty<TypeReference>()),
                 FieldReference field => new[] { field.FieldType, field.DeclaringType },
                 TypeReference type => new[] { type },
                 _ => Enumerable.Empty<TypeReference>(),

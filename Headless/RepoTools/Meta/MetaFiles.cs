@@ -127,7 +127,8 @@ namespace FastPoints.RepoTools.Meta
             foreach (string entry in Directory.EnumerateFileSystemEntries(folder == "." ? m_root : PathOf(folder)))
             {
                 string name = Path.GetFileName(entry);
-                if (name.StartsWith('.') || (name.EndsWith('~') && entry != PathOf(Samples)) || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase))
+                if (name.StartsWith('.') || (name.EndsWith('~') && entry != PathOf(Samples)) ||
+                    name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase))
                     continue;
                 string path = folder == "." ? name : folder + "/" + name;
                 if (!Directory.Exists(entry))

@@ -15,7 +15,8 @@ namespace FastPoints.RepoTools.Package
         private static readonly string[] s_forPlayers = { "Runtime/", "Samples~/" };
 
         /// <summary>Parts of a file that only an editor compiles; they hold no directive of their own in this package.</summary>
-        private static readonly Regex s_editorPart = new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
+        private static readonly Regex s_editorPart =
+            new Regex(@"#if UNITY_EDITOR\b.*?#(else|elif|endif)", RegexOptions.Singleline);
         private static readonly Regex s_comment = new Regex(@"//[^\n]*");
 
         public static IEnumerable<string> Check(PackageFiles files)
@@ -39,10 +40,12 @@ namespace FastPoints.RepoTools.Package
                 if (isTest && !isForTests)
                     yield return $"{file}: a test assembly without UNITY_INCLUDE_TESTS would be in players";
                 else if (!isEditor && !isForTests && !s_forPlayers.Any(f => file.StartsWith(f, StringComparison.Ordinal)))
-                    yield return $"{file}: every player would have it, used or not: wanted UNITY_INCLUDE_TESTS in defineConstraints";
+                    yield return $"{file}: every player would have it, used or not: wanted "
+                        + "UNITY_INCLUDE_TESTS in defineConstraints";
                 string[] references = Strings(json.RootElement, "references");
                 if (references.Contains("Unity.Entities") && !references.Contains("Unity.Collections"))
-                    yield return $"{file}: references Unity.Entities and not Unity.Collections: its source generator ends with DC0061";
+                    yield return $"{file}: references Unity.Entities and not Unity.Collections: its source "
+                        + "generator ends with DC0061";
                 if (file.StartsWith("Runtime/", StringComparison.Ordinal) && (isEditor || isTest))
                     yield return $"{file}: only an editor or a test would have it";
             }

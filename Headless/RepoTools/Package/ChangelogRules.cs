@@ -12,7 +12,8 @@ namespace FastPoints.RepoTools.Package
     {
         private const string File = "CHANGELOG.md";
         private const string Unreleased = "Unreleased";
-        private static readonly Regex s_entry = new Regex(@"^## \[(?<version>[^\]]*)\](?: - (?<date>.*\S))?\s*$", RegexOptions.Multiline);
+        private static readonly Regex s_entry =
+            new Regex(@"^## \[(?<version>[^\]]*)\](?: - (?<date>.*\S))?\s*$", RegexOptions.Multiline);
 
         public static IEnumerable<string> Check(PackageFiles files, string version)
         {
@@ -23,7 +24,8 @@ namespace FastPoints.RepoTools.Package
             }
             List<(string Version, string Date)> entries = Entries(files);
             if (entries.Count == 0 || (entries[0].Version != Unreleased && entries[0].Version != version))
-                yield return $"{File}: wanted [{version}] or [{Unreleased}] first, got {(entries.Count == 0 ? "no entry" : $"[{entries[0].Version}]")}";
+                yield return $"{File}: wanted [{version}] or [{Unreleased}] first, got "
+                    + $"{(entries.Count == 0 ? "no entry" : $"[{entries[0].Version}]")}";
             for (int i = 0; i < entries.Count; i++)
             {
                 (string at, string date) = entries[i];
@@ -40,7 +42,8 @@ namespace FastPoints.RepoTools.Package
                 if (i > 0 && entries[i - 1].Version != Unreleased && string.CompareOrdinal(entries[i - 1].Date, date) < 0)
                     yield return $"{File}: [{at}] of {date} stands below [{entries[i - 1].Version}] of {entries[i - 1].Date}";
             }
-            foreach (IGrouping<string, (string Version, string Date)> same in entries.GroupBy(e => e.Version).Where(g => g.Count() > 1))
+            foreach (IGrouping<string, (string Version, string Date)> same in entries.GroupBy(e => e.Version)
+                .Where(g => g.Count() > 1))
                 yield return $"{File}: [{same.Key}] is there {same.Count()} times";
         }
 
@@ -50,7 +53,8 @@ namespace FastPoints.RepoTools.Package
             if (tag != version && tag != "v" + version)
                 yield return $"the tag: wanted {version} or v{version}, got {tag}";
             if (files.Has(File) && Entries(files).FirstOrDefault().Version != version)
-                yield return $"{File}: wanted the entry [{version}] with its date first, got [{Entries(files).FirstOrDefault().Version}]";
+                yield return $"{File}: wanted the entry [{version}] with its date first, got "
+                    + $"[{Entries(files).FirstOrDefault().Version}]";
         }
 
         private static List<(string Version, string Date)> Entries(PackageFiles files) => s_entry.Matches(files.Read(File))

@@ -12,7 +12,8 @@ namespace FastPoints.RepoTools.Package
         private const string Folder = "Documentation~/";
 
         private static readonly Regex s_component = new Regex(
-            @"public (?:sealed |abstract )?(?:partial )?(?:class|struct) (\w+) : [^{\n]*\b(?:MonoBehaviour|ScriptableObject|I(?:Cleanup)?ComponentData)\b");
+            @"public (?:sealed |abstract )?(?:partial )?(?:class|struct) (\w+) : "
+            + @"[^{\n]*\b(?:MonoBehaviour|ScriptableObject|I(?:Cleanup)?ComponentData)\b");
         private static readonly Regex s_link = new Regex(@"\]\((?!\w+:|#)([^)#\s]+)(?:#[^)]*)?\)");
 
         public static IEnumerable<string> Check(PackageFiles files)

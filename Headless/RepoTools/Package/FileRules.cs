@@ -10,7 +10,8 @@ namespace FastPoints.RepoTools.Package
     {
         private const int LongestPath = 140;
 
-        private static readonly string[] s_required = { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
+        private static readonly string[] s_required =
+            { "package.json", "README.md", "LICENSE.md", "CHANGELOG.md", "Documentation~/index.md" };
 
         /// <summary>Unity does not import folders that end in '~': there are these two, and Unity knows what they are
         /// for.</summary>
@@ -21,7 +22,8 @@ namespace FastPoints.RepoTools.Package
         private static readonly string[] s_imported = { ".cs", ".asmdef", ".shader", ".compute", ".hlsl", ".asset", ".meta" };
 
         /// <summary>Of the two folders that Unity does not import; vector graphics are of no use to it.</summary>
-        private static readonly string[] s_notImported = { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader" };
+        private static readonly string[] s_notImported =
+            { ".md", ".png", ".svg", ".json", ".cs", ".asmdef", ".meta", ".hlsl", ".shader" };
 
         public static IEnumerable<string> Check(PackageFiles files)
         {
@@ -50,7 +52,8 @@ namespace FastPoints.RepoTools.Package
         {
             bool IsOf(string[] extensions) => extensions.Any(e => file.EndsWith(e, StringComparison.Ordinal));
             if (!file.Contains('/'))
-                return s_required.Contains(file) || s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
+                return s_required.Contains(file) ||
+                    s_required.Concat(s_folders).Contains(file.EndsWith(".meta", StringComparison.Ordinal) ? file[..^5] : "");
             return isHidden ? IsOf(s_notImported) : s_folders.Contains(top) && IsOf(s_imported);
         }
     }

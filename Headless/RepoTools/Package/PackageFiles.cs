@@ -32,7 +32,9 @@ namespace FastPoints.RepoTools.Package
             All.Where(f => f.EndsWith(extension, StringComparison.OrdinalIgnoreCase));
 
         /// <summary>Names of the folders right in a folder.</summary>
-        public IEnumerable<string> FoldersIn(string folder) => All.Where(f => f.StartsWith(folder + "/", StringComparison.Ordinal))
-            .Select(f => f[(folder.Length + 1)..].Split('/')).Where(parts => parts.Length > 1).Select(parts => parts[0]).Distinct();
+        public IEnumerable<string> FoldersIn(string folder) =>
+            All.Where(f => f.StartsWith(folder + "/", StringComparison.Ordinal))
+            .Select(f => f[(folder.Length + 1)..].Split('/')).Where(parts => parts.Length > 1)
+            .Select(parts => parts[0]).Distinct();
     }
 }

@@ -11,7 +11,8 @@ namespace FastPoints.RepoTools.Package
     {
         private const int LongestDisplayName = 50;
         private const int ShortestDescription = 50;
-        private static readonly Regex s_version = new Regex(@"^(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)(-[0-9A-Za-z-]+(\.[0-9A-Za-z-]+)*)?$");
+        private static readonly Regex s_version =
+            new Regex(@"^(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)(-[0-9A-Za-z-]+(\.[0-9A-Za-z-]+)*)?$");
 
         private readonly JsonElement m_root;
 
@@ -19,7 +20,8 @@ namespace FastPoints.RepoTools.Package
         {
             m_root = root;
             Samples = root.TryGetProperty("samples", out JsonElement samples)
-                ? samples.EnumerateArray().Select(s => new PackageSample(Text(s, "displayName"), Text(s, "description"), Text(s, "path"))).ToList()
+                ? samples.EnumerateArray()
+                    .Select(s => new PackageSample(Text(s, "displayName"), Text(s, "description"), Text(s, "path"))).ToList()
                 : new List<PackageSample>();
         }
 
@@ -47,7 +49,8 @@ namespace FastPoints.RepoTools.Package
 
         public IEnumerable<string> Check()
         {
-            if (!Regex.IsMatch(Name, @"^[a-z0-9][a-z0-9._-]{0,213}$") || !Name.Contains('.') || Regex.IsMatch(Name, @"\.(framework|bundle|plugin)$"))
+            if (!Regex.IsMatch(Name, @"^[a-z0-9][a-z0-9._-]{0,213}$") || !Name.Contains('.') ||
+                Regex.IsMatch(Name, @"\.(framework|bundle|plugin)$"))
                 yield return Wanted("name", "lower case with a dot, and no .framework, .bundle or .plugin", Name);
             if (!IsVersion(Version))
                 yield return Wanted("version", "a semantic version", Version);
@@ -74,7 +77,8 @@ namespace FastPoints.RepoTools.Package
             }
         }
 
-        private static string Wanted(string field, string wanted, string got) => $"package.json: {field}: wanted {wanted}, got \"{got}\"";
+        private static string Wanted(string field, string wanted, string got) =>
+            $"package.json: {field}: wanted {wanted}, got \"{got}\"";
 
         private static string Text(JsonElement of, string field) =>
             of.TryGetProperty(field, out JsonElement value) && value.ValueKind == JsonValueKind.String ? value.GetString()! : "";

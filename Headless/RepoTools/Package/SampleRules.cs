@@ -17,7 +17,8 @@ namespace FastPoints.RepoTools.Package
             {
                 if (sample.DisplayName.Length == 0 || sample.Description.Length == 0)
                     yield return $"package.json: sample \"{sample.Path}\": wanted a displayName and a description";
-                if (!sample.Path.StartsWith(Folder + "/", StringComparison.Ordinal) || !folders.Contains(sample.Path[(Folder.Length + 1)..]))
+                if (!sample.Path.StartsWith(Folder + "/", StringComparison.Ordinal) ||
+                    !folders.Contains(sample.Path[(Folder.Length + 1)..]))
                     yield return $"package.json: sample \"{sample.Path}\": there is no such folder in {Folder}";
             }
             foreach (string folder in folders.Where(f => samples.All(s => s.Path != Folder + "/" + f)))

@@ -17,7 +17,8 @@ namespace FastPoints.RepoTools.Package
 
         private static readonly string[] s_long = { "Long", "Large" };
 
-        private static readonly string[] s_tests = { "TestAttribute", "TestCaseAttribute", "TestCaseSourceAttribute", "UnityTestAttribute" };
+        private static readonly string[] s_tests =
+            { "TestAttribute", "TestCaseAttribute", "TestCaseSourceAttribute", "UnityTestAttribute" };
 
         /// <summary>What is wrong with an assembly's tests.</summary>
         public static IEnumerable<string> Check(ModuleDefinition module)
@@ -44,7 +45,8 @@ namespace FastPoints.RepoTools.Package
 
         /// <summary>Rooms of which no test is of the category for a quick look.</summary>
         public static IEnumerable<string> WithoutSmoke(ModuleDefinition module) => Tests(module)
-            .GroupBy(t => string.Join('.', t.Type.Namespace.Split('.').Take(3)), t => Categories(Attributes(t.Type, t.Test)).Contains(Smoke))
+            .GroupBy(t => string.Join('.', t.Type.Namespace.Split('.').Take(3)),
+                t => Categories(Attributes(t.Type, t.Test)).Contains(Smoke))
             .Where(g => !g.Any(isSmoke => isSmoke)).Select(g => g.Key);
 
         private static IEnumerable<(TypeDefinition Type, MethodDefinition Test)> Tests(ModuleDefinition module) =>
@@ -52,7 +54,8 @@ namespace FastPoints.RepoTools.Package
                 .Where(t => t.method.CustomAttributes.Any(a => s_tests.Contains(a.AttributeType.Name)));
 
         private static List<string> Categories(IEnumerable<CustomAttribute> attributes) => attributes
-            .Where(a => a.AttributeType.Name == "CategoryAttribute").Select(a => (string)a.ConstructorArguments[0].Value).ToList();
+            .Where(a => a.AttributeType.Name == "CategoryAttribute")
+            .Select(a => (string)a.ConstructorArguments[0].Value).ToList();
 
         /// <summary>Those of the method, its class and what that derives from.</summary>
         private static IEnumerable<CustomAttribute> Attributes(TypeDefinition type, MethodDefinition test) =>

@@ -31,7 +31,8 @@ namespace FastPoints.RepoTools.Threads
         }
 
         internal static IEnumerable<Instruction> Writes(MethodDefinition method, VariableDefinition local) =>
-            method.Body.Instructions.Where(i => i.OpCode.Name.StartsWith("stloc", StringComparison.Ordinal) && Local(method, i) == local);
+            method.Body.Instructions.Where(i => i.OpCode.Name.StartsWith("stloc", StringComparison.Ordinal) &&
+                Local(method, i) == local);
 
         /// <summary>Whether the variable's address is taken: others may write it.</summary>
         internal static bool IsLent(MethodDefinition method, VariableDefinition local) =>

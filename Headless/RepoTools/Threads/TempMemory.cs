@@ -27,7 +27,8 @@ namespace FastPoints.RepoTools.Threads
 
         private static bool IsAllocator(TypeReference type) => type.FullName == "Unity.Collections.Allocator";
 
-        private static bool MayBe(CodeIndex code, MethodDefinition method, IEnumerable<Instruction> producers, HashSet<Instruction> seen)
+        private static bool MayBe(CodeIndex code, MethodDefinition method,
+            IEnumerable<Instruction> producers, HashSet<Instruction> seen)
         {
             foreach (Instruction at in producers.Where(seen.Add))
             {
@@ -42,7 +43,8 @@ namespace FastPoints.RepoTools.Threads
                             return true;
                         break;
                     default:
-                        if (MethodVariables.Local(method, at) is { } local && MayBe(code, method, MethodVariables.Writes(method, local)
+                        if (MethodVariables.Local(method, at) is { } local &&
+                            MayBe(code, method, MethodVariables.Writes(method, local)
                             .SelectMany(w => code.Flow(method).Producers(w, 0)), seen))
                             return true;
                         break;

@@ -21,7 +21,8 @@ namespace FastPoints.RepoTools.Threads
             if (!hasFull && !check)
                 throw new ToolException($"no {full}: set FASTPOINTS_DATA to the folder that has unity-api");
             if (!File.Exists(file) && check)
-                return new ToolResult("nothing committed", new[] { "Headless/Api/threads.tsv is not there (RepoTools threads writes it)" });
+                return new ToolResult("nothing committed",
+                    new[] { "Headless/Api/threads.tsv is not there (RepoTools threads writes it)" });
 
             string committed = File.Exists(file) ? File.ReadAllText(file) : "";
             ThreadTable own = ThreadTable.Read(new StringReader(committed));

@@ -14,8 +14,8 @@ namespace FastPoints.RepoTools.Threads
     /// <param name="Method">What runs; null where the delegate's origin is not to be seen.</param>
     /// <param name="Self">What it works on, where that is known.</param>
     /// <param name="From">Where in the method it begins, if not at its start.</param>
-    internal sealed record ThreadRoot(string Name, TypeDefinition Within, MethodReference? Method, Value? Self = null, bool IsJob = false,
-        Instruction? From = null);
+    internal sealed record ThreadRoot(string Name, TypeDefinition Within, MethodReference? Method,
+        Value? Self = null, bool IsJob = false, Instruction? From = null);
 
     /// <summary>Finds them in the IL: delegates that are handed to what runs them elsewhere, jobs, finalizers, what follows
     /// ConfigureAwait(false), and what Unity's serializer calls from its loading thread.</summary>
@@ -61,7 +61,8 @@ namespace FastPoints.RepoTools.Threads
             }
         }
 
-        private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins, MethodDefinition method, Instruction at)
+        private static IEnumerable<ThreadRoot> AtCall(CodeIndex code, ValueOrigins origins,
+            MethodDefinition method, Instruction at)
         {
             var called = (MethodReference)at.Operand;
             string place = CodePlace.Of(method, at);
@@ -97,7 +98,8 @@ namespace FastPoints.RepoTools.Threads
             // Unity makes them while it loads, with the constructor without parameters, on whatever thread does that.
             bool isLoaded = (type.IsSerializable && !type.Name.StartsWith('<'))
                 || TypeRelations.AllOf(type).Any(t => t.FullName == "UnityEngine.Object");
-            bool isCalledBack = type.Interfaces.Any(i => i.InterfaceType.FullName == "UnityEngine.ISerializationCallbackReceiver");
+            bool isCalledBack = type.Interfaces.Any(i =>
+                i.InterfaceType.FullName == "UnityEngine.ISerializationCallbackReceiver");
             foreach (MethodDefinition method in type.Methods.Where(m => m.HasBody))
             {
                 if (method.Name == "Finalize" && method.IsVirtual && method.Parameters.Count == 0)

@@ -26,12 +26,14 @@ namespace FastPoints.RepoTools.Threads
             || (called.Name == "BeginInvoke" && TypeRelations.IsDelegate(called.DeclaringType));
 
         /// <summary>Whether what follows in an async method need not be on the thread that it began on.</summary>
-        internal static bool IsConfigureAwaitFalse(Instruction at) => at.Operand is MethodReference { Name: "ConfigureAwait" } called
+        internal static bool IsConfigureAwaitFalse(Instruction at) =>
+            at.Operand is MethodReference { Name: "ConfigureAwait" } called
             && called.DeclaringType.Namespace.StartsWith("System.Threading.Tasks", StringComparison.Ordinal)
             && at.Previous?.OpCode.Code == Code.Ldc_I4_0;
 
         /// <summary>The state machine that a call of an async method's builder starts; null where it is another call.</summary>
-        internal static TypeReference? StateMachine(MethodReference called) => called is GenericInstanceMethod { Name: "Start" } start
+        internal static TypeReference? StateMachine(MethodReference called) =>
+            called is GenericInstanceMethod { Name: "Start" } start
             && called.DeclaringType.Namespace == "System.Runtime.CompilerServices"
             && called.DeclaringType.Name.Contains("MethodBuilder", StringComparison.Ordinal) ? start.GenericArguments[0] : null;
     }

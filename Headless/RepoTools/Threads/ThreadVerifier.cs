@@ -222,8 +222,8 @@ namespace FastPoints.RepoTools.Threads
                 {
                     if (m_verifier.m_code.IsInside(method) && method.HasBody)
                     {
-                        Enqueue(method, GenericScope.OfMember(type, ArgumentsOf(called, scope)), receiver.IsExact ? receiver : null,
-                            null);
+                        Enqueue(method, GenericScope.OfMember(type, ArgumentsOf(called, scope)),
+                            receiver.IsExact ? receiver : null, null);
                     }
                 }
             }
@@ -251,7 +251,8 @@ namespace FastPoints.RepoTools.Threads
                     TypeReference type = called.Parameters[i].ParameterType;
                     if (TypeRelations.IsDelegate(type))
                         Invoke(at, first + i, type);
-                    else if (Resolution.Of(type) is { IsValueType: false, IsSealed: false } wanted && type is not (GenericParameter or ArrayType))
+                    else if (Resolution.Of(type) is { IsValueType: false, IsSealed: false } wanted &&
+                        type is not (GenericParameter or ArrayType))
                         Give(Argument(at, first + i), wanted);
                 }
             }
@@ -288,7 +289,8 @@ namespace FastPoints.RepoTools.Threads
                         || (HpcEntries.IsJob(type) && !called.Name.StartsWith("Run", StringComparison.Ordinal)))
                         continue;
                     foreach (MethodDefinition slot in definition.GenericParameters[i].Constraints
-                        .Select(c => Resolution.Of(c.ConstraintType)).Where(c => c is { IsInterface: true }).SelectMany(c => c!.Methods))
+                        .Select(c => Resolution.Of(c.ConstraintType)).Where(c => c is { IsInterface: true })
+                        .SelectMany(c => c!.Methods))
                         Constrained(slot, argument);
                 }
             }
@@ -319,7 +321,8 @@ namespace FastPoints.RepoTools.Threads
 
             private void LookUp(TypeReference type, MethodReference called)
             {
-                bool isBase = m_visit is { Method: { IsConstructor: true } } && called.Name == ".ctor" && m_at?.OpCode.Code == Code.Call;
+                bool isBase = m_visit is { Method: { IsConstructor: true } } && called.Name == ".ctor" &&
+                    m_at?.OpCode.Code == Code.Call;
                 if (!Origins.IsUnity(Origins.AssemblyOf(type)) || TypeRelations.IsDelegate(type) || isBase)
                     return;
                 int underscore = called.Name.IndexOf('_');
@@ -335,14 +338,17 @@ namespace FastPoints.RepoTools.Threads
                     return;
                 }
                 string threads = row.In(m_verifier.m_generation, accessor);
+                string users = threads == "main" ? "the main thread" : "nobody knows which threads";
                 if (threads != "any")
-                    Add($"uses {shown}, which is {(threads == "main" ? "for the main thread" : "for nobody knows which threads")} ({row.Why})");
+                    Add($"uses {shown}, which is for {users} ({row.Why})");
                 else if (row.IsAskedForMain)
                     Add($"uses {shown}, for which the manual asks for the main thread");
             }
 
             private static TypeReference[] ArgumentsOf(MethodReference called, GenericScope scope) =>
-                called is GenericInstanceMethod generic ? generic.GenericArguments.Select(scope.Concrete).ToArray() : Array.Empty<TypeReference>();
+                called is GenericInstanceMethod generic
+                    ? generic.GenericArguments.Select(scope.Concrete).ToArray()
+                    : Array.Empty<TypeReference>();
 
             private void Enqueue(MethodDefinition method, GenericScope scope, Value? self, Instruction? from)
             {

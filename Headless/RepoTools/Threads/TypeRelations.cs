@@ -10,7 +10,8 @@ namespace FastPoints.RepoTools.Threads
     /// <summary>What a type is derived from, with its arguments in place.</summary>
     internal static class TypeRelations
     {
-        internal static bool IsDelegate(TypeReference type) => type is not ArrayType and not ByReferenceType and not GenericParameter
+        internal static bool IsDelegate(TypeReference type) => type is not ArrayType
+            and not ByReferenceType and not GenericParameter
             && Resolution.Of(type)?.BaseType?.FullName == "System.MulticastDelegate";
 
         /// <summary>A definition with its own parameters for arguments, as 'this' is.</summary>

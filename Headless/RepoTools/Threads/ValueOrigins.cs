@@ -125,8 +125,11 @@ namespace FastPoints.RepoTools.Threads
                 }
             }
 
-            /// <summary>A search of its own for what this one needs to know on its way; null where that is what it is for.</summary>
-            private IReadOnlyList<Value>? Sub(MethodDefinition method, Value? self, Instruction at, IEnumerable<Instruction> producers)
+            /// <summary>
+            /// A search of its own for what this one needs to know on its way; null where that is what it is for.
+            /// </summary>
+            private IReadOnlyList<Value>? Sub(MethodDefinition method, Value? self, Instruction at,
+                IEnumerable<Instruction> producers)
             {
                 if (m_origins.m_sub.TryGetValue((at, self?.Key), out IReadOnlyList<Value>? known))
                     return known;
@@ -170,7 +173,8 @@ namespace FastPoints.RepoTools.Threads
                 foreach (Site write in writes)
                     All(write.Method, null, Il.Flow(write.Method).Producers(write.At, 0));
                 if (writes.Count == 0 || Il.IsLent(definition!))
-                    Any(GenericScope.OfMember(field.DeclaringType, Array.Empty<TypeReference>()).Concrete(field.FieldType), method);
+                    Any(GenericScope.OfMember(field.DeclaringType, Array.Empty<TypeReference>()).Concrete(field.FieldType),
+                        method);
             }
 
             private void Result(MethodDefinition method, Value? self, Instruction at, MethodReference called)
@@ -179,7 +183,8 @@ namespace FastPoints.RepoTools.Threads
                 bool isWhole = false;
                 if (definition is { HasThis: true })
                 {
-                    IReadOnlyList<Value> receivers = Sub(method, self, at, Il.Flow(method).Argument(at, 0)) ?? Array.Empty<Value>();
+                    IReadOnlyList<Value> receivers = Sub(method, self, at, Il.Flow(method).Argument(at, 0))
+                        ?? Array.Empty<Value>();
                     bool isVirtual = at.OpCode.Code == Code.Callvirt && definition.IsVirtual;
                     isWhole = receivers.Count > 0;
                     foreach (Value receiver in receivers)

@@ -37,7 +37,8 @@ namespace Unity.Entities
 
         public int CompareTo(ComponentType other) => TypeIndex.Value.CompareTo(other.TypeIndex.Value);
 
-        public bool Equals(ComponentType other) => TypeIndex.Value == other.TypeIndex.Value && AccessModeType == other.AccessModeType;
+        public bool Equals(ComponentType other) =>
+            TypeIndex.Value == other.TypeIndex.Value && AccessModeType == other.AccessModeType;
 
         public override bool Equals(object obj) => obj is ComponentType other && Equals(other);
 

@@ -125,8 +125,8 @@ namespace Unity.Entities
         static void CheckHasData(ComponentColumn column)
         {
             if (column.Info.SizeBytes == 0)
-                throw new ArgumentException("GetComponentData and SetComponentData can not be called with a zero sized component: " +
-                    column.Info.Type.Name);
+                throw new ArgumentException("GetComponentData and SetComponentData can not be called with " +
+                    "a zero sized component: " + column.Info.Type.Name);
         }
     }
 }

@@ -59,7 +59,8 @@ namespace Unity.Entities
             return entities;
         }
 
-        public NativeArray<T> ToComponentDataArray<T>(AllocatorManager.AllocatorHandle allocator) where T : unmanaged, IComponentData
+        public NativeArray<T> ToComponentDataArray<T>(AllocatorManager.AllocatorHandle allocator)
+            where T : unmanaged, IComponentData
         {
             var values = new NativeArray<T>(CalculateEntityCount(), allocator.ToAllocator);
             int next = 0, type = TypeRegistry.Of<T>.Index.Value;
@@ -85,6 +86,7 @@ namespace Unity.Entities
         public override int GetHashCode() => m_terms == null ? 0 : m_terms.GetHashCode();
 
         EntityStore Alive => m_terms != null && !m_store.IsDisposed ? m_store
-            : throw new ObjectDisposedException("EntityQuery", "The query was not created, or it or its world has been disposed.");
+            : throw new ObjectDisposedException("EntityQuery",
+                "The query was not created, or it or its world has been disposed.");
     }
 }

@@ -58,7 +58,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
         /// <summary>What the pass that runs has said that it uses; null while none runs.</summary>
         static List<int> s_used;
-        readonly List<(Action<UnsafeGraphContext> Run, List<int> Used)> m_passes = new List<(Action<UnsafeGraphContext>, List<int>)>();
+        readonly List<(Action<UnsafeGraphContext> Run, List<int> Used)> m_passes =
+            new List<(Action<UnsafeGraphContext>, List<int>)>();
 
         public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData, string file = "",
             int line = 0) where PassData : class, new()
@@ -129,7 +130,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
             public void AllowPassCulling(bool value) => m_isCulled = value;
 
-            public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc) where PassData : class, new() =>
+            public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
+                where PassData : class, new() =>
                 m_pass = context => renderFunc((PassData)m_data, context);
 
             public void Dispose()

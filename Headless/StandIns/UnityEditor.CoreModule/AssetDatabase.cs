@@ -123,7 +123,8 @@ namespace UnityEditor
                 System.IO.Directory.Delete(path, true);
             else
                 System.IO.File.Delete(path);
-            foreach (string asset in Assets.Keys.Where(a => a == path || a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
+            foreach (string asset in Assets.Keys.Where(a => a == path ||
+                a.StartsWith(path + "/", StringComparison.Ordinal)).ToArray())
                 Assets.Remove(asset);
             return true;
         }
@@ -159,7 +160,9 @@ namespace UnityEditor
             }
         }
 
-        /// <summary>Importers may run in processes of their own, several at once: while one runs here, this is such a one.</summary>
+        /// <summary>
+        /// Importers may run in processes of their own, several at once: while one runs here, this is such a one.
+        /// </summary>
         public static bool IsAssetImportWorkerProcess() => s_importing != null;
 
         /// <summary>There is no project any more.</summary>
@@ -201,7 +204,8 @@ namespace UnityEditor
             s_postprocessors ??= TypeCache.Referring(typeof(AssetPostprocessor).Assembly).SelectMany(a => a.GetTypes())
                 .Where(t => t.IsSubclassOf(typeof(AssetPostprocessor))).ToArray();
             foreach (var type in s_postprocessors)
-                type.GetMethod("OnPostprocessAllAssets", any)?.Invoke(null, new object[] { imported, deleted, new string[0], new string[0] });
+                type.GetMethod("OnPostprocessAllAssets", any)?.Invoke(null,
+                    new object[] { imported, deleted, new string[0], new string[0] });
         }
 
         /// <summary>Names that Unity takes no notice of, of files and of folders.</summary>

@@ -72,7 +72,8 @@ namespace UnityEditor
         internal static DragAndDropVisualMode Drop<T>(params object[] args) where T : Delegate
         {
             for (int i = Handlers.Count - 1; i >= 0; i--)
-                if (Handlers[i] is T handler && (DragAndDropVisualMode)handler.DynamicInvoke(args) is var mode and not DragAndDropVisualMode.None)
+                if (Handlers[i] is T handler &&
+                    (DragAndDropVisualMode)handler.DynamicInvoke(args) is var mode and not DragAndDropVisualMode.None)
                     return mode;
             return DragAndDropVisualMode.None;
         }

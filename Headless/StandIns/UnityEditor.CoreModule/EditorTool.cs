@@ -15,7 +15,9 @@ namespace UnityEditor.EditorTools
         }
     }
 
-    /// <summary>One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.</summary>
+    /// <summary>
+    /// One is active: before scripts are loaded anew it is told that it will not be, and afterwards that it is.
+    /// </summary>
     public abstract class EditorTool : ScriptableObject
     {
         internal bool IsActive { get; private set; }

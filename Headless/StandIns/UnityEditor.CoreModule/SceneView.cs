@@ -93,7 +93,8 @@ namespace UnityEditor
                 return;
             }
             var kept = SerializedFields.Of(objectToUndo.GetType()).Where(f => SerializedFields.IsKept(f.FieldType))
-                .Select(f => (Field: f, Before: f.GetValue(objectToUndo) is Array many ? many.Clone() : f.GetValue(objectToUndo))).ToArray();
+                .Select(f => (Field: f, Before: f.GetValue(objectToUndo) is Array many ? many.Clone() : f.GetValue(objectToUndo)))
+                .ToArray();
             Add(() =>
             {
                 foreach (var (field, before) in kept)

@@ -38,7 +38,10 @@ namespace UnityEditor.Build
                 for (long variant = 0; variant < KeywordVariant.Count(pass.Keywords); variant++)
                     data.Add(new ShaderCompilerData
                     {
-                        shaderKeywordSet = new ShaderKeywordSet { Names = KeywordVariant.Names(pass.Keywords, variant, "vert").ToHashSet() },
+                        shaderKeywordSet = new ShaderKeywordSet
+                        {
+                            Names = KeywordVariant.Names(pass.Keywords, variant, "vert").ToHashSet(),
+                        },
                     });
                 callback.OnProcessShader(shader, new ShaderSnippetData { passName = pass.Name }, data);
                 built.Add(pass.Name, data.Select(d => d.shaderKeywordSet.Names).ToList());

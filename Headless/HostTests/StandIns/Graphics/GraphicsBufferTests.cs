@@ -121,7 +121,8 @@ namespace FastPoints.HostTests.StandIns.Graphics
         {
             using GraphicsBuffer buffer = Structured(4);
             Assert.That(() =>
-                buffer.LockBufferForWrite<uint>(0, 4), Throws.InvalidOperationException.With.Message.Contains("LockBufferForWrite"));
+                buffer.LockBufferForWrite<uint>(0, 4),
+                Throws.InvalidOperationException.With.Message.Contains("LockBufferForWrite"));
         }
 
         [Test]

@@ -8,7 +8,8 @@ namespace Unity.Entities
         public bool OrderFirst;
         public bool OrderLast;
 
-        public UpdateInGroupAttribute(Type groupType) => GroupType = groupType ?? throw new ArgumentNullException(nameof(groupType));
+        public UpdateInGroupAttribute(Type groupType) => GroupType = groupType
+            ?? throw new ArgumentNullException(nameof(groupType));
 
         public Type GroupType { get; }
     }

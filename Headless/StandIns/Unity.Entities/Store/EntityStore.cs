@@ -145,8 +145,8 @@ namespace StandIns.Entities
         {
             CheckAlive();
             if (!Exists(entity))
-                throw new ArgumentException("All entities passed to EntityManager must exist. One of the entities has already been " +
-                    "destroyed or was never created: " + entity);
+                throw new ArgumentException("All entities passed to EntityManager must exist. One of the " +
+                    "entities has already been destroyed or was never created: " + entity);
             return m_places[entity.Index];
         }
 

@@ -28,7 +28,8 @@ namespace Unity.Entities
         {
         }
 
-        public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) => EntityManager.CreateEntityQuery(componentTypes);
+        public EntityQuery GetEntityQuery(params ComponentType[] componentTypes) =>
+            EntityManager.CreateEntityQuery(componentTypes);
 
         internal void Create(World world)
         {

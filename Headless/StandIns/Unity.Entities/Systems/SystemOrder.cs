@@ -21,7 +21,8 @@ namespace StandIns.Entities
             systems.Clear();
             while (left.Count > 0)
             {
-                int next = left.FindIndex(s => !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
+                int next = left.FindIndex(s =>
+                    !left.Exists(other => other != s && MustPrecede(other.GetType(), s.GetType(), group)));
                 if (next < 0)
                     throw new InvalidOperationException("The systems of " + group.Name + " wait for one another: " +
                         string.Join(", ", left.ConvertAll(s => s.GetType().Name)));
@@ -60,8 +61,8 @@ namespace StandIns.Entities
         static void Warn(List<ComponentSystemBase> systems, Type type, Type other, Type group, bool isAgainstParts)
         {
             if (isAgainstParts)
-                UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: OrderFirst and OrderLast have higher "
-                    + "precedence.");
+                UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: " +
+                    "OrderFirst and OrderLast have higher precedence.");
             else if (PartOf(type, group) == PartOf(other, group) && !systems.Exists(s => s.GetType() == other))
                 UnityEngine.Debug.LogWarning($"Ignoring invalid order of {type} and {other}: both have to be in {group}.");
         }

@@ -37,7 +37,8 @@ namespace Unity.Entities
 
         public T GetOrCreateSystemManaged<T>() where T : ComponentSystemBase => (T)GetOrCreateSystemManaged(typeof(T));
 
-        public ComponentSystemBase GetOrCreateSystemManaged(Type type) => GetExistingSystemManaged(type) ?? CreateSystemManaged(type);
+        public ComponentSystemBase GetOrCreateSystemManaged(Type type) =>
+            GetExistingSystemManaged(type) ?? CreateSystemManaged(type);
 
         public ComponentSystemBase CreateSystemManaged(Type type)
         {

@@ -55,9 +55,9 @@ namespace Unity.Collections
             if (index >= 0 && index < m_Length && (m_MinIndex != 0 || m_MaxIndex != m_Length - 1))
                 throw new IndexOutOfRangeException(
                     $"Index {index} is out of restricted IJobParallelFor range [{m_MinIndex}...{m_MaxIndex}] in "
-                    + "ReadWriteBuffer.\nReadWriteBuffers are restricted to only read & write the element at the job index. You can use double "
-                    + "buffering strategies to avoid race conditions due to reading & writing in parallel to the same elements "
-                    + "from a job.");
+                    + "ReadWriteBuffer.\nReadWriteBuffers are restricted to only read & write the element at the job "
+                    + "index. You can use double buffering strategies to avoid race conditions due to reading & writing in "
+                    + "parallel to the same elements from a job.");
             throw new IndexOutOfRangeException($"Index {index} is out of range of '{m_Length}' Length.");
         }
 #endif

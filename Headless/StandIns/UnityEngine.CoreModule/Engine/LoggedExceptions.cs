@@ -4,8 +4,8 @@ using System.Runtime.ExceptionServices;
 
 namespace StandIns.Engine
 {
-    /// <summary>What was logged in place of being thrown: by jobs, by groups of systems, by whoever else. Unity goes on then; here
-    /// it is kept as well, so that a test or a command can fail for it, as a test does in Unity.</summary>
+    /// <summary>What was logged in place of being thrown: by jobs, by groups of systems, by whoever else. Unity goes on then;
+    /// here it is kept as well, so that a test or a command can fail for it, as a test does in Unity.</summary>
     static class LoggedExceptions
     {
         static readonly Queue<ExceptionDispatchInfo> s_exceptions = new Queue<ExceptionDispatchInfo>();

@@ -49,7 +49,8 @@ namespace UnityEngine
         }
 
         /// <summary>Nobody looks for one here by its name.</summary>
-        public static GameObject Find(string name) => throw new NotSupportedException("there are no scenes here to find " + name + " in");
+        public static GameObject Find(string name) =>
+            throw new NotSupportedException("there are no scenes here to find " + name + " in");
 
         /// <summary>Without its mesh.</summary>
         public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());

@@ -40,7 +40,8 @@ namespace StandIns.Scene
         internal static void DestroyLater(Object leaving) => s_leaving.Add(leaving);
 
         /// <summary>Of components, those that are disabled and inactive, too.</summary>
-        internal static T[] Find<T>() where T : Object => Objects.OfType<T>().Concat(Objects.SelectMany(o => o.Components).OfType<T>())
+        internal static T[] Find<T>() where T : Object => Objects.OfType<T>()
+            .Concat(Objects.SelectMany(o => o.Components).OfType<T>())
             .ToArray();
 
         /// <summary>A scene takes the place of those that are open.</summary>

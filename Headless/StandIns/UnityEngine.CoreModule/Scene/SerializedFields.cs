@@ -10,7 +10,8 @@ namespace StandIns.Scene
     /// <summary>Which fields of an object Unity keeps: in scenes, in assets, in settings, over a reload.</summary>
     static class SerializedFields
     {
-        const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        const BindingFlags Declared =
+            BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
         /// <summary>Of a type and its bases up to Unity's own: those that are public, or say that they are to be kept.</summary>
         public static IEnumerable<FieldInfo> Of(Type type)

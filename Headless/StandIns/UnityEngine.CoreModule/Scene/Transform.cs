@@ -20,8 +20,8 @@ namespace UnityEngine
 
         public Vector3 localScale
         {
-            get => new Vector3(((Vector3)localToWorldMatrix.GetColumn(0)).magnitude, ((Vector3)localToWorldMatrix.GetColumn(1)).magnitude,
-                ((Vector3)localToWorldMatrix.GetColumn(2)).magnitude);
+            get => new Vector3(((Vector3)localToWorldMatrix.GetColumn(0)).magnitude,
+                ((Vector3)localToWorldMatrix.GetColumn(1)).magnitude, ((Vector3)localToWorldMatrix.GetColumn(2)).magnitude);
             set => Place(position, value, Axis(0), Axis(1), Axis(2));
         }
 

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace StandIns
 {
     /// <summary>
-    /// The main thread: the first that used what belongs to it, or, that one being gone, the next. Workers and threads of the pool
-    /// never are.
+    /// The main thread: the first that used what belongs to it, or, that one being gone, the next. Workers and threads of the
+    /// pool never are.
     /// </summary>
     static class MainThread
     {
@@ -27,8 +27,8 @@ namespace StandIns
             }
         }
 
-        /// <summary>Begins each member that Unity's native code keeps to the main thread: with collections checks the build puts it
-        /// there, by the table of threads. Jobs have none, wherever they run: which thread takes a job is luck.</summary>
+        /// <summary>Begins each member that Unity's native code keeps to the main thread: with collections checks the build puts
+        /// it there, by the table of threads. Jobs have none, wherever they run: which thread takes a job is luck.</summary>
         internal static void Require(string member)
         {
             if (JobThread.IsExecuting || !IsCurrent)

@@ -7,8 +7,8 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.Projects.Hdrp
 {
-    /// <summary>Makes this a project of HDRP by itself, in linear colour and without its wizard: without an asset that the settings
-    /// name, Unity would draw with the Built-in pipeline.</summary>
+    /// <summary>Makes this a project of HDRP by itself, in linear colour and without its wizard: without an asset that the
+    /// settings name, Unity would draw with the Built-in pipeline.</summary>
     sealed class ProjectSetup : AssetPostprocessor
     {
         const string Path = "Assets/HdrpPipeline.asset";

@@ -5,8 +5,8 @@ using UnityEngine.Rendering.Universal;
 
 namespace FastPoints.Projects.Urp
 {
-    /// <summary>Makes this a project of URP by itself, in linear colour: without an asset that the settings name, Unity would draw
-    /// with the Built-in pipeline.</summary>
+    /// <summary>Makes this a project of URP by itself, in linear colour: without an asset that the settings name, Unity would
+    /// draw with the Built-in pipeline.</summary>
     sealed class ProjectSetup : AssetPostprocessor
     {
         const string Path = "Assets/UrpPipeline.asset";

@@ -50,7 +50,8 @@ Shader "Tests/Quads"
             Varyings Vertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
             {
                 // Two triangles, clockwise as they are seen.
-                float2 corner = float2(vertex == 2 || vertex == 4 || vertex == 5, vertex == 1 || vertex == 2 || vertex == 4) * 2 - 1;
+                float2 corner = float2(vertex == 2 || vertex == 4 || vertex == 5,
+                    vertex == 1 || vertex == 2 || vertex == 4) * 2 - 1;
                 Square square = _Squares[instance];
                 float4 position = float4(square.CentreAndSize.xyz, 1);
                 position.xy += corner * square.CentreAndSize.w;

@@ -100,8 +100,8 @@ namespace UnityEngine
                     "' has been destroyed but you are still trying to access it.");
         }
 
-        /// <summary>Whether it is null or destroyed. An asset that is destroyed may have come back, which only the main thread can
-        /// tell; where the object is all there is of it, it cannot.</summary>
+        /// <summary>Whether it is null or destroyed. An asset that is destroyed may have come back, which only the main thread
+        /// can tell; where the object is all there is of it, it cannot.</summary>
         static bool IsGone(Object obj)
         {
             if (obj is null)

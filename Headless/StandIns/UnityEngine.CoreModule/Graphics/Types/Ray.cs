@@ -31,7 +31,8 @@ namespace UnityEngine
         public readonly string ToString(string format, IFormatProvider formatProvider)
         {
             formatProvider ??= CultureInfo.InvariantCulture;
-            return "Origin: " + m_origin.ToString(format, formatProvider) + ", Dir: " + m_direction.ToString(format, formatProvider);
+            return "Origin: " + m_origin.ToString(format, formatProvider) + ", Dir: "
+                + m_direction.ToString(format, formatProvider);
         }
     }
 }
