@@ -7,7 +7,8 @@
 #if defined(FASTPOINTS_PARABOLOIDS) || defined(FASTPOINTS_BLENDING)
 #define FASTPOINTS_DISCS
 
-// What the clip space's z and w become with one unit along the view's direction, in x and y; z: units of a pixel at a depth of one.
+// What the clip space's z and w become with one unit along the view's direction, in x and y;
+// z: units of a pixel at a depth of one.
 float4 _FastPointsForwardClip;
 #endif
 
@@ -119,7 +120,8 @@ FastPointsTargets FastPointsFragment(FastPointsVaryings varyings)
     float deviceDepth = varyings.PositionClip.z;
 #if defined(FASTPOINTS_PARABOLOIDS)
     behind = dot(varyings.Corner, varyings.Corner) * varyings.Middle.z;
-    deviceDepth = (varyings.Middle.x + behind * _FastPointsForwardClip.x) / (varyings.Middle.y + behind * _FastPointsForwardClip.y);
+    deviceDepth = (varyings.Middle.x + behind * _FastPointsForwardClip.x)
+        / (varyings.Middle.y + behind * _FastPointsForwardClip.y);
     targets.DeviceDepth = deviceDepth;
 #endif
     targets.Color = float4(varyings.Color, 1.0);

@@ -1,6 +1,6 @@
 // Draws points of one pixel by atomics (Schuetz, Kerbl, Wimmer, "Rendering Point Clouds with Compute Shaders and Vertex Order
-// Optimization", 2021, in two passes of 32 bits): the least depth of each pixel first, then the colour of the points that have it. Of
-// two at one depth the smaller colour stays, so that a picture depends on no order.
+// Optimization", 2021, in two passes of 32 bits): the least depth of each pixel first, then the colour of the points that
+// have it. Of two at one depth the smaller colour stays, so that a picture depends on no order.
 #ifndef FASTPOINTS_RASTER_POINTS_INCLUDED
 #define FASTPOINTS_RASTER_POINTS_INCLUDED
 

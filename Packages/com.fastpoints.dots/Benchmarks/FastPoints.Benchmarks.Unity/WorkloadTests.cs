@@ -47,7 +47,8 @@ namespace FastPoints.Benchmarks
                 var context = new WorkloadContext { ScratchFolder = scratch, Points = Points, DataFolder = DataFolder() };
                 using (var allocated = new AllocatedBytes())
                 {
-                    WorkloadSamples samples = WorkloadTurns.Take(group, context, new TurnSettings { AllocatedBytes = () => allocated.Now })
+                    var settings = new TurnSettings { AllocatedBytes = () => allocated.Now };
+                    WorkloadSamples samples = WorkloadTurns.Take(group, context, settings)
                         .Single(s => s.Name == workload);
                     if (!samples.HadInput)
                         Assert.Ignore("wants real clouds: " + DataVariable + " names their folder");

@@ -10,7 +10,8 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>What the importers of handles and of point cloud files have in common. They read headers and nothing else, and
-    /// nothing but the asset's own file, and know no settings, so that they run in import workers and their results may come from a cache.</summary>
+    /// nothing but the asset's own file, and know no settings, so that they run in import workers and their results may come from
+    /// a cache.</summary>
     internal abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised where the asset comes out otherwise.</summary>

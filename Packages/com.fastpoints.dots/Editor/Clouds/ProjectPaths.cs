@@ -70,7 +70,8 @@ namespace FastPoints.Editor
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         /// <summary>The whole path of what was written down.</summary>
-        public string Absolute(string stored) => Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
+        public string Absolute(string stored) =>
+            Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
             ? Path.Combine(Clouds, stored.Substring(PointCloudFile.InPlace.Length))
             : Path.Combine(Project, stored));
     }

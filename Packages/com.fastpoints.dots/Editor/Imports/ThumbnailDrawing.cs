@@ -56,7 +56,8 @@ namespace FastPoints.Editor
         public static ThumbnailDrawing OfFiles(IReadOnlyList<string> sources)
         {
             var reader = PointReaders.Open(sources);
-            var preview = new PreviewCloud(reader, new PreviewOptions { Points = PreviewPoints, Quick = true, Picture = Options });
+            var preview = new PreviewCloud(reader,
+                new PreviewOptions { Points = PreviewPoints, Quick = true, Picture = Options });
             return new ThumbnailDrawing(preview.Run(null), () => preview.Image, preview, reader);
         }
 

@@ -64,7 +64,9 @@ namespace FastPoints.Samples.RunTimeLoading
                 cloud.Path = m_target;
             else if (IsDone)
                 cloud.Reopen();
-            Status = IsDone ? m_target : string.Format(CultureInfo.InvariantCulture, "{0} {1:0} %", m_progress.Current, m_progress.Share * 100);
+            Status = IsDone
+                ? m_target
+                : string.Format(CultureInfo.InvariantCulture, "{0} {1:0} %", m_progress.Current, m_progress.Share * 100);
         }
 
         void OnGUI() => GUILayout.Label(Status);

@@ -43,6 +43,7 @@ namespace FastPoints.Samples.StreamingFlight
             transform.SetPositionAndRotation(place, Quaternion.LookRotation(ahead - place));
         }
 
-        static Vector3 On(Vector3 across, float angle) => new Vector3(across.x * Mathf.Cos(angle), 0, across.z * Mathf.Sin(angle));
+        static Vector3 On(Vector3 across, float angle) =>
+            new Vector3(across.x * Mathf.Cos(angle), 0, across.z * Mathf.Sin(angle));
     }
 }

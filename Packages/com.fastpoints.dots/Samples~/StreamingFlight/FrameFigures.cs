@@ -26,7 +26,8 @@ namespace FastPoints.Samples.StreamingFlight
         }
 
         public static string Describe(in FrameStats stats) => string.Format(CultureInfo.InvariantCulture,
-            "{0:N0} points in {1} nodes drawn, {2:N0} selected\n{3:0.0} MB in graphics memory, {4:0.0} KB copied, {5} reads under way\n" +
+            "{0:N0} points in {1} nodes drawn, {2:N0} selected\n{3:0.0} MB in graphics memory, {4:0.0} KB " +
+                "copied, {5} reads under way\n" +
             "{6:0.00} ms of the main thread (select {7:0.00})", stats.DrawnPoints, stats.DrawnNodes, stats.SelectedPoints,
             stats.PoolBytes / 1e6, stats.UploadedBytes / 1e3, stats.ReadsUnderWay, stats.TotalMs, stats.SelectMs);
     }

@@ -70,7 +70,8 @@ namespace FastPoints.UnityTests
 
             string[] made = AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset), new[] { TestProject.Folder });
             Assert.That(made, Has.Length.EqualTo(1));
-            Assert.That(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(made[0])).Points, Is.EqualTo(Points));
+            Assert.That(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(AssetDatabase.GUIDToAssetPath(made[0])).Points,
+                Is.EqualTo(Points));
         }
     }
 }

@@ -41,7 +41,8 @@ namespace FastPoints.UnityTests
                 Assert.That(report.summary.result, Is.EqualTo(BuildResult.Succeeded));
                 string[] manifests = Directory.GetFiles(folder, StoreFormat.ManifestName, SearchOption.AllDirectories);
                 Assert.That(manifests, Has.Length.EqualTo(1), "clouds in the player");
-                Assert.That(Path.GetDirectoryName(manifests[0]).Replace('\\', '/'), Does.EndWith("StreamingAssets/" + asset.PlayerPath));
+                Assert.That(Path.GetDirectoryName(manifests[0]).Replace('\\', '/'),
+                    Does.EndWith("StreamingAssets/" + asset.PlayerPath));
             }
             finally
             {

@@ -33,7 +33,8 @@ namespace FastPoints.LazEncoding
                 recordBytes = reader.Info.RecordBytes;
                 pointFormat = reader.Info.PointFormat;
             }
-            var items = LazItems.Of(pointFormat, pointFormat < 6 ? 2 : 3, recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
+            var items = LazItems.Of(pointFormat, pointFormat < 6 ? 2 : 3,
+                recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
             var vlr = LazItems.Vlr(items, pointFormat < 6 ? LazCompressor.PointwiseChunked : LazCompressor.LayeredChunked,
                 ChunkPoints);
             using (var source = new FileStream(lasPath, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20))

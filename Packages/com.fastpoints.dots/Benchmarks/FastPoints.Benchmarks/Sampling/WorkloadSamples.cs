@@ -7,8 +7,8 @@ namespace FastPoints.Benchmarks
     public sealed class WorkloadSamples
     {
         /// <summary>Names of the series. Scripts and comparisons with earlier runs go by them.</summary>
-        public const string Time = "Time", PointsPerSecond = "Points/s", BytesPerSecond = "Bytes/s", Garbage = "GC", Error = "Error",
-            TimesLimit = "Times limit";
+        public const string Time = "Time", PointsPerSecond = "Points/s", BytesPerSecond = "Bytes/s",
+            Garbage = "GC", Error = "Error", TimesLimit = "Times limit";
 
         readonly List<double> m_ms = new List<double>();
         readonly List<double> m_garbageBytes = new List<double>();
@@ -71,9 +71,11 @@ namespace FastPoints.Benchmarks
         {
             yield return new SampleSeries(Time, SeriesUnit.Millisecond, false, m_ms);
             if (Points > 0)
-                yield return new SampleSeries(PointsPerSecond, SeriesUnit.Undefined, true, m_ms.Select(ms => PerSecond(Points, ms)));
+                yield return new SampleSeries(PointsPerSecond, SeriesUnit.Undefined, true,
+                    m_ms.Select(ms => PerSecond(Points, ms)));
             if (Bytes > 0)
-                yield return new SampleSeries(BytesPerSecond, SeriesUnit.Undefined, true, m_ms.Select(ms => PerSecond(Bytes, ms)));
+                yield return new SampleSeries(BytesPerSecond, SeriesUnit.Undefined, true,
+                    m_ms.Select(ms => PerSecond(Bytes, ms)));
             yield return new SampleSeries(Garbage, SeriesUnit.Byte, false, m_garbageBytes);
             yield return new SampleSeries(ErrorUnit == null ? Error : Error + " (" + ErrorUnit + ")", SeriesUnit.Undefined,
                 m_result.ErrorIncreaseIsBetter, m_errors);

@@ -70,16 +70,19 @@ namespace FastPoints.Benchmarks
                 m_records = (byte*)UnsafeUtility.Malloc((long)Points * StrideBytes, 64, Allocator.Persistent);
                 var threads = new ParallelOptions { MaxDegreeOfParallelism = JobsUtility.JobWorkerCount + 1 };
                 int pieces = (Points + PiecePoints - 1) / PiecePoints;
-                Parallel.For(0, pieces, threads, () => new Piece(m_path), (piece, _, buffer) => { Count(piece, buffer); return buffer; }, b => b.Dispose());
+                Parallel.For(0, pieces, threads, () => new Piece(m_path),
+                    (piece, _, buffer) => { Count(piece, buffer); return buffer; }, b => b.Dispose());
                 var first = new long[m_next.Length + 1];
                 for (int c = 0; c < m_next.Length; c++)
                 {
                     first[c + 1] = first[c] + m_next[c];
                     m_next[c] = first[c];
                 }
-                Parallel.For(0, pieces, threads, () => new Piece(m_path), (piece, _, buffer) => { Scatter(piece, buffer); return buffer; }, b => b.Dispose());
+                Parallel.For(0, pieces, threads, () => new Piece(m_path),
+                    (piece, _, buffer) => { Scatter(piece, buffer); return buffer; }, b => b.Dispose());
                 using (var file = new FileStream(target, FileMode.Create))
-                    Parallel.For(0, m_next.Length, threads, cell => OrderAndWrite(first[cell], (int)(first[cell + 1] - first[cell]), file));
+                    Parallel.For(0, m_next.Length, threads,
+                        cell => OrderAndWrite(first[cell], (int)(first[cell + 1] - first[cell]), file));
                 UnsafeUtility.Free(m_records, Allocator.Persistent);
             }
 

@@ -25,7 +25,8 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             ConvertResult result = null;
-            var settings = new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
+            var settings =
+                new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
             using (var reader = PointReaders.Open(m_source))
             {
                 WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));

@@ -202,7 +202,8 @@ namespace FastPoints.Benchmarks
                 "<versionMajor type=\"Integer\">1</versionMajor>\n<versionMinor type=\"Integer\">0</versionMinor>\n" +
                 "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\">\n<vectorChild type=\"Structure\">\n" +
                 "<guid type=\"String\">hills 1</guid>\n<name type=\"String\">hills</name>\n" +
-                "<points type=\"CompressedVector\" fileOffset=\"" + HeaderBytes + "\" recordCount=\"" + points + "\">\n<prototype type=\"Structure\">\n" + Scaled("cartesianX") +
+                "<points type=\"CompressedVector\" fileOffset=\"" + HeaderBytes + "\" recordCount=\"" + points +
+                "\">\n<prototype type=\"Structure\">\n" + Scaled("cartesianX") +
                 Scaled("cartesianY") + Scaled("cartesianZ") + Plain("colorRed", 255) + Plain("colorGreen", 255) +
                 Plain("colorBlue", 255) + Plain("intensity", 4095) + Plain("cartesianInvalidState", 1) +
                 "</prototype>\n<codecs type=\"Vector\" allowHeterogeneousChildren=\"1\"/>\n</points>\n</vectorChild>\n" +

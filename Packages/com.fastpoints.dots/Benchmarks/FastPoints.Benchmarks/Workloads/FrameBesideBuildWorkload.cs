@@ -75,7 +75,8 @@ namespace FastPoints.Benchmarks
                         Bytes = reader.Info.FileBytes,
                         Error = waits.QuantileMs(0.99),
                         ErrorUnit = "ms p99 wait",
-                        Note = string.Format(CultureInfo.InvariantCulture, "{0} frames waited for their own jobs {1:0.0} ms (p50), "
+                        Note = string.Format(CultureInfo.InvariantCulture,
+                            "{0} frames waited for their own jobs {1:0.0} ms (p50), "
                             + "{2:0.0} (p99), {3:0.0} (max), and for the pump {4:0.0}, {5:0.0}, {6:0.0}", frames,
                             waits.QuantileMs(0.5), waits.QuantileMs(0.99), waits.QuantileMs(1),
                             ticks.QuantileMs(0.5), ticks.QuantileMs(0.99), ticks.QuantileMs(1)),

@@ -50,7 +50,8 @@ namespace FastPoints.Benchmarks
                         line.Append(NumberText.Of(x)).Append(' ');
                         line.Append(NumberText.Of(y)).Append(' ');
                         line.Append(NumberText.Of(z)).Append(' ');
-                        line.Append(color & 255).Append(' ').Append(color >> 8 & 255).Append(' ').Append(color >> 16).Append('\n');
+                        line.Append(color & 255).Append(' ').Append(color >> 8 & 255).Append(' ')
+                            .Append(color >> 16).Append('\n');
                         Write(stream, line.ToString());
                         continue;
                     }

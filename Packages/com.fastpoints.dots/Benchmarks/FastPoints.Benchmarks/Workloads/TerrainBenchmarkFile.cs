@@ -54,7 +54,8 @@ namespace FastPoints.Benchmarks
             string las = Make(context), path = Path.ChangeExtension(las, StoreFormat.FolderExtension);
             if (Directory.Exists(path))
                 return path;
-            var settings = new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
+            var settings =
+                new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
             using (var reader = PointReaders.Open(las))
                 WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, path, settings, r => { }, null));
             return path;
@@ -63,7 +64,8 @@ namespace FastPoints.Benchmarks
         static void Write(byte* record, int index, int perLine, double side, ref Unity.Mathematics.Random random)
         {
             double x = (index % perLine + random.NextDouble()) * Spacing, y = (index / perLine + random.NextDouble()) * Spacing;
-            double height = 800 * math.sin(x / side * 9) * math.cos(y / side * 7) + 60 * math.sin(x * 0.01) + random.NextDouble() * 3;
+            double height = 800 * math.sin(x / side * 9) * math.cos(y / side * 7) +
+                60 * math.sin(x * 0.01) + random.NextDouble() * 3;
             if ((((int)(x / 900) * 73856093 ^ (int)(y / 900) * 19349663) & 7) == 0)
                 height += 600;
             ((int*)record)[0] = (int)x;

@@ -48,7 +48,8 @@ namespace FastPoints.Tests.Benchmarks
 
         [Test]
         public void Series_ErrorThatIsInfinite_IsLeftOut() => Assert.That(
-            Series(Of(new WorkloadResult { Points = 1, Error = double.PositiveInfinity }, null, 1), WorkloadSamples.Error).Samples, Is.Empty);
+            Series(Of(new WorkloadResult { Points = 1, Error = double.PositiveInfinity }, null, 1),
+                WorkloadSamples.Error).Samples, Is.Empty);
 
         [Test]
         public void TimesTheLimit_OtherNumberOfPoints_IsByPoint()

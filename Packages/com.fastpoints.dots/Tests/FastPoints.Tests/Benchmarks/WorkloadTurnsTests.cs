@@ -58,7 +58,8 @@ namespace FastPoints.Tests.Benchmarks
 
             Assert.That(log, Is.EqualTo(new[]
             {
-                "prepare limit", "limit", "prepare work", "work", "limit", "work", "limit", "work", "dispose limit", "dispose work",
+                "prepare limit", "limit", "prepare work", "work", "limit", "work", "limit", "work",
+                "dispose limit", "dispose work",
             }));
             Assert.That(samples.Select(s => s.Ms.Count), Is.EqualTo(new[] { 2, 2 }));
             Assert.That(samples[0].HasLimit, Is.False);
@@ -69,7 +70,8 @@ namespace FastPoints.Tests.Benchmarks
         public void Take_AWorkloadThatThrows_DisposesAll()
         {
             var log = new List<string>();
-            var group = new IWorkload[] { new Told("limit", null, log), new Told("work", "limit", log, () => throw new InvalidOperationException()) };
+            var group = new IWorkload[] { new Told("limit", null, log),
+                new Told("work", "limit", log, () => throw new InvalidOperationException()) };
 
             Assert.That(() => WorkloadTurns.Take(group, new WorkloadContext(), Settings(1)), Throws.InvalidOperationException);
             Assert.That(log, Does.Contain("dispose limit").And.Contain("dispose work"));
@@ -94,7 +96,8 @@ namespace FastPoints.Tests.Benchmarks
             TurnSettings settings = Settings(3);
             settings.AllocatedBytes = () => allocated;
 
-            var samples = WorkloadTurns.Take(new IWorkload[] { new Told("work", null, new List<string>(), () => allocated += 64) },
+            var samples =
+                WorkloadTurns.Take(new IWorkload[] { new Told("work", null, new List<string>(), () => allocated += 64) },
                 new WorkloadContext(), settings);
 
             Assert.That(samples[0].MedianGarbageBytes, Is.EqualTo(64));
@@ -118,7 +121,8 @@ namespace FastPoints.Tests.Benchmarks
             List<IWorkload> grouped = WorkloadTurns.Groups(all, all).SelectMany(g => g).ToList();
 
             Assert.That(grouped.Select(w => w.Name), Is.EquivalentTo(all.Select(w => w.Name)).And.Unique);
-            Assert.That(all.Where(w => w.LimitName != null).Select(w => w.LimitName).Distinct(), Is.SubsetOf(all.Select(w => w.Name)));
+            Assert.That(all.Where(w => w.LimitName != null).Select(w => w.LimitName).Distinct(),
+                Is.SubsetOf(all.Select(w => w.Name)));
         }
     }
 }

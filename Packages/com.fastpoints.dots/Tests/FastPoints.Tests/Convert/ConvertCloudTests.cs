@@ -133,7 +133,8 @@ namespace FastPoints.Tests.Convert
             var places = Uniform(90000, 20000);
             for (int i = 0; i < 60000; i++)
                 places[i * 3 / 2] = new int3(777, 778, 779);
-            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 20000, Sampler = sampler });
+            var made = Prove(MemoryReader.Of(places, s_centimetres),
+                new ConvertSettings { PointsPerChunk = 20000, Sampler = sampler });
             Assert.That(made.LevelCount, Is.EqualTo(made.Manifest.Root.SideLog2 + 1));
         }
 
@@ -195,7 +196,8 @@ namespace FastPoints.Tests.Convert
             for (int i = 30000; i < 60000; i++)
                 places[i] += new int3(100000, 50000, 0);
             places[45001] = new int3(-2000000000, 2000000000, 5);
-            var made = Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 5000, Sampler = sampler });
+            var made = Prove(MemoryReader.Of(places, s_centimetres),
+                new ConvertSettings { PointsPerChunk = 5000, Sampler = sampler });
             Assert.That(made.Manifest.Root.SideLog2, Is.InRange(31, 32));
         }
 
@@ -329,12 +331,14 @@ namespace FastPoints.Tests.Convert
             var places = Uniform(300000, 100000);
             for (int i = 0; i < places.Length; i++)
                 places[i].z = places[i].x / 3 + places[i].y / 5;
-            Prove(MemoryReader.Of(places, s_centimetres), new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Poisson });
+            Prove(MemoryReader.Of(places, s_centimetres),
+                new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Poisson });
             var verified = Verify(null);
             int sampledLevels = 0;
             foreach (var level in verified.Levels)
             {
-                TestContext.WriteLine(level.Nodes + " nodes, " + level.SampledPoints + " of " + level.Points + " points sampled, " +
+                TestContext.WriteLine(level.Nodes + " nodes, " + level.SampledPoints + " of " +
+                    level.Points + " points sampled, " +
                     level.MinDistance / level.Spacing + " spacings, " + level.NearAcrossChunks + " nearer across chunks");
                 if (level.SampledPoints == 0)
                     continue;

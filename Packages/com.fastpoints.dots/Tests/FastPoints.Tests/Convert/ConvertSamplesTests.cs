@@ -25,7 +25,8 @@ namespace FastPoints.Tests.Convert
             int converted = 0;
             try
             {
-                foreach (string file in Directory.GetFiles(Path.Combine(TestData.Samples, kind)).OrderBy(f => f, StringComparer.Ordinal))
+                foreach (string file in Directory.GetFiles(Path.Combine(TestData.Samples, kind))
+                    .OrderBy(f => f, StringComparer.Ordinal))
                 {
                     string problem = Prove(file, Path.Combine(scratch, "c.fastpoints"), ref converted);
                     if (problem != null)
@@ -59,7 +60,9 @@ namespace FastPoints.Tests.Convert
                 }
                 catch (PointCloudException)
                 {
-                    return Directory.Exists(target) || Directory.Exists(target + ".part") ? "a failed conversion left something" : null;
+                    return Directory.Exists(target) || Directory.Exists(target + ".part")
+                        ? "a failed conversion left something"
+                        : null;
                 }
                 converted++;
                 var result = new VerifyResult();

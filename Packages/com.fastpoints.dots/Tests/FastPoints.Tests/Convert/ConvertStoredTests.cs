@@ -172,7 +172,8 @@ namespace FastPoints.Tests.Convert
             foreach (var level in result.Levels)
             {
                 TestContext.WriteLine(level.SampledPoints + " of " + level.Points + " points sampled, " +
-                    level.MinDistance / level.Spacing + " spacings, " + level.MinDistanceAcrossChunks / level.Spacing + " of all");
+                    level.MinDistance / level.Spacing + " spacings, " +
+                    level.MinDistanceAcrossChunks / level.Spacing + " of all");
                 if (level.SampledPoints == 0)
                     continue;
                 levels++;

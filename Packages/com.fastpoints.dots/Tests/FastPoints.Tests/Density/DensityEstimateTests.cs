@@ -149,7 +149,8 @@ namespace FastPoints.Tests.Density
             var leaves = density.Leaves().ToList();
             Assert.That(leaves.Where(l => !l.Cell.IsKnown).Select(l => l.Cell.StandardError), Is.Not.Empty.And.All.NaN);
             var truths = Count(leaves, points);
-            Assert.That(leaves.Zip(truths, (l, t) => l.Cell.IsKnown ? 0 : t).Sum(), Is.GreaterThan(0), "none of them being empty is what the name says");
+            Assert.That(leaves.Zip(truths, (l, t) => l.Cell.IsKnown ? 0 : t).Sum(), Is.GreaterThan(0),
+                "none of them being empty is what the name says");
         }
 
         [Test]

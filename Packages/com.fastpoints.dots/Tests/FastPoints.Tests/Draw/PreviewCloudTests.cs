@@ -31,7 +31,8 @@ namespace FastPoints.Tests.Draw
                 Assert.That(sample.Count, Is.EqualTo(wave.Points));
                 // What is told of is spread over all of the cloud.
                 var places = sample.Points.Column<int>(AttributeNames.Y);
-                Assert.That(places.ToArray().Take(sample.Count).Max() - places.ToArray().Take(sample.Count).Min(), Is.GreaterThan(700));
+                Assert.That(places.ToArray().Take(sample.Count).Max() - places.ToArray().Take(sample.Count).Min(),
+                    Is.GreaterThan(700));
             };
             WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
             // 2,000 and 20,000 of beginnings, a fifth, a half, all.

@@ -34,7 +34,8 @@ namespace FastPoints.Tests.Draw
             return preview;
         }
 
-        static int[] Xs(PreviewSample sample) => sample.Points.Column<int>(AttributeNames.X).ToArray().Take(sample.Count).ToArray();
+        static int[] Xs(PreviewSample sample) =>
+            sample.Points.Column<int>(AttributeNames.X).ToArray().Take(sample.Count).ToArray();
 
         static string[] Warnings(PointReader reader) => reader.Info.Warnings.Select(w => w.Text).ToArray();
 
@@ -126,7 +127,8 @@ namespace FastPoints.Tests.Draw
             WorkPump.RunToEnd(preview.Run(new StageProgress()));
             Assert.That(preview.Sample.Count, Is.EqualTo(1000));
             Assert.That(Xs(preview.Sample), Has.All.InRange(1, 100_000));
-            Assert.That(Warnings(reader), Has.Exactly(1).Contains("changed while it was read (2,000,375 bytes before, 2,005,375 now)"));
+            Assert.That(Warnings(reader),
+                Has.Exactly(1).Contains("changed while it was read (2,000,375 bytes before, 2,005,375 now)"));
         }
 
         [Test]

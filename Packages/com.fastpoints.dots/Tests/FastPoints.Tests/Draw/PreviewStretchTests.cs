@@ -47,7 +47,8 @@ namespace FastPoints.Tests.Draw
         }
 
         [TestCase(".xyz", "")]
-        [TestCase(".ply", "ply\nformat ascii 1.0\nelement vertex 800000\nproperty float x\nproperty float y\nproperty float z\nend_header\n")]
+        [TestCase(".ply", "ply\nformat ascii 1.0\nelement vertex 800000\nproperty float x\n"
+            + "property float y\nproperty float z\nend_header\n")]
         public void QuickPreview_OfLongText_IsFairToLinesOfAnyLength(string name, string header)
         {
             Write(name, header);
@@ -82,7 +83,8 @@ namespace FastPoints.Tests.Draw
             using var reader = PointReaders.Open(m_path);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 20_000 });
             int widest = 0;
-            preview.WaveReady += (sample, wave) => widest = Math.Max(widest, Xs(sample).GroupBy(x => (int)x / (Lines / 8)).Count());
+            preview.WaveReady += (sample, wave) =>
+                widest = Math.Max(widest, Xs(sample).GroupBy(x => (int)x / (Lines / 8)).Count());
             WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(Xs(preview.Sample), Is.EqualTo(Xs(exact.Sample)));
             Assert.That(preview.Waves.Count, Is.EqualTo(5));

@@ -133,7 +133,8 @@ namespace FastPoints.Tests.Entities
                 Frames(() => file.Error != null);
                 Assert.That(file.Error, Is.EqualTo(path + ": InvalidOperationException: planted"));
                 Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.True);
-                Assert.That(failure.What, Does.Contain(file.Error).And.Contains(nameof(CloudStatesTests)), "and where it was thrown");
+                Assert.That(failure.What, Does.Contain(file.Error).And.Contains(nameof(CloudStatesTests)),
+                    "and where it was thrown");
                 for (int frame = 0; frame < 5; frame++)
                     Frame();
                 Assert.That(m_group.Stream.TryTakeFailure(out _), Is.False);

@@ -36,7 +36,8 @@ namespace FastPoints.Tests.Entities
         {
             m_world = new World("clouds");
             DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(ApplyBudgetSystem), typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
+                typeof(ApplyBudgetSystem), typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem),
+                typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
                 typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem), typeof(TrackNodesSystem),
                 typeof(ReportFailuresSystem));
             m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
@@ -174,7 +175,9 @@ namespace FastPoints.Tests.Entities
             Frame(StreamedTestCloud.Overview());
             var node = Entities.GetComponentData<PointCloudNode>(entity);
             foreach (var drawn in m_group.Stream.Drawn)
-                Assert.That(drawn.Tint, Is.EqualTo(drawn.Page == node.Page && drawn.Node == node.Node ? 0xFF0000FF : CacheSlot.White));
+                Assert.That(drawn.Tint, Is.EqualTo(drawn.Page == node.Page && drawn.Node == node.Node
+                    ? 0xFF0000FF
+                    : CacheSlot.White));
         }
 
         [Test]

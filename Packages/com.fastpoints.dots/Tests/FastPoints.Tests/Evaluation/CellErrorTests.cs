@@ -200,7 +200,8 @@ namespace FastPoints.Tests.Evaluation
             var point = new double3(5, 6, 7);
             foreach (var bounds in new[]
                 { new BoundsGeo(point, point), new BoundsGeo(point, point + new double3(5e-324, 0, 0)), BoundsGeo.Empty,
-                    new BoundsGeo(point - 1e300, point + 1e300), new BoundsGeo(point * -double.MaxValue, point * double.MaxValue) })
+                    new BoundsGeo(point - 1e300, point + 1e300),
+                    new BoundsGeo(point * -double.MaxValue, point * double.MaxValue) })
             {
                 var grid = new ErrorGrid(bounds);
                 foreach (var at in new[] { point, bounds.Min, bounds.Max, bounds.Center })

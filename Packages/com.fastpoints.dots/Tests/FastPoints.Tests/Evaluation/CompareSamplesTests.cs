@@ -72,7 +72,8 @@ namespace FastPoints.Tests.Evaluation
         {
             var cloud = Positions(40_000, 2);
             var mixed = Scrambled(cloud);
-            var errors = Measure(cloud, mixed.Take(400).ToArray(), mixed.Take(8000).ToArray(), cloud.Where(p => p.y < 30).ToArray());
+            var errors = Measure(cloud, mixed.Take(400).ToArray(), mixed.Take(8000).ToArray(),
+                cloud.Where(p => p.y < 30).ToArray());
             var few = errors[0];
             var many = errors[1];
             var half = errors[2];

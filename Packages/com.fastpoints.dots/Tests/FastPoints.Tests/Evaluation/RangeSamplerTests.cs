@@ -30,7 +30,8 @@ namespace FastPoints.Tests.Evaluation
         }
 
         [Test]
-        public void Whole_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted, [Values(1, 7)] int workers)
+        public void Whole_FewerWanted_IsEveryNth([Values(1, 7, 1000, 9999, 10_000, 20_000)] int wanted,
+            [Values(1, 7)] int workers)
         {
             using var threads = new WorkerCount(workers);
             using var reader = Numbered(10_000, 777);
@@ -43,7 +44,8 @@ namespace FastPoints.Tests.Evaluation
         public void Single_IsTheSameChoice()
         {
             using var reader = Numbered(10_000, 777);
-            Assert.That(Take(reader, RangeSampler.Single(reader, 321), 321), Is.EqualTo(Take(reader, RangeSampler.Whole(reader), 321)));
+            Assert.That(Take(reader, RangeSampler.Single(reader, 321), 321),
+                Is.EqualTo(Take(reader, RangeSampler.Whole(reader), 321)));
         }
 
         [Test]

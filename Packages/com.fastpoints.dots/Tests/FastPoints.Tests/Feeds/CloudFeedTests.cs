@@ -186,7 +186,8 @@ namespace FastPoints.Tests.Feeds
         }
 
         static int FilesIn(string path) =>
-            Directory.GetFiles(Directory.Exists(path) ? path : Path.GetDirectoryName(path), "*", SearchOption.TopDirectoryOnly).Length;
+            Directory.GetFiles(Directory.Exists(path) ? path : Path.GetDirectoryName(path), "*",
+                SearchOption.TopDirectoryOnly).Length;
 
         [Test]
         public void Dispose_InTheMiddleOfAPreview_FreesAll()

@@ -40,13 +40,15 @@ namespace FastPoints.Tests.Feeds
         {
             int Fail() => throw new InvalidOperationException("planted");
             var work = PoolWork.Begin("cloud", () => Task.Run(Fail).Result);
-            Assert.That(Assert.Throws<PointCloudException>(() => work.Take()).What, Is.EqualTo("InvalidOperationException: planted"));
+            Assert.That(Assert.Throws<PointCloudException>(() => work.Take()).What,
+                Is.EqualTo("InvalidOperationException: planted"));
         }
 
         [Test]
         public void TakeIfSound_OfWorkThatFails_IsNothing()
         {
-            Assert.That(PoolWork.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeIfSound(), Is.Null);
+            Assert.That(PoolWork.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeIfSound(),
+                Is.Null);
         }
 
         [Test]

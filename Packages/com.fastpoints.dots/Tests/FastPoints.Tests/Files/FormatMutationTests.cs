@@ -61,7 +61,8 @@ namespace FastPoints.Tests.Files
             int cases = Number("FASTPOINTS_MUTATIONS", LongCases), own = FormatFixture.All.Count(f => !f.IsSample);
             int ofThis = fixture.IsSample ? Math.Max(1, cases / 1000) : (cases + own - 1) / own;
             int readable = Mutate(fixture, ofThis, Number("FASTPOINTS_MUTATIONS_SEED", 7), fixture.IsSample ? 0 : 1);
-            TestContext.Progress.WriteLine(fixture + ": " + ofThis + " damaged clouds, " + readable + " of them read to their end");
+            TestContext.Progress.WriteLine(fixture + ": " + ofThis + " damaged clouds, " + readable +
+                " of them read to their end");
         }
 
         static int Number(string variable, int otherwise) =>
@@ -239,7 +240,8 @@ namespace FastPoints.Tests.Files
             catch (PointCloudException failure)
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), story);
-                bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed || failure.Code == FailureCode.NotFound;
+                bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed ||
+                    failure.Code == FailureCode.NotFound;
                 Assert.That(isInput, Is.True, story + ": " + failure.Message);
                 return false;
             }

@@ -82,7 +82,8 @@ namespace FastPoints.Tests.Gpu
             var places = new int3[60_000];
             for (int i = 0; i < places.Length; i++)
                 places[i] = new int3(i % 3 * 900_000, i % 2 * 900_000, 0) + random.NextInt3(2000);
-            var centimetres = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = StreamedTestCloud.OriginGeo };
+            var centimetres =
+                new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = StreamedTestCloud.OriginGeo };
             using (var cloud = new StreamedTestCloud(6000, MemoryReader.Of(places, centimetres, 5000)))
             using (var stream = StreamedTestCloud.Stream())
             using (var sizes = new SizeTree())
@@ -92,12 +93,17 @@ namespace FastPoints.Tests.Gpu
                 stream.Settings.Selection.FinestSpacingPx = 0;
                 stream.Settings.Selection.SmallestNodePx = 0;
                 var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
-                StreamedTestCloud.Settle(stream, FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
+                StreamedTestCloud.Settle(stream,
+                    FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
                     new double3(0, 0, 1), 60));
                 sizes.Build(stream);
                 int far = 0;
                 foreach (var drawn in stream.Drawn)
-                    far += drawn.Parent >= 0 && CubeOf(stream, drawn).Edge * 2 < CubeOf(stream, stream.Drawn[drawn.Parent]).Edge ? 1 : 0;
+                {
+                    bool isFar = drawn.Parent >= 0 &&
+                        CubeOf(stream, drawn).Edge * 2 < CubeOf(stream, stream.Drawn[drawn.Parent]).Edge;
+                    far += isFar ? 1 : 0;
+                }
                 Assert.That(far, Is.GreaterThan(2));
                 Assert.That(sizes.Nodes.Length, Is.GreaterThan(stream.Drawn.Length));
                 CheckGaps(stream, sizes, 1);

@@ -121,8 +121,8 @@ namespace FastPoints.Tests.Picking
         public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
         {
             var random = new Unity.Mathematics.Random(2);
-            var box = new ClipBox(PickTestCloud.OriginGeo + new double3(0, 0, 3), PickTestCloud.OriginGeo + new double3(100, 100, 40),
-                true);
+            var box = new ClipBox(PickTestCloud.OriginGeo + new double3(0, 0, 3),
+                PickTestCloud.OriginGeo + new double3(100, 100, 40), true);
             var options = EveryPoint;
             options.HiddenClasses = ClassMask.Of(2, 3, 4, 5);
             options.ClipBoxes.Add(box);

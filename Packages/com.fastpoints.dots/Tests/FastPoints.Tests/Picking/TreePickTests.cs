@@ -96,7 +96,8 @@ namespace FastPoints.Tests.Picking
                     Assert.That(got.Attributes.Select(a => a.Attribute), Is.EqualTo(want.Attributes.Select(a => a.Attribute)));
                     // Of several points at one place it may be another.
                     if (all.Count(p => p.Equals(got.PlaceGeo)) == 1)
-                        Assert.That(got.Attributes.Select(a => a.ToString()), Is.EqualTo(want.Attributes.Select(a => a.ToString())));
+                        Assert.That(got.Attributes.Select(a => a.ToString()),
+                            Is.EqualTo(want.Attributes.Select(a => a.ToString())));
                 }
             }
             Assert.That(found.Count, Is.GreaterThan(rays / 4));

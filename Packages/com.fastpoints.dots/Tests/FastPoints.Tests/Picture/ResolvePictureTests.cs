@@ -74,7 +74,8 @@ namespace FastPoints.Tests.Picture
             }.Schedule(3, default).Complete();
             // Three of the pixels have 0xFF, 0x20.
             int count = 8 - empty;
-            uint green = (uint)((3 * 0xFF + count / 2) / count), red = (uint)((3 * 0x20 + (count - 3) * 0x10 + count / 2) / count);
+            uint green = (uint)((3 * 0xFF + count / 2) / count),
+                red = (uint)((3 * 0x20 + (count - 3) * 0x10 + count / 2) / count);
             Assert.That(colors[4], Is.EqualTo(isFilled ? 0xFF000000u | green << 8 | red : 0x12345678u));
         }
 

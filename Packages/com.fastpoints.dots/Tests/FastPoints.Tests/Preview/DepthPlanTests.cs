@@ -36,7 +36,8 @@ namespace FastPoints.Tests.Preview
                     }
                 }
                 Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(share * count));
-                Assert.That(plan.Taken, Is.LessThanOrEqualTo(share * count + (plan.IsSliced ? reader.BlockCount : pointsPerBlock)));
+                Assert.That(plan.Taken,
+                    Is.LessThanOrEqualTo(share * count + (plan.IsSliced ? reader.BlockCount : pointsPerBlock)));
             }
             for (int block = 0; block < taken.Length; block++)
                 Assert.That(plan.IsTaken(block) && taken[block] == reader.PointsInBlock(block), Is.True);

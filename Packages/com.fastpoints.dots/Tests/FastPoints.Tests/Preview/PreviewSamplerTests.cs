@@ -28,7 +28,8 @@ namespace FastPoints.Tests.Preview
         {
             var bytes = new List<byte>(Encoding.ASCII.GetBytes("ply\nformat binary_" + (isBigEndian ? "big" : "little")
                 + "_endian 1.0\nelement vertex " + count
-                + "\nproperty int x\nproperty int y\nproperty int z\nproperty uchar class\nproperty ushort intensity\nend_header\n"));
+                + "\nproperty int x\nproperty int y\nproperty int z\n"
+                + "property uchar class\nproperty ushort intensity\nend_header\n"));
             for (int i = 0; i < count; i++)
             {
                 Add(i, 4);

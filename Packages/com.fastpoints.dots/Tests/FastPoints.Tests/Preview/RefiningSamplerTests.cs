@@ -75,7 +75,8 @@ namespace FastPoints.Tests.Preview
                 {
                     Assert.That(run.First, Is.EqualTo(next));
                     Assert.That(run.Count, Is.GreaterThan(0));
-                    var blocks = points.Skip(run.First).Take(run.Count).Select(p => IndexOf(p) / pointsPerBlock).Distinct().ToArray();
+                    var blocks = points.Skip(run.First).Take(run.Count).Select(p => IndexOf(p) / pointsPerBlock)
+                        .Distinct().ToArray();
                     Assert.That(blocks, Has.Length.EqualTo(1));
                     Assert.That(blocks[0], Is.GreaterThan(lastBlock));
                     lastBlock = blocks[0];
@@ -185,7 +186,8 @@ namespace FastPoints.Tests.Preview
             }
             using var reader = new MemoryPointReader(batch, 1600, fixedStride: false);
             var waves = new List<(int, int, int)[]>();
-            using var sampler = new RefiningSampler(reader, 20_000, 1, null, new BoundsGeo(default, new double3(20_000, 20_000, 1)));
+            using var sampler = new RefiningSampler(reader, 20_000, 1, null,
+                new BoundsGeo(default, new double3(20_000, 20_000, 1)));
             sampler.WaveReady += wave => waves.Add(Positions(sampler.Sample));
             WorkPump.RunToEnd(sampler.Run(2, null));
             // A 32nd of the edge: 1,024 cells; of the 4,000 points that were read anywhere about a tenth is the scan's.

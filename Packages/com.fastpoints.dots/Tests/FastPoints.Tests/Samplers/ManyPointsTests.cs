@@ -37,7 +37,8 @@ namespace FastPoints.Tests.Samplers
                     var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
                     Assert.That(plan.IsStored, Is.True);
                     PartitionMap map = null;
-                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, m => map = m));
+                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid,
+                        Points, plan, m => map = m));
                     using (map)
                     {
                         var points = new double[map.Chunks.Length + 1];

@@ -55,7 +55,8 @@ namespace FastPoints.Tests.Samplers
                 foreach (int point in tried)
                 {
                     var cube = cubeOfPoint[point];
-                    if (cube == null || CellOfPoint[point] != Untaken || cube.Taken == m_sizes.MaxPointsPerNode || IsKeptOff(point, cell))
+                    if (cube == null || CellOfPoint[point] != Untaken || cube.Taken == m_sizes.MaxPointsPerNode ||
+                        IsKeptOff(point, cell))
                         continue;
                     CellOfPoint[point] = cell;
                     cube.Taken++;
@@ -161,7 +162,8 @@ namespace FastPoints.Tests.Samplers
                     continue;
                 var d = m_places[point] - m_places[other];
                 // Exact for spacings below 2^31.
-                if (((d.X < 0 ? -d.X : d.X) | (d.Y < 0 ? -d.Y : d.Y) | (d.Z < 0 ? -d.Z : d.Z)) >> cell == 0 && d.X * d.X + d.Y * d.Y + d.Z * d.Z < 1L << 2 * cell)
+                if (((d.X < 0 ? -d.X : d.X) | (d.Y < 0 ? -d.Y : d.Y) | (d.Z < 0 ? -d.Z : d.Z)) >> cell == 0 &&
+                    d.X * d.X + d.Y * d.Y + d.Z * d.Z < 1L << 2 * cell)
                     return true;
             }
             return false;

@@ -36,7 +36,8 @@ namespace FastPoints.Tests.Samplers
         [TestCase(61)]
         public void Sample_VastSpan_KeepsTheDistance(int bits)
         {
-            var places = SamplingClouds.Make(5000, (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
+            var places = SamplingClouds.Make(5000,
+                (r, i) => (new Grid3(Long(ref r, bits), Long(ref r, i % 2 == 0 ? bits : 12), i % 3 == 0
                 ? Long(ref r, bits)
                 : 0), r));
             var sampled = SampledPoints.Run(places, Sampler.Poisson, s_small);
@@ -61,7 +62,8 @@ namespace FastPoints.Tests.Samplers
         {
             foreach (var places in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
             {
-                var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
+                var sizes =
+                    new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
                 var sampled = SampledPoints.Run(places, Sampler.Poisson, sizes);
                 CheckNodes(sampled, sizes);
                 Assert.That(sampled.SmallestRatio(), Is.InRange(1.0, 1.01));
@@ -84,7 +86,8 @@ namespace FastPoints.Tests.Samplers
                 int widest = 0;
                 foreach (var node in sampled.Nodes)
                     widest = Math.Max(widest, node.CellLog2);
-                double own = Unevenness(sampled, i => sampled.IsSampled(i) && sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 >= widest - 1);
+                double own = Unevenness(sampled,
+                    i => sampled.IsSampled(i) && sampled.Nodes[sampled.NodeOfPoint[i]].CellLog2 >= widest - 1);
                 double wanted = Unevenness(sampled, i => reference.CellOfPoint[i] >= widest - 1);
                 TestContext.WriteLine(own + " against " + wanted);
                 Assert.That(own, Is.LessThanOrEqualTo(1.1 * wanted));

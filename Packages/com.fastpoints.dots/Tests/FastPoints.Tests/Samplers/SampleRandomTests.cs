@@ -35,7 +35,8 @@ namespace FastPoints.Tests.Samplers
             var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);
             Assert.That(scattered.Nodes, Has.Length.EqualTo(1));
             Assert.That(scattered.Nodes[0].IsLeaf, Is.True);
-            var lines = SampledPoints.Run(SamplingClouds.Make(280, (r, i) => (new Grid3(r.NextInt(1 << 20), 0, i % 2 << 19), r)), sampler,
+            var lines =
+                SampledPoints.Run(SamplingClouds.Make(280, (r, i) => (new Grid3(r.NextInt(1 << 20), 0, i % 2 << 19), r)), sampler,
                 s_small);
             Assert.That(lines.Nodes.Length, Is.GreaterThan(1));
             Assert.That(lines.Nodes[0].IsLeaf, Is.False);

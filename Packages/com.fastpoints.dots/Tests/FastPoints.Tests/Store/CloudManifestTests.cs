@@ -82,7 +82,8 @@ namespace FastPoints.Tests.Store
             {
                 double value = System.Math.Pow(2, exponent);
                 string json = new JsonWriter().BeginArray().Add(null, value).EndArray().ToString();
-                Assert.That(JsonReader.ToDouble(((System.Collections.Generic.List<object>)JsonReader.Parse(json))[0]), Is.EqualTo(value));
+                Assert.That(JsonReader.ToDouble(((System.Collections.Generic.List<object>)JsonReader.Parse(json))[0]),
+                    Is.EqualTo(value));
             }
         }
 

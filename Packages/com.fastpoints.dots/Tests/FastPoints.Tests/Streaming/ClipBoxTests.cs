@@ -44,8 +44,8 @@ namespace FastPoints.Tests.Streaming
                 new double3(691_000, 5_334_000, 520));
             var boxes = new List<ClipBox>();
             for (int i = 0; i < keeping + 2; i++)
-                boxes.Add(Turned(placement.OriginWorld + random.NextDouble3(-20, 20), random.NextDouble3(10, 40), random.NextDouble(3),
-                    i >= keeping));
+                boxes.Add(Turned(placement.OriginWorld + random.NextDouble3(-20, 20),
+                    random.NextDouble3(10, 40), random.NextDouble(3), i >= keeping));
             using (var clips = new NativeList<LocalClip>(Allocator.Temp))
             {
                 var list = clips;
@@ -69,7 +69,8 @@ namespace FastPoints.Tests.Streaming
                     // A box that has a place which is left is left.
                     var half = random.NextDouble3(3);
                     if (isLeft)
-                        Assert.That(LocalClip.Leave(clips.GetUnsafePtr(), clips.Length, local + half * random.NextDouble3(-1, 1), half),
+                        Assert.That(LocalClip.Leave(clips.GetUnsafePtr(), clips.Length,
+                            local + half * random.NextDouble3(-1, 1), half),
                             Is.True, "around " + local);
                 }
                 Assert.That(left, Is.InRange(200, 4800));

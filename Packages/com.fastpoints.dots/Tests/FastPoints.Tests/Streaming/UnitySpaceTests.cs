@@ -7,7 +7,8 @@ namespace FastPoints.Tests.Streaming
 {
     public sealed class UnitySpaceTests
     {
-        static readonly BoundsGeo s_bounds = new BoundsGeo(new double3(500_000, 4_000_000, 90), new double3(500_100, 4_000_300, 110));
+        static readonly BoundsGeo s_bounds =
+            new BoundsGeo(new double3(500_000, 4_000_000, 90), new double3(500_100, 4_000_300, 110));
 
         [Test]
         public void Of_EachAxis_StandsOnItsFloorInTheMiddle([Values] UpAxis up)
@@ -32,7 +33,8 @@ namespace FastPoints.Tests.Streaming
             Assert.That(unity, Is.EqualTo(new double3(x, y, z) * 0.5));
             Assert.That(space.ToGeo(unity), Is.EqualTo(new double3(1, 2, 3)));
             double3 Axis(double3 axis) => space.FromGeo(axis);
-            double volume = math.dot(math.cross(Axis(new double3(1, 0, 0)), Axis(new double3(0, 1, 0))), Axis(new double3(0, 0, 1)));
+            double volume = math.dot(math.cross(Axis(new double3(1, 0, 0)), Axis(new double3(0, 1, 0))),
+                Axis(new double3(0, 0, 1)));
             Assert.That(volume, Is.LessThan(0), "a right-handed space in a left-handed one");
         }
 

@@ -49,7 +49,8 @@ namespace FastPoints.Tests.Support
             BigInteger right = BigInteger.Pow(10, math.max(-power, 0)) * BigInteger.Pow(2, math.max(exponent, 0));
             int afterLow = left.CompareTo(low * right), beforeHigh = (high * right).CompareTo(left);
             bool hasEnds = (mantissa & 1) == 0;
-            return (hasEnds ? afterLow >= 0 : afterLow > 0) && (biased == infinite || (hasEnds ? beforeHigh >= 0 : beforeHigh > 0));
+            return (hasEnds ? afterLow >= 0 : afterLow > 0) &&
+                (biased == infinite || (hasEnds ? beforeHigh >= 0 : beforeHigh > 0));
         }
     }
 }

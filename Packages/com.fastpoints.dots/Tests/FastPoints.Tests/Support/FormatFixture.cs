@@ -162,7 +162,8 @@ namespace FastPoints.Tests.Support
         {
             var records = LazRecords.Make(0, 0, 300, 3);
             var rest = new[] { ("Rest", "unsigned", 8) };
-            using (var ept = new EptFolder(type, records, type == EptDataType.Binary ? rest : new (string, string, int)[0], 0, 60, 1))
+            using (var ept = new EptFolder(type, records,
+                type == EptDataType.Binary ? rest : new (string, string, int)[0], 0, 60, 1))
                 Copy(ept.Path, Directory.GetFiles(ept.Path, "*", SearchOption.AllDirectories), folder);
         }
 

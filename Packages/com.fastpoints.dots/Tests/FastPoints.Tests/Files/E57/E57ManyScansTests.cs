@@ -64,7 +64,8 @@ namespace FastPoints.Tests.Files
             {
                 Assert.That(contents.Info.Transform.Scale[axis], Is.EqualTo(step).Within(1).Ulps);
                 double offset = contents.Info.Transform.Offset[axis];
-                long shiftOfFirst = (long)Math.Round((-3 - offset) / step), shift = (long)Math.Round((12 + pose[axis] - offset) / step);
+                long shiftOfFirst = (long)Math.Round((-3 - offset) / step),
+                    shift = (long)Math.Round((12 + pose[axis] - offset) / step);
                 long factorOfFirst = (long)Math.Round(first / step);
                 Assert.That(Math.Abs(offset + shift * step - 12 - pose[axis]), Is.LessThan(1e-9));
                 Assert.That(Integers(contents, names[axis]), Is.EqualTo(

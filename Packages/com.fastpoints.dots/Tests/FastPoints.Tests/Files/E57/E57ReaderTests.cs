@@ -226,7 +226,8 @@ namespace FastPoints.Tests.Files
             var scan = Floats(5);
             scan.Fields[0] = E57TestField.Scaled("cartesianX", 0, 0, 1e-4, -3, values);
             scan.Fields[0].HasLimits = false;
-            scan.Fields[1] = E57TestField.Scaled("cartesianY", -5000000000, 5000000000, 1e-4, 0, -5000000000, 1, 2, 3, 5000000000);
+            scan.Fields[1] = E57TestField.Scaled("cartesianY", -5000000000, 5000000000, 1e-4, 0,
+                -5000000000, 1, 2, 3, 5000000000);
             scan.Fields[2] = E57TestField.Integer("cartesianZ", 0, 3, 0, 1, 2, 3, 3);
             var contents = E57Contents.Read(File(scan));
             Assert.That(contents.Column<long>("X"), Is.EqualTo(values));

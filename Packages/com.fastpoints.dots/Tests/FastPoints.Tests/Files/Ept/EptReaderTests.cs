@@ -285,7 +285,8 @@ namespace FastPoints.Tests.Files
             using (var reader = Open(folder.Path))
             {
                 Assert.That(reader.PointCount, Is.EqualTo(1500));
-                var failure = Assert.Throws<PointCloudException>(() => reader.CreateRead(reader.Info.Schema, 10, Allocator.Persistent));
+                var failure = Assert.Throws<PointCloudException>(() =>
+                    reader.CreateRead(reader.Info.Schema, 10, Allocator.Persistent));
                 Assert.That(failure.Code, Is.EqualTo(FailureCode.Unsupported));
                 Assert.That(failure.Message, Does.Contain("Decompressors.Zstandard").And.Contain("convert"));
             }

@@ -22,11 +22,12 @@ namespace FastPoints.Tests.Files
             ("Green", "unsigned", 2), ("Blue", "unsigned", 2), ("Odd", "signed", 1), ("Big", "unsigned", 8), ("Low", "signed", 8),
         };
 
-        public static EptFolder Make(EptDataType type, int points = 1500, int levelsPerPage = 99, int format = 3, int maxNodePoints = 100)
+        public static EptFolder Make(EptDataType type, int points = 1500, int levelsPerPage = 99,
+            int format = 3, int maxNodePoints = 100)
         {
             if (type == EptDataType.Laszip)
-                return new EptFolder(type, LazRecords.Make(format, 4, points, 21), new (string, string, int)[0], format, maxNodePoints,
-                    levelsPerPage);
+                return new EptFolder(type, LazRecords.Make(format, 4, points, 21),
+                    new (string, string, int)[0], format, maxNodePoints, levelsPerPage);
             var random = new Random(points);
             var records = new List<byte[]>();
             for (int i = 0; i < points; i++)
@@ -92,14 +93,16 @@ namespace FastPoints.Tests.Files
                         columns[k] = read.Points.Column(k);
                     }
                     var copies = folder.DataType == EptDataType.Laszip
-                        ? LasCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))), read.Points)
+                        ? LasCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))),
+                            read.Points)
                         : LasCopyPlan.Make(fields, columns);
                     var got = new byte[records.Count * folder.RecordBytes];
                     fixed (byte* first = got)
                     fixed (LasFieldCopy* plan = copies)
-                        LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, records.Count, plan, copies.Length,
-                            first, folder.RecordBytes);
-                    Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes), Is.Null);
+                        LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0,
+                            records.Count, plan, copies.Length, first, folder.RecordBytes);
+                    Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes),
+                        Is.Null);
                 }
                 if (i < order.Count)
                 {

@@ -163,7 +163,8 @@ namespace FastPoints.Tests.Files
                 }
                 var (got, isTold) = Read(bytes);
                 Assert.That(isTold, Is.True, "seed " + seed);
-                Assert.That(CommonPoints(got, records, writer.RecordBytes, "seed " + seed), Is.EqualTo(records.Count), "seed " + seed);
+                Assert.That(CommonPoints(got, records, writer.RecordBytes, "seed " + seed),
+                    Is.EqualTo(records.Count), "seed " + seed);
             }
         }
     }

@@ -108,7 +108,8 @@ namespace FastPoints.Tests.Files
                         int first = random.Next(whole.Count);
                         return new BlockRange(whole.Block, first, random.Next(1, whole.Count - first + 1));
                     }).ToList();
-                    var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges, 1 + i % 4, "INDICES", Value);
+                    var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges,
+                        1 + i % 4, "INDICES", Value);
                     Assert.That(got.Count, Is.EqualTo(ranges.Sum(range => range.Count)));
                 }
         }
@@ -121,7 +122,8 @@ namespace FastPoints.Tests.Files
             using (var reader = Write(new Potree1Writer { Scale = 0.001, Min = new double3(481260.37, 3812921.09, -0.1) }))
             {
                 int lower = 0;
-                PotreeCheck.Read(reader, reader.Info.Schema, PotreeCheck.WholeBlocks(reader), 1, "INDICES", (point, column) => null);
+                PotreeCheck.Read(reader, reader.Info.Schema, PotreeCheck.WholeBlocks(reader), 1,
+                    "INDICES", (point, column) => null);
                 var numbers = ReadPoints.Column<int>(reader, "INDICES");
                 for (int axis = 0; axis < 3; axis++)
                 {
@@ -199,7 +201,8 @@ namespace FastPoints.Tests.Files
                     .Except(nodes[1].Value.Skip(1))));
                 var texts = reader.Info.Warnings.Select(w => w.Text).ToList();
                 Assert.That(texts, Has.Some.Contains("node " + nodes[0].Key + ": its file is missing"));
-                Assert.That(texts, Has.Some.Contains("node " + nodes[1].Key + ": its file does not hold").And.Some.Contains("got 1 and"));
+                Assert.That(texts,
+                    Has.Some.Contains("node " + nodes[1].Key + ": its file does not hold").And.Some.Contains("got 1 and"));
                 Assert.That(texts.Count, Is.EqualTo(2));
             }
         }
@@ -213,7 +216,8 @@ namespace FastPoints.Tests.Files
             File.Delete(m_folder.File("data/" + writer.PathOf(node) + ".hrc"));
             using (var reader = Open())
             {
-                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("node " + node + ": the hierarchy below it is not there"));
+                Assert.That(reader.Info.Warnings.Single().Text,
+                    Does.StartWith("node " + node + ": the hierarchy below it is not there"));
                 Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(s_cloud.PointsOfNode
                     .Where(n => n.Key == node || !n.Key.StartsWith(node)).SelectMany(n => n.Value).OrderBy(i => i)));
             }
@@ -276,8 +280,10 @@ namespace FastPoints.Tests.Files
                     "NORMAL_OCT16[1]", "NormalX (2)", "NormalY (2)", "NormalZ (2)",
                 }));
                 var numbers = ReadPoints.Column<int>(reader, "INDICES");
-                Assert.That(ReadPoints.Column<float>(reader, "NormalY"), Is.EqualTo(numbers.Select(n => PotreeNormals.FromSphereMap(
-                    PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 0), PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 1)).y)));
+                Assert.That(ReadPoints.Column<float>(reader, "NormalY"),
+                    Is.EqualTo(numbers.Select(n => PotreeNormals.FromSphereMap(
+                        PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 0),
+                        PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 1)).y)));
                 Assert.That(ReadPoints.Column<byte>(reader, "NORMAL_OCT16[1]"), Is.EqualTo(numbers.Select(n =>
                     PotreeTestCloud.ByteOf(n, "NORMAL_OCT16", 1))));
                 Assert.That(ReadPoints.Column<uint>(reader, "NormalZ (2)"), Is.EqualTo(numbers.Select(n =>

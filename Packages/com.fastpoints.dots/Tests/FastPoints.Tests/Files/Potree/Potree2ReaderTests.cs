@@ -105,7 +105,8 @@ namespace FastPoints.Tests.Files
                         int first = random.Next(whole.Count);
                         return new BlockRange(whole.Block, first, random.Next(1, whole.Count - first + 1));
                     }).ToList();
-                    var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges, 1 + i % 4, "number", Value);
+                    var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges,
+                        1 + i % 4, "number", Value);
                     Assert.That(got.Count, Is.EqualTo(ranges.Sum(range => range.Count)));
                 }
             }
@@ -118,7 +119,8 @@ namespace FastPoints.Tests.Files
         {
             var cloud = new PotreeTestCloud(70000, 0, 5);
             var writer = new Potree2Writer { IsBrotli = isBrotli };
-            writer.Attributes = writer.Attributes.Where(a => a.Name == "position" || a.Name == "rgb" || a.Name == "number").ToArray();
+            writer.Attributes = writer.Attributes.Where(a => a.Name == "position" || a.Name == "rgb" ||
+                a.Name == "number").ToArray();
             writer.Write(m_folder, cloud);
             using (var reader = PointReaders.Open(m_folder.Folder))
             {
@@ -146,7 +148,8 @@ namespace FastPoints.Tests.Files
                 var ranges = PotreeCheck.WholeBlocks(reader);
                 var nodes = Enumerable.Range(0, reader.Tree.NodeCount).Select(i => reader.Tree[i]).ToList();
                 var blocks = nodes.Where(n => n.Level < 3 && n.Block >= 0).Select(n => ranges[n.Block]).ToList();
-                Assert.That(PotreeCheck.Read(reader, reader.Info.Schema, blocks, 2, "number", Value).OrderBy(i => i), Is.EqualTo(upper));
+                Assert.That(PotreeCheck.Read(reader, reader.Info.Schema, blocks, 2, "number", Value).OrderBy(i => i),
+                    Is.EqualTo(upper));
                 Find(reader);
                 Assert.That(reader.BlocksAreKnown, Is.True);
                 Assert.That(Enumerable.Range(0, nodes.Count).Select(i => reader.Tree[i]), Is.EqualTo(nodes));
@@ -165,7 +168,8 @@ namespace FastPoints.Tests.Files
                 Find(reader);
                 Assert.That(reader.Tree.NodeCount, Is.EqualTo(s_cloud.PointsOfNode.Count));
                 Assert.That(reader.Info.Warnings.Last().Text, Does.Contain("octree.bin"));
-                var failure = Assert.Throws<PointCloudException>(() => reader.CreateRead(reader.Info.Schema, 1, Allocator.Persistent));
+                var failure = Assert.Throws<PointCloudException>(() =>
+                    reader.CreateRead(reader.Info.Schema, 1, Allocator.Persistent));
                 Assert.That(failure.Code, Is.EqualTo(FailureCode.NotFound));
                 Assert.That(failure.Path, Is.EqualTo(m_folder.File("octree.bin")));
             }
@@ -291,7 +295,8 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        [TestCase("\"encoding\": \"DEFAULT\"", "\"encoding\": \"ZIP\"", FailureCode.Unsupported, "wanted DEFAULT or BROTLI, got ZIP")]
+        [TestCase("\"encoding\": \"DEFAULT\"", "\"encoding\": \"ZIP\"", FailureCode.Unsupported,
+            "wanted DEFAULT or BROTLI, got ZIP")]
         [TestCase("\"scale\": [0.001", "\"scale\": [0", FailureCode.BadInput, "numbers above 0")]
         [TestCase("\"scale\": [0.001, ", "\"scale\": [", FailureCode.BadInput, "\"scale\"")]
         [TestCase("\"name\": \"position\"", "\"name\": \"place\"", FailureCode.BadInput, "a position of three int32")]

@@ -16,8 +16,8 @@ namespace FastPoints.Tests.Files
         /// <param name="number">The column that has the points' numbers.</param>
         /// <param name="value">Bits that a column must have for a point; null for a column that is not checked so.</param>
         /// <returns>Numbers of the points that came.</returns>
-        public static List<int> Read(PointReader reader, PointSchema wanted, IReadOnlyList<BlockRange> ranges, int slots, string number,
-            Func<int, string, ulong?> value)
+        public static List<int> Read(PointReader reader, PointSchema wanted,
+            IReadOnlyList<BlockRange> ranges, int slots, string number, Func<int, string, ulong?> value)
         {
             var numbers = new List<int>();
             var reads = new BlockRead[slots];
@@ -46,7 +46,8 @@ namespace FastPoints.Tests.Files
         }
 
         public static List<BlockRange> WholeBlocks(PointReader reader) =>
-            Enumerable.Range(0, reader.BlockCount).Select(block => new BlockRange(block, 0, reader.PointsInBlock(block))).ToList();
+            Enumerable.Range(0, reader.BlockCount)
+                .Select(block => new BlockRange(block, 0, reader.PointsInBlock(block))).ToList();
 
         static void Check(BlockRead read, string number, Func<int, string, ulong?> value, List<int> numbers)
         {
@@ -68,8 +69,8 @@ namespace FastPoints.Tests.Files
                     for (int k = size - 1; k >= 0; k--)
                         got = got << 8 | bytes[i * size + k];
                     if (got != wanted)
-                        Assert.Fail("point " + own[i] + " of block " + read.Range.Block + ", " + attribute.Name + ": wanted " + wanted
-                            + ", got " + got);
+                        Assert.Fail("point " + own[i] + " of block " + read.Range.Block + ", "
+                            + attribute.Name + ": wanted " + wanted + ", got " + got);
                 }
             }
         }

@@ -357,7 +357,8 @@ namespace FastPoints.Tests.Files
             var text = new StringBuilder();
             for (int i = 0; i < 30000; i++)
                 text.AppendFormat(CultureInfo.InvariantCulture, "{0:F3} {1:F3} {2:F2} {3} {4} {5}\n",
-                    500000 + random.NextDouble() * 100, 4000000 + random.NextDouble() * 100, random.NextDouble() * 10, i % 256, 1, 2);
+                    500000 + random.NextDouble() * 100, 4000000 + random.NextDouble() * 100,
+                    random.NextDouble() * 10, i % 256, 1, 2);
             string target = m_path + ".fastpoints";
             try
             {

@@ -380,7 +380,8 @@ namespace FastPoints.Tests.Files
                 Assert.That(reader.PointCount, Is.EqualTo(30000));
                 Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
                 watch.Restart();
-                Assert.That(ReadPoints.Column<int>(reader, "X").Sum(x => (long)x), Is.EqualTo(10000 * Places(3, 1).Sum(p => (long)p.x)));
+                Assert.That(ReadPoints.Column<int>(reader, "X").Sum(x => (long)x),
+                    Is.EqualTo(10000 * Places(3, 1).Sum(p => (long)p.x)));
                 TestContext.WriteLine("read in " + watch.Elapsed.TotalSeconds + " s");
             }
         }

@@ -120,7 +120,8 @@ namespace FastPoints.Tests.Support
             {
                 var node = open.Dequeue();
                 bool isPage = node.Level - root.Level >= levelsPerPage;
-                page.Add("\"" + NameOf(node) + "\": " + (isPage ? -1 : node.Records.Count).ToString(CultureInfo.InvariantCulture));
+                page.Add("\"" + NameOf(node) + "\": "
+                    + (isPage ? -1 : node.Records.Count).ToString(CultureInfo.InvariantCulture));
                 if (isPage)
                     WritePages(node, levelsPerPage);
                 else
@@ -141,7 +142,8 @@ namespace FastPoints.Tests.Support
             text.Append("\"dataType\": \"" + DataType.ToString().ToLowerInvariant() + "\", \"hierarchyType\": \"json\",\n");
             text.Append("\"points\": " + points + ", \"span\": 128, \"srs\": {}, \"version\": \"1.0.0\",\n\"schema\": [");
             foreach (string axis in new[] { "X", "Y", "Z" })
-                text.Append("\n{ \"name\": \"" + axis + "\", \"type\": \"signed\", \"size\": 4, \"scale\": 0.01, \"offset\": 0 },");
+                text.Append("\n{ \"name\": \"" + axis
+                    + "\", \"type\": \"signed\", \"size\": 4, \"scale\": 0.01, \"offset\": 0 },");
             foreach (var (name, type, size) in extraDimensions)
                 text.Append("\n{ \"name\": \"" + name + "\", \"type\": \"" + type + "\", \"size\": " + size + " },");
             text.Length--;

@@ -48,7 +48,8 @@ namespace FastPoints.Tests.Support
             consumed = written = 0;
             if (!m_isStarted)
             {
-                if (input.Length < FrameHeaderBytes || input[0] != 0x28 || input[1] != 0xB5 || input[2] != 0x2F || input[3] != 0xFD
+                if (input.Length < FrameHeaderBytes || input[0] != 0x28 || input[1] != 0xB5 ||
+                    input[2] != 0x2F || input[3] != 0xFD
                     || input[4] != 0xA0)
                     return false;
                 consumed = FrameHeaderBytes;

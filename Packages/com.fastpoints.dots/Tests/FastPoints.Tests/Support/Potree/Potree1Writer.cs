@@ -102,7 +102,8 @@ namespace FastPoints.Tests.Support
                 + ExtraMembers + " \"boundingBox\": " + box + ", \"tightBoundingBox\": " + box + ", \"pointAttributes\": [");
             foreach (var attribute in Attributes)
                 text.Append(Version == "1.8"
-                    ? "{ \"name\": \"" + attribute.Name + "\", \"size\": " + attribute.Bytes + ", \"elements\": " + attribute.Elements
+                    ? "{ \"name\": \"" + attribute.Name + "\", \"size\": " + attribute.Bytes
+                        + ", \"elements\": " + attribute.Elements
                         + ", \"elementSize\": " + attribute.ElementBytes + ", \"type\": \"" + attribute.Type
                         + "\", \"description\": \"\" },"
                     : "\"" + attribute.Name + "\",");

@@ -26,7 +26,8 @@ namespace FastPoints.Tests.Support
             new PotreeTestAttribute("user data", "uint8"), new PotreeTestAttribute("point source id", "uint16"),
             new PotreeTestAttribute("gps-time", "double"), new PotreeTestAttribute("rgb", "uint16", 3),
             new PotreeTestAttribute("a pair", "float", 2), new PotreeTestAttribute("i8", "int8"),
-            new PotreeTestAttribute("i16", "int16"), new PotreeTestAttribute("u32", "uint32"), new PotreeTestAttribute("i64", "int64"),
+            new PotreeTestAttribute("i16", "int16"), new PotreeTestAttribute("u32", "uint32"),
+            new PotreeTestAttribute("i64", "int64"),
             new PotreeTestAttribute("u64", "uint64"), new PotreeTestAttribute("odd", "undefined", 3),
             new PotreeTestAttribute("number", "uint32"),
         };
@@ -39,7 +40,9 @@ namespace FastPoints.Tests.Support
             var places = new Dictionary<string, (long Offset, long Bytes)>();
             foreach (var node in cloud.PointsOfNode)
             {
-                var bytes = node.Value.Count == 0 ? new byte[0] : IsBrotli ? Columns(cloud, node.Value) : Records(cloud, node.Value);
+                var bytes = node.Value.Count == 0
+                    ? new byte[0]
+                    : IsBrotli ? Columns(cloud, node.Value) : Records(cloud, node.Value);
                 places.Add(node.Key, (octree.Position, bytes.Length));
                 octree.Write(bytes, 0, bytes.Length);
             }
@@ -104,7 +107,8 @@ namespace FastPoints.Tests.Support
             var roots = cloud.PointsOfNode.Keys.Where(name => (name.Length - 1) % StepSize == 0
                 && (name == "r" || cloud.ChildMask(name) != 0)).ToList();
             var pages = roots.ToDictionary(root => root, root => cloud.PointsOfNode.Keys
-                .Where(name => name.StartsWith(root, StringComparison.Ordinal) && name.Length - root.Length <= StepSize).ToList());
+                .Where(name => name.StartsWith(root, StringComparison.Ordinal) &&
+                    name.Length - root.Length <= StepSize).ToList());
             var starts = new Dictionary<string, long>();
             long end = 0;
             foreach (string root in roots)
@@ -134,16 +138,17 @@ namespace FastPoints.Tests.Support
             var max = Offset + PotreeTestCloud.Edge * Scale;
             string lows = Numbers(Offset), highs = Numbers(max);
             var text = new StringBuilder("{ \"version\": \"2.0\", \"name\": \"test\", \"points\": " + cloud.Count
-                + ", \"projection\": \"EPSG:25832\", \"hierarchy\": { \"firstChunkSize\": " + firstPage + ", \"stepSize\": " + StepSize
-                + ", \"depth\": 4 }, \"offset\": " + lows + ", \"scale\": " + Numbers(Scale)
+                + ", \"projection\": \"EPSG:25832\", \"hierarchy\": { \"firstChunkSize\": " + firstPage
+                + ", \"stepSize\": " + StepSize + ", \"depth\": 4 }, \"offset\": " + lows + ", \"scale\": " + Numbers(Scale)
                 + ", \"spacing\": 0.1, \"boundingBox\": { \"min\": " + lows + ", \"max\": " + highs + " }, \"encoding\": \""
                 + (IsBrotli ? "BROTLI" : "DEFAULT") + "\", \"attributes\": [");
             string separator = "";
             foreach (var attribute in Attributes)
             {
-                text.Append(separator + "{ \"name\": \"" + attribute.Name + "\", \"description\": \"\", \"size\": " + attribute.Bytes
-                    + ", \"numElements\": " + attribute.Elements + ", \"elementSize\": " + attribute.ElementBytes + ", \"type\": \""
-                    + attribute.Type + "\"" + (attribute.Name == "i16" ? ", \"scale\": [0.25], \"offset\": [100]" : "") + " }");
+                text.Append(separator + "{ \"name\": \"" + attribute.Name + "\", \"description\": \"\""
+                    + ", \"size\": " + attribute.Bytes + ", \"numElements\": " + attribute.Elements
+                    + ", \"elementSize\": " + attribute.ElementBytes + ", \"type\": \"" + attribute.Type + "\""
+                    + (attribute.Name == "i16" ? ", \"scale\": [0.25], \"offset\": [100]" : "") + " }");
                 separator = ", ";
             }
             return text.Append("] }").ToString();
