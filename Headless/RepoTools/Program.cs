@@ -5,6 +5,7 @@ using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Behaviour;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;
+using FastPoints.RepoTools.House;
 using FastPoints.RepoTools.Meta;
 using FastPoints.RepoTools.Package;
 using FastPoints.RepoTools.Threads;
@@ -15,7 +16,7 @@ namespace FastPoints.RepoTools
     public static class Program
     {
         private const string Usage = """
-            usage: RepoTools VERB [--check] [--root DIR] [--tag TAG]
+            usage: RepoTools VERB [--check] [--root DIR] [--tag TAG] [--list MEASURE]
                    RepoTools guard STAND-IN REFERENCE... (the build calls it)
 
               meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
@@ -25,14 +26,17 @@ namespace FastPoints.RepoTools
                         these builds and the full table beside that list
               hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
-              behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list of what
-                        is unverified from it
+              behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list
+                        of what is unverified from it
               guard     makes members of a stand-in refuse other threads than the main one, as Headless/Api/threads.tsv says
+              house     prints how large the repository's parts are and refuses what is beyond the limits in
+                        Headless/Api/house.tsv; lowers limits that are above their goals to what has been reached
               package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
 
               --check   writes nothing; says what is not as it should be
               --root    the repository (default: the one that this program was built in)
               --tag     with package: the tag of a release, which is the version and has an entry with a date
+              --list    with house: names all that a measure counts
 
             Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
             """;
@@ -45,6 +49,7 @@ namespace FastPoints.RepoTools
             string? verb = null;
             string? root = null;
             string? tag = null;
+            string? list = null;
             bool check = false;
             for (int i = 0; i < args.Length; i++)
             {
@@ -58,6 +63,9 @@ namespace FastPoints.RepoTools
                         break;
                     case "--tag" when i + 1 < args.Length:
                         tag = args[++i];
+                        break;
+                    case "--list" when i + 1 < args.Length:
+                        list = args[++i];
                         break;
                     case "-h":
                     case "--help":
@@ -75,7 +83,7 @@ namespace FastPoints.RepoTools
             try
             {
                 Repository repository = root == null ? Repository.Find() : new Repository(root);
-                return Report(verb, Run(verb, repository, check, tag));
+                return Report(verb, Run(verb, repository, check, tag, list));
             }
             catch (ToolException failure)
             {
@@ -93,7 +101,7 @@ namespace FastPoints.RepoTools
             }
         }
 
-        private static ToolResult Run(string verb, Repository repository, bool check, string? tag)
+        private static ToolResult Run(string verb, Repository repository, bool check, string? tag, string? list)
         {
             switch (verb)
             {
@@ -109,6 +117,8 @@ namespace FastPoints.RepoTools
                     return FormatCommand.Run(repository);
                 case "behaviour":
                     return BehaviourCommand.Run(repository, check);
+                case "house":
+                    return HouseCommand.Run(repository, check, list);
                 case "package":
                     return PackageCommand.Run(repository, tag, NpmPack.OfFolder(repository.PackageRoot));
                 default:

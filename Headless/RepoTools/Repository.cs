@@ -1,5 +1,8 @@
 using System;
+using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
+using System.Linq;
 
 namespace FastPoints.RepoTools
 {
@@ -27,6 +30,9 @@ namespace FastPoints.RepoTools
         /// <summary>What Unity does that the package relies on.</summary>
         public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");
 
+        /// <summary>How large the repository's parts may be.</summary>
+        public string House => Path.Combine(Headless, "Api", "house.tsv");
+
         /// <summary>The full list of Unity's signatures; it may be absent.</summary>
         public string FullApi => Path.Combine(DataRoot, "unity-api");
 
@@ -36,6 +42,22 @@ namespace FastPoints.RepoTools
         /// <summary>The folder of an assembly as one generation of Unity compiles it.</summary>
         public string BuildOf(string assembly, string generation) =>
             Path.Combine(Headless, "artifacts", "bin", assembly, "unity-" + generation);
+
+        /// <summary>Paths of the files that are committed or would be, with '/'.</summary>
+        public IReadOnlyList<string> Files()
+        {
+            var start = new ProcessStartInfo("git", "ls-files --cached --others --exclude-standard")
+            {
+                WorkingDirectory = Root,
+                RedirectStandardOutput = true,
+            };
+            using Process git = Process.Start(start) ?? throw new ToolException("git did not start");
+            string output = git.StandardOutput.ReadToEnd();
+            git.WaitForExit();
+            if (git.ExitCode != 0)
+                throw new ToolException("git ls-files failed");
+            return output.Split('\n').Where(f => f.Length > 0 && File.Exists(Path.Combine(Root, f))).Distinct().ToList();
+        }
 
         /// <summary>The checkout that this program was built in.</summary>
         public static Repository Find()

@@ -50,7 +50,7 @@ namespace FastPoints.HostTests.Repository
             }
         }
 
-        private static int Run(string[] arguments, out string said)
+        internal static int Run(string[] arguments, out string said)
         {
             TextWriter output = Console.Out;
             TextWriter error = Console.Error;
