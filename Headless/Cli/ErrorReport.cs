@@ -105,7 +105,7 @@ namespace FastPoints.Cli
                 + "the diagonal of the robust bounds: root mean square, and the distances that 95 and 99 of 100 points do not "
                 + "exceed. The symmetric distance takes the larger of both directions; from the sample to the cloud it is 0, "
                 + "since a sample is a part of the cloud" + LookedUp(step));
-            yield return ("bare cells", "Of the cells that the full cloud occupies, those with no point of the sample. Cells "
+            yield return ("empty cells", "Of the cells that the full cloud occupies, those with no point of the sample. Cells "
                 + "are cubes of a 64th, a 128th, a 256th, a 512th of the longest edge of the robust bounds "
                 + "(quantiles 0.5 % to 99.5 %, "
                 + "widened by a tenth).");

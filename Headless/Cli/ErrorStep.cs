@@ -20,7 +20,7 @@ namespace FastPoints.Cli
         static readonly (double Share, string Name)[] s_shares =
             [(1 / 15.0, "1/15"), (1 / 5.0, "1/5"), (1 / 2.0, "1/2"), (1, "all")];
 
-        /// <summary>Points that are decoded for one that is shown, where beginnings are thinned.</summary>
+        /// <summary>Points that are decoded for one that is shown, where prefixes are thinned.</summary>
         const int TimesDecoded = 5;
 
         readonly CliRun m_run;
@@ -102,17 +102,17 @@ namespace FastPoints.Cli
             Curves.Add(first);
             if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
                 return;
-            var beginnings = new ErrorCurve("block beginnings",
-                "N points from the beginnings of all blocks (LAZ chunks, octree nodes)");
+            var prefixes = new ErrorCurve("block prefixes",
+                "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
             foreach (int count in counts)
-                Measure(beginnings, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
-            Curves.Add(beginnings);
-            var thinned = new ErrorCurve("thinned beginnings", "N points of " + TimesDecoded
-                + " times as many from the beginnings of all blocks: first those that stand where no other does");
+                Measure(prefixes, () => m_takers.Beginnings(count / (double)reader.PointCount, count));
+            Curves.Add(prefixes);
+            var thinned = new ErrorCurve("thinned prefixes", "N points of " + TimesDecoded
+                + " times as many from the prefixes of all blocks: first those that stand where no other does");
             foreach (int count in counts.Where(c => (long)c * TimesDecoded <= reader.PointCount))
                 Measure(thinned, () => m_takers.ThinnedBeginnings(count, TimesDecoded));
             Curves.Add(thinned);
-            var deeper = new ErrorCurve("deeper beginnings", "as many points as the last wave, evenly from the first "
+            var deeper = new ErrorCurve("deeper prefixes", "as many points as the last wave, evenly from the first "
                 + string.Join(", ", s_shares.Select(s => s.Name)) + " of each block");
             foreach (var (share, _) in s_shares)
                 Measure(deeper, () => m_takers.Beginnings(share, counts[^1]));

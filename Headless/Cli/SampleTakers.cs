@@ -71,7 +71,7 @@ namespace FastPoints.Cli
         public TakenSample Beginnings(double share, int points) =>
             Timed((reader, opened) => Ranges(reader, opened, RangeSampler.Beginnings(reader, share), points));
 
-        /// <summary>Points of the beginnings of all blocks, so many times as many decoded: those that stand where no other does
+        /// <summary>Points of the prefixes of all blocks, so many times as many decoded: those that stand where no other does
         /// before all others.</summary>
         public TakenSample ThinnedBeginnings(int points, int times) => Timed((reader, opened) =>
         {

@@ -24,13 +24,13 @@ namespace FastPoints.Cli
             var size = ranges.Robust.Size;
             double edge = Math.Max(size.x, Math.Max(size.y, size.z));
             double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
-            var cells = new BareCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
+            var cells = new EmptyCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
             var isFirst = new bool[points.Count];
             int firsts = 0;
             double* x = stackalloc double[RunLength], y = stackalloc double[RunLength], z = stackalloc double[RunLength];
             byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
             var positions = PositionColumns.Of(points);
-            fixed (ulong* table = new ulong[BareCells.Words])
+            fixed (ulong* table = new ulong[EmptyCells.Words])
             {
                 for (int first = 0; first < points.Count; first += RunLength)
                 {

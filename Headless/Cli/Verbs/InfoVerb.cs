@@ -25,7 +25,7 @@ namespace FastPoints.Cli.Verbs
         readonly SourceSettings m_source;
 
         public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
-            + "system, oddities."))
+            + "system, anomalies."))
         {
             Command.Add(m_files);
             Command.Add(m_scan);

@@ -28,12 +28,12 @@ namespace FastPoints.Cli.Verbs
         readonly Option<bool> m_quick = new("--quick")
         {
             Description = "Stop at the first N points. Of LAZ, text and several files, these are the "
-                + "beginnings of blocks: all of them are read in the end without this.",
+                + "prefixes of blocks: all of them are read in the end without this.",
         };
         readonly Option<bool> m_report = new("--report")
         {
             Description = "Measure the error over time, of this and of other ways to sample, against all "
-                + "points: distances, bare cells, evenness, pictures. Writes a page with charts, and a table. Reads "
+                + "points: distances, empty cells, evenness, pictures. Writes a page with charts, and a table. Reads "
                 + "the file some dozen times.",
         };
         readonly Option<string?> m_out = new("--out")

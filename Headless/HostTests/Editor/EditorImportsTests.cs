@@ -302,7 +302,7 @@ namespace FastPoints.HostTests.Editor
             Assert.That(asset.HasOrigin && asset.Origin.Equals(origin), Is.True);
 
             CloudCatalog.Delete(m_project.Paths.Absolute(asset.ProjectPath));
-            EditorImports.LookAgain("Assets/scan.pointcloud");
+            EditorImports.Refresh("Assets/scan.pointcloud");
             ImportProject.Updates(world.Update, () => Shown() is TreeSource);
             Assert.That(m_logged, Is.Empty);
             UnityEngine.Object.DestroyImmediate(cloud.gameObject);

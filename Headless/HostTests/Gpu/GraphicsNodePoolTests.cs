@@ -96,14 +96,14 @@ namespace FastPoints.HostTests.Gpu
         {
             var pool = (GraphicsNodePool)stream.Pool;
             var source = stream.Clouds[0].Source;
-            foreach (var nodes in stream.Drawn.AsArray().ToArray().GroupBy(d => d.Run.Bank))
+            foreach (var nodes in stream.Drawn.AsArray().ToArray().GroupBy(d => d.Range.Bank))
             {
                 var bank = new byte[pool.BankBytes];
                 pool.BufferOf(nodes.Key).GetData(bank);
                 foreach (var drawn in nodes)
                 {
                     byte[] file = File.ReadAllBytes(source.PathOf(drawn.Page));
-                    int at = drawn.Run.FirstPage * NodePool.PageBytes;
+                    int at = drawn.Range.FirstPage * NodePool.PageBytes;
                     for (int p = 0; p < source.Planes.Length; p++)
                     {
                         var range = stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);

@@ -55,8 +55,8 @@ namespace FastPoints.HostTests.Preview
         {
             SimulatedLatency.Begin(secondsPerRead);
             using var reader = PointReaders.Open(path);
-            if (reader.HasBeginnings)
-                WorkPump.RunToEnd(reader.FindBeginnings(1));
+            if (reader.HasPrefixes)
+                WorkPump.RunToEnd(reader.FindPrefixes(1));
             var waves = new List<(int, double)>();
             using var sampler = PreviewSampler.Create(reader, wanted, 1);
             sampler.WaveReady += wave => waves.Add((wave.Points, SimulatedLatency.Reads * SecondsPerRead / AtOnce));

@@ -23,7 +23,7 @@ namespace FastPoints.HostTests.Writing
         {
             using GenerationBuilds builds = Checkout.Builds(RepoTools.Repository.Generations[0]);
 
-            Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Findings),
+            Assert.That(builds.Package.Where(m => !s_forPeopleAlone.Contains(m.Assembly.Name.Name)).SelectMany(Statistics),
                 Is.Empty);
         }
 
@@ -33,13 +33,13 @@ namespace FastPoints.HostTests.Writing
         [TestCase(nameof(Planted.Built), 1)]
         [TestCase(nameof(Planted.Read), 2)]
         [TestCase(nameof(Planted.ForPeople), 0)]
-        public void Planted_Method_IsFound(string method, int findings)
+        public void Planted_Method_IsFound(string method, int statistics)
         {
             using ModuleDefinition module = ModuleDefinition.ReadModule(typeof(RunTimeNumbersTests).Assembly.Location);
             TypeDefinition planted = module.GetType(typeof(RunTimeNumbersTests).FullName)
                 .NestedTypes.Single(t => t.Name == nameof(Planted));
 
-            Assert.That(Findings(planted.Methods.Single(m => m.Name == method)).Count(), Is.EqualTo(findings));
+            Assert.That(Statistics(planted.Methods.Single(m => m.Name == method)).Count(), Is.EqualTo(statistics));
         }
 
         private static class Planted
@@ -60,10 +60,10 @@ namespace FastPoints.HostTests.Writing
                     + string.Format(CultureInfo.InvariantCulture, "{0:0.00}", value);
         }
 
-        private static IEnumerable<string> Findings(ModuleDefinition module) =>
-            module.GetTypes().SelectMany(t => t.Methods).SelectMany(Findings);
+        private static IEnumerable<string> Statistics(ModuleDefinition module) =>
+            module.GetTypes().SelectMany(t => t.Methods).SelectMany(Statistics);
 
-        private static IEnumerable<string> Findings(MethodDefinition method)
+        private static IEnumerable<string> Statistics(MethodDefinition method)
         {
             if (!method.HasBody)
                 yield break;

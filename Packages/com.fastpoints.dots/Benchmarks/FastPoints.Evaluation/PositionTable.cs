@@ -32,15 +32,15 @@ namespace FastPoints.Evaluation
         public NativeArray<double3> Positions => m_positions;
         public NativeArray<double3> Slots => m_slots;
 
-        /// <summary>Of each slot: one of <see cref="PositionSlots"/>' states.</summary>
+        /// <summary>Of each slot: one of <see cref="PositionHash"/>' states.</summary>
         public NativeArray<byte> States => m_states;
 
         /// <summary>Whether a position that is in the table has come along; no job may be in flight.</summary>
         public unsafe bool WasSeen(double3 position)
         {
-            int slot = PositionSlots.SlotOf((double3*)m_slots.GetUnsafeReadOnlyPtr(), (byte*)m_states.GetUnsafeReadOnlyPtr(),
+            int slot = PositionHash.SlotOf((double3*)m_slots.GetUnsafeReadOnlyPtr(), (byte*)m_states.GetUnsafeReadOnlyPtr(),
                 m_slots.Length, position);
-            return m_states[slot] == PositionSlots.Seen;
+            return m_states[slot] == PositionHash.Seen;
         }
 
         public void Dispose()
@@ -54,7 +54,7 @@ namespace FastPoints.Evaluation
     }
 
     /// <summary>Where positions lie in a <see cref="PositionTable"/>.</summary>
-    static class PositionSlots
+    static class PositionHash
     {
         /// <summary>States of a slot.</summary>
         public const byte Empty = 0, Wanted = 1, Seen = 2;
@@ -91,9 +91,9 @@ namespace FastPoints.Evaluation
             byte* states = (byte*)States.GetUnsafePtr();
             for (int i = 0; i < Count; i++)
             {
-                int slot = PositionSlots.SlotOf(slots, states, Slots.Length, Positions[i]);
+                int slot = PositionHash.SlotOf(slots, states, Slots.Length, Positions[i]);
                 slots[slot] = Positions[i];
-                states[slot] = PositionSlots.Wanted;
+                states[slot] = PositionHash.Wanted;
             }
         }
     }
@@ -125,9 +125,9 @@ namespace FastPoints.Evaluation
                 Columns.LoadGeo(bytes, Transform, first, run, x, y, z);
                 for (int i = 0; i < run; i++)
                 {
-                    int slot = PositionSlots.SlotOf(slots, states, Slots.Length, new double3(x[i], y[i], z[i]));
-                    if (states[slot] == PositionSlots.Wanted)
-                        states[slot] = PositionSlots.Seen;
+                    int slot = PositionHash.SlotOf(slots, states, Slots.Length, new double3(x[i], y[i], z[i]));
+                    if (states[slot] == PositionHash.Wanted)
+                        states[slot] = PositionHash.Seen;
                 }
             }
         }

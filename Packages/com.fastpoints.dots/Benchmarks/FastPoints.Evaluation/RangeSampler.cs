@@ -11,7 +11,7 @@ namespace FastPoints.Evaluation
 {
     /// <summary>
     /// A sample as one would take it without much thought: regular choices from given ranges of a source, in the order of the
-    /// ranges. Every n-th point of all, the first N, the beginnings of all chunks: what better samplers are compared with.
+    /// ranges. Every n-th point of all, the first N, the prefixes of all chunks: what better samplers are compared with.
     /// </summary>
     public sealed class RangeSampler : IDisposable
     {

@@ -144,7 +144,7 @@ namespace FastPoints.Editor
             if (hasSource && GUILayout.Button(isThere ? "Convert again" : "Convert"))
                 imports.Convert(Asset);
             if (m_handle.Stamp != null && GUILayout.Button("Look whether the source has changed"))
-                Tell(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
+                ShowMessage(m_handle.Stamp.Compare(m_handle.Sources.ConvertAll(imports.Paths.Absolute)));
             if (!isThere)
                 return;
             var check = imports.Checks.Check;
@@ -166,7 +166,7 @@ namespace FastPoints.Editor
             {
                 CloudCatalog.Delete(m_cloud.Path);
                 Look();
-                EditorImports.LookAgain(Asset);
+                EditorImports.Refresh(Asset);
             }
             catch (PointCloudException e)
             {
@@ -174,7 +174,7 @@ namespace FastPoints.Editor
             }
         }
 
-        void Tell(SourceChange change) => m_message = change == SourceChange.None ? "The source is as it was converted."
+        void ShowMessage(SourceChange change) => m_message = change == SourceChange.None ? "The source is as it was converted."
             : change == SourceChange.Missing ? "The source is not there." : "The source has changed since it was converted.";
     }
 }

@@ -265,7 +265,7 @@ namespace FastPoints.Editor
                 Debug.LogWarning("FastPoints: " + warning);
             Update(asset, Paths.Absolute(request.Cloud), session);
             Thumbnails.Add(Paths.Absolute(request.Cloud));
-            LookAgain(asset);
+            Refresh(asset);
         }
 
         void Update(string asset, string cloud, BuildSession session)
@@ -330,10 +330,10 @@ namespace FastPoints.Editor
 
         /// <summary>Has the scenes' clouds of an asset look for its folder again.</summary>
         /// <param name="asset">Its path.</param>
-        public static void LookAgain(string asset)
+        public static void Refresh(string asset)
         {
             foreach (var cloud in CloudsOf(asset))
-                cloud.LookAgain();
+                cloud.Refresh();
             EditorApplication.QueuePlayerLoopUpdate();
         }
 

@@ -29,9 +29,9 @@ namespace FastPoints.Editor
             if (m_picks.Count == 2)
                 ClearPicks();
             if (m_picker.Begin(ray))
-                Tell("searching");
+                ShowNote("searching");
             else
-                Tell("no point cloud is shown");
+                ShowNote("no point cloud is shown");
         }
 
         /// <summary>Once an update of the editor.</summary>
@@ -46,7 +46,7 @@ namespace FastPoints.Editor
                 m_picks.Add(pick);
                 m_clouds.Add(m_picker.EntityOf(pick.Cloud));
             }
-            Tell(pick.Failure ?? (pick.Point == null ? "no point here"
+            ShowNote(pick.Failure ?? (pick.Point == null ? "no point here"
                 : pick.IsPartial ? "perhaps not the nearest: too many points"
                 : pick.IsPreview ? "perhaps not the nearest: not all points are there yet" : null));
             return true;
@@ -69,7 +69,7 @@ namespace FastPoints.Editor
             m_clouds.Clear();
         }
 
-        void Tell(string note)
+        void ShowNote(string note)
         {
             m_lines.Clear();
             if (m_picks.Count == 2)

@@ -10,13 +10,13 @@ namespace FastPoints.Rendering
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
 
         NativeArray<uint> m_words;
-        NativeList<PoolRun> m_runs;
+        NativeList<PoolRange> m_runs;
         int m_pageCount;
 
         public DirectUpload(int pages)
         {
             m_words = new NativeArray<uint>(pages * WordsPerPage, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            m_runs = new NativeList<PoolRun>(256, Allocator.Persistent);
+            m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
         }
 
         public override long AllocatedBytes => (long)m_words.Length * sizeof(uint);
@@ -28,7 +28,7 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        public override byte* Take(PoolRun run)
+        public override byte* Take(PoolRange run)
         {
             if ((m_pageCount + run.PageCount) * WordsPerPage > m_words.Length)
             {

@@ -43,7 +43,7 @@ namespace FastPoints.Rendering
 
         public override bool TryBeginUpload() => m_upload.TryBegin(m_frame);
 
-        public override byte* AddressForUpload(PoolRun run, long bytes) => m_upload.Take(run);
+        public override byte* AddressForUpload(PoolRange run, long bytes) => m_upload.Take(run);
 
         public override void EndUpload() => m_upload.End(this, m_frame);
 
@@ -77,7 +77,7 @@ namespace FastPoints.Rendering
         public abstract bool TryBegin(long frame);
 
         /// <summary>Room for one more node, or null. The first always has room.</summary>
-        public abstract byte* Take(PoolRun run);
+        public abstract byte* Take(PoolRange run);
 
         /// <summary>All is written: what is drawn from now on finds it in the pool.</summary>
         public abstract void End(GraphicsNodePool pool, long frame);

@@ -23,12 +23,12 @@ namespace FastPoints.Rendering
         NativeArray<uint> m_words;
 
         /// <summary>Where each node goes, in the order in which they lie here.</summary>
-        NativeList<PoolRun> m_runs;
+        NativeList<PoolRange> m_runs;
         int m_pageCount;
 
         public StagingBuffer(int pages)
         {
-            m_runs = new NativeList<PoolRun>(256, Allocator.Persistent);
+            m_runs = new NativeList<PoolRange>(256, Allocator.Persistent);
             Create(pages);
         }
 
@@ -45,7 +45,7 @@ namespace FastPoints.Rendering
         }
 
         /// <summary>Room for one more node, or null. The first always has room.</summary>
-        public byte* Take(PoolRun run)
+        public byte* Take(PoolRange run)
         {
             if (m_pageCount + run.PageCount > Capacity)
             {

@@ -54,7 +54,7 @@ namespace FastPoints.Rendering
             return true;
         }
 
-        public override byte* Take(PoolRun run) => m_buffers[m_next].Take(run);
+        public override byte* Take(PoolRange run) => m_buffers[m_next].Take(run);
 
         public override void End(GraphicsNodePool pool, long frame)
         {

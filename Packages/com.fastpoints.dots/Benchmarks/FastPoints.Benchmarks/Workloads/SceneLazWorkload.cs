@@ -1,6 +1,6 @@
 namespace FastPoints.Benchmarks
 {
-    /// <summary>A LAZ file: beginnings of its chunks, then all of it.</summary>
+    /// <summary>A LAZ file: prefixes of its chunks, then all of it.</summary>
     public sealed class SceneLazWorkload : ScenePreviewBase
     {
         public override string Name => "scene laz";

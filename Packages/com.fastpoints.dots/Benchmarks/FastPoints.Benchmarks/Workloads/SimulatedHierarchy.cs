@@ -74,7 +74,7 @@ namespace FastPoints.Benchmarks
             var page = new HierarchyPage();
             page.Allocate(full + 4 * dense, 0);
             page.RootCount = 1;
-            page.Status = PageStatus.Loaded;
+            page.Status = HierarchyPageStatus.Loaded;
             int at = 0, nextDense = full;
             for (int level = 0; level < levels; level++)
             {

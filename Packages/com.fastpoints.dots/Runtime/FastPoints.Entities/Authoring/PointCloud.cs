@@ -107,7 +107,7 @@ namespace FastPoints.Entities
 
         /// <summary>There may be something new on disk: it is shown when it is there, and what is shown stays until
         /// then.</summary>
-        public void LookAgain()
+        public void Refresh()
         {
             if (m_entity.TryGet(out var entities))
                 entities.GetComponentObject<PointCloudFile>(Entity).LooksAgain = true;

@@ -35,7 +35,7 @@ namespace FastPoints.Entities
                     continue;
                 cache.SetHidden(node.Slot, false);
                 cache.SetPinned(node.Slot, false);
-                cache.SetTint(node.Slot, CacheSlot.White);
+                cache.SetTint(node.Slot, CachedNode.White);
             }
             m_set.Clear();
             if (!m_hidden.IsEmpty)

@@ -99,7 +99,7 @@ namespace FastPoints.Entities
             try
             {
                 if (file.LooksAgain)
-                    cloud.LookAgain();
+                    cloud.Refresh();
                 file.LooksAgain = false;
                 cloud.Update(budgetMs);
                 if (cloud.Newest != null)

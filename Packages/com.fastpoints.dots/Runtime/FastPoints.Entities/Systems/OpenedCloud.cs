@@ -42,7 +42,7 @@ namespace FastPoints.Entities
             m_feed?.Update(budgetMs);
         }
 
-        public void LookAgain() => m_feed?.LookAgain();
+        public void Refresh() => m_feed?.Refresh();
 
         /// <summary>Makes the newest state something to stream, with what its colours need and no more.</summary>
         /// <exception cref="PointCloudException">It cannot be streamed.</exception>

@@ -16,7 +16,7 @@ namespace FastPoints.Entities
 
         EntityArchetype m_archetype;
         EntityQuery m_clouds;
-        NativeList<TrackedSlot> m_tracked;
+        NativeList<TrackedNode> m_tracked;
         NativeList<bool> m_isDrawn;
         NativeList<Entity> m_gone;
         NativeList<int> m_come;
@@ -32,7 +32,7 @@ namespace FastPoints.Entities
                 ComponentType.ReadWrite<Resident>(), ComponentType.ReadWrite<Drawn>(), ComponentType.ReadWrite<Hidden>(),
                 ComponentType.ReadWrite<Pinned>(), ComponentType.ReadWrite<Tint>());
             m_clouds = GetEntityQuery(ComponentType.ReadOnly<StreamedPointCloud>());
-            m_tracked = new NativeList<TrackedSlot>(1024, Allocator.Persistent);
+            m_tracked = new NativeList<TrackedNode>(1024, Allocator.Persistent);
             m_isDrawn = new NativeList<bool>(1024, Allocator.Persistent);
             m_gone = new NativeList<Entity>(MostChanges, Allocator.Persistent);
             m_come = new NativeList<int>(MostChanges, Allocator.Persistent);
@@ -43,7 +43,7 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
-            new CompareSlotsJob
+            new CompareNodesJob
             {
                 Slots = Group.Stream.Cache.Slots,
                 Drawn = Group.Stream.Drawn.AsArray(),
@@ -59,7 +59,7 @@ namespace FastPoints.Entities
             if (m_come.Length > 0)
                 Make();
             for (int i = 0; i < m_changed.Length; i++)
-                Tell(m_tracked[m_changed[i]]);
+                UpdateEntity(m_tracked[m_changed[i]]);
         }
 
         protected override void OnDestroy()
@@ -89,11 +89,11 @@ namespace FastPoints.Entities
                 EntityManager.SetComponentEnabled<Hidden>(entity, false);
                 EntityManager.SetComponentEnabled<Pinned>(entity, false);
                 EntityManager.SetComponentEnabled<Tint>(entity, false);
-                Tell(tracked);
+                UpdateEntity(tracked);
             }
         }
 
-        void Describe(Entity entity, int slot, CacheSlot cached)
+        void Describe(Entity entity, int slot, CachedNode cached)
         {
             var node = Group.Stream.Clouds[cached.Cloud].Pages[cached.Page].Nodes[cached.Node];
             EntityManager.SetComponentData(entity, new PointCloudNode
@@ -106,15 +106,15 @@ namespace FastPoints.Entities
                 SlotVersion = cached.Version,
             });
             EntityManager.SetComponentData(entity, new PointCloudNodeBounds { Center = node.Center, Half = node.Half });
-            EntityManager.SetComponentData(entity, new Tint { Rgba = CacheSlot.White });
+            EntityManager.SetComponentData(entity, new Tint { Rgba = CachedNode.White });
         }
 
-        void Tell(TrackedSlot tracked)
+        void UpdateEntity(TrackedNode tracked)
         {
-            bool isResident = (tracked.State & TrackedSlot.IsResident) != 0;
+            bool isResident = (tracked.State & TrackedNode.IsResident) != 0;
             EntityManager.SetComponentEnabled<Requested>(tracked.Entity, !isResident);
             EntityManager.SetComponentEnabled<Resident>(tracked.Entity, isResident);
-            EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedSlot.IsDrawn) != 0);
+            EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedNode.IsDrawn) != 0);
         }
 
         void FindClouds()
@@ -136,7 +136,7 @@ namespace FastPoints.Entities
     }
 
     /// <summary>What is known of a slot of the cache: the entity of the node that lies there.</summary>
-    internal struct TrackedSlot
+    internal struct TrackedNode
     {
         public const byte IsResident = 1;
         public const byte IsDrawn = 2;

@@ -41,7 +41,7 @@ namespace FastPoints.Convert
         /// <param name="attributes">Attributes beside the position.</param>
         /// <param name="firstFiles">Files that the first partition needs.</param>
         /// <param name="points">Of all sources, to tell how much was done.</param>
-        public static BuildCheckpoints TakeUp(ulong identity, CloudFolderWriter folder, RecordFiles files, int sources,
+        public static BuildCheckpoints Resume(ulong identity, CloudFolderWriter folder, RecordFiles files, int sources,
             int attributes, int firstFiles, long points)
         {
             var checkpoints = new BuildCheckpoints(folder, files);
@@ -49,13 +49,13 @@ namespace FastPoints.Convert
             var journal = text == null ? null : BuildJournal.FromJson(text);
             bool isSame = files != null && journal != null && journal.Identity == identity &&
                 journal.Attributes.Length == attributes && (journal.At == BuildJournal.Stage.Read
-                    ? journal.Source < sources && journal.Findings.Count == journal.Source + 1 &&
+                    ? journal.Source < sources && journal.Statistics.Count == journal.Source + 1 &&
                         journal.Records.Count == firstFiles
-                    : journal.Findings.Count == sources);
+                    : journal.Statistics.Count == sources);
             if (isSame && (journal.At == BuildJournal.Stage.Done || files.TakeOver(journal)))
             {
                 checkpoints.Journal = journal;
-                foreach (var found in journal.Findings)
+                foreach (var found in journal.Statistics)
                     checkpoints.PointsTaken += found.Count + found.LeftOut;
                 checkpoints.Note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of "
                     + "{1} points were read", checkpoints.PointsTaken, points);
@@ -78,7 +78,7 @@ namespace FastPoints.Convert
         /// journal is. Does nothing where points are in memory.</summary>
         /// <param name="attributes">By attribute: what was found so far.</param>
         /// <param name="chunks">As they are now, from <see cref="BuildJournal.Stage.Split"/> on.</param>
-        public IEnumerator<Work> Begin(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        public IEnumerator<Work> Begin(AttributeStatistics[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
         {
             if (m_files == null)
                 yield break;
@@ -97,7 +97,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Writes the last journal there is: all files of the cloud are whole.</summary>
-        public void Finish(AttributeFindings[] attributes)
+        public void Finish(AttributeStatistics[] attributes)
         {
             Journal.At = BuildJournal.Stage.Done;
             if (m_files != null)
@@ -113,7 +113,7 @@ namespace FastPoints.Convert
             m_text = default;
         }
 
-        string Describe(AttributeFindings[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        string Describe(AttributeStatistics[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
         {
             Journal.Attributes = attributes;
             Journal.PeakBytes = m_files.PeakBytes;

@@ -29,7 +29,7 @@ namespace FastPoints.Convert
         public struct Chunk
         {
             public GridCube Cube;
-            public RecordRun[] Runs;
+            public RecordRange[] Runs;
         }
 
         const int Version = 1;
@@ -43,8 +43,8 @@ namespace FastPoints.Convert
         public int Block;
 
         /// <summary>By source that was begun: what it showed.</summary>
-        public readonly List<PointFindings> Findings = new List<PointFindings>();
-        public AttributeFindings[] Attributes = new AttributeFindings[0];
+        public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
+        public AttributeStatistics[] Attributes = new AttributeStatistics[0];
 
         /// <summary>By file: its records.</summary>
         public readonly List<long> Records = new List<long>();
@@ -66,7 +66,7 @@ namespace FastPoints.Convert
                 .Add("levelCount", LevelCount)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
             json.BeginArray("findings");
-            foreach (var found in Findings)
+            foreach (var found in Statistics)
             {
                 json.BeginObject().Add("count", found.Count).Add("leftOut", found.LeftOut)
                     .Add("min", found.Min.X, found.Min.Y, found.Min.Z).Add("max", found.Max.X, found.Max.Y, found.Max.Z)
@@ -126,7 +126,7 @@ namespace FastPoints.Convert
             };
             foreach (Dictionary<string, object> item in (List<object>)json["findings"])
             {
-                journal.Findings.Add(new PointFindings
+                journal.Statistics.Add(new PointStatistics
                 {
                     Count = JsonReader.ToLong(item["count"]),
                     LeftOut = JsonReader.ToLong(item["leftOut"]),
@@ -137,11 +137,11 @@ namespace FastPoints.Convert
                 });
             }
             var attributes = (List<object>)json["attributes"];
-            journal.Attributes = new AttributeFindings[attributes.Count];
+            journal.Attributes = new AttributeStatistics[attributes.Count];
             for (int a = 0; a < attributes.Count; a++)
             {
                 var item = (Dictionary<string, object>)attributes[a];
-                journal.Attributes[a] = new AttributeFindings
+                journal.Attributes[a] = new AttributeStatistics
                 {
                     Min = JsonReader.ToHex(item["min"]),
                     Max = JsonReader.ToHex(item["max"]),
@@ -153,11 +153,11 @@ namespace FastPoints.Convert
                 journal.Records.Add(JsonReader.ToLong(count));
             foreach (Dictionary<string, object> item in (List<object>)json["chunks"])
             {
-                var runs = new List<RecordRun>();
+                var runs = new List<RecordRange>();
                 foreach (var run in (List<object>)item["runs"])
                 {
                     var three = Place(run);
-                    runs.Add(new RecordRun { File = checked((int)three.X), First = three.Y, Count = three.Z });
+                    runs.Add(new RecordRange { File = checked((int)three.X), First = three.Y, Count = three.Z });
                 }
                 journal.Chunks.Add(new Chunk
                 {

@@ -24,7 +24,7 @@ namespace FastPoints.Convert
             public RecordPages Pages;
 
             /// <summary>Its records in files; either these or the pages are empty.</summary>
-            public readonly List<RecordRun> Runs = new List<RecordRun>();
+            public readonly List<RecordRange> Runs = new List<RecordRange>();
 
             public long Count { get; private set; }
 
@@ -34,7 +34,7 @@ namespace FastPoints.Convert
                 Pages.Join(ref pages);
             }
 
-            public void Add(RecordRun run)
+            public void Add(RecordRange run)
             {
                 Count += run.Count;
                 Runs.Add(run);
@@ -42,7 +42,7 @@ namespace FastPoints.Convert
         }
 
         readonly RecordLayout m_layout;
-        readonly NativeReference<PagePool> m_pool;
+        readonly NativeReference<RecordPagePool> m_pool;
         readonly RecordFiles m_files;
         readonly long m_mostPages;
         readonly RecordLoad m_load;
@@ -53,7 +53,7 @@ namespace FastPoints.Convert
         /// <param name="files">Of what does not stay in memory; null where everything does.</param>
         /// <param name="mostPages">That parts of chunks may take until they go to files.</param>
         /// <param name="slices">Takes in how long the jobs ran.</param>
-        public ChunkSet(RecordLayout layout, NativeReference<PagePool> pool, RecordFiles files, long mostPages, SliceTimes slices)
+        public ChunkSet(RecordLayout layout, NativeReference<RecordPagePool> pool, RecordFiles files, long mostPages, SliceTimes slices)
         {
             m_slices = slices;
             m_layout = layout;
@@ -85,11 +85,11 @@ namespace FastPoints.Convert
         public void Add(GridCube cube, int file)
         {
             if (m_files.RecordsOf(file) > 0)
-                Add(cube, new RecordRun { File = file, Count = m_files.RecordsOf(file) });
+                Add(cube, new RecordRange { File = file, Count = m_files.RecordsOf(file) });
         }
 
         /// <summary>Takes over a chunk's records in files.</summary>
-        public void Add(GridCube cube, params RecordRun[] runs)
+        public void Add(GridCube cube, params RecordRange[] runs)
         {
             var chunk = new Chunk { Cube = cube };
             foreach (var run in runs)
@@ -186,9 +186,9 @@ namespace FastPoints.Convert
             PartitionMap map = null;
             try
             {
-                bounds[0] = PointFindings.None.Min;
-                bounds[1] = PointFindings.None.Max;
-                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasurePagesJob
+                bounds[0] = PointStatistics.None.Min;
+                bounds[1] = PointStatistics.None.Max;
+                yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
                 {
                     Slices = m_slices,
                     Pages = pages,
@@ -217,7 +217,7 @@ namespace FastPoints.Convert
                 }.Schedule(before)));
                 map = PartitionMap.Plan(cube, levels, counts, target);
                 var chunkOfCell = map.ChunkOfCell;
-                yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupPagesJob
+                yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
                 {
                     Slices = m_slices,
                     Pages = pages,
@@ -258,7 +258,7 @@ namespace FastPoints.Convert
                         room = partRecords;
                     }
                     long count = Math.Min(room, run.Count - done);
-                    m_chunks[m_chunks.Count - 1].Add(new RecordRun { File = run.File, First = run.First + done, Count = count });
+                    m_chunks[m_chunks.Count - 1].Add(new RecordRange { File = run.File, First = run.First + done, Count = count });
                     m_files.Share(run.File);
                     done += count;
                     room -= count;

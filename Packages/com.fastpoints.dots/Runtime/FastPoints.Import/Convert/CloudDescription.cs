@@ -17,7 +17,7 @@ namespace FastPoints.Convert
     {
         /// <summary>One entry a file, tiles of a reader apart.</summary>
         /// <param name="findings">By reader.</param>
-        public static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointFindings> findings,
+        public static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
             for (int i = 0; i < readers.Count; i++)
@@ -33,19 +33,19 @@ namespace FastPoints.Convert
                 else
                 {
                     var info = readers[i].Info;
-                    AddSource(info.Path, info.FileBytes, findings[i].Count + findings[i].LeftOut, manifest);
+                    AddSource(info.Path, info.FileBytes, statistics[i].Count + statistics[i].LeftOut, manifest);
                 }
             }
         }
 
         /// <summary>Says of each source what is missing or inexact in the cloud.</summary>
         /// <param name="findings">By reader.</param>
-        public static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointFindings> findings, in CloudGrid grid)
+        public static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)
             {
                 var info = readers[i].Info;
-                var found = findings[i];
+                var found = statistics[i];
                 if (found.LeftOut > 0)
                     info.Warn(-1, string.Format(CultureInfo.InvariantCulture, "{0} points without a finite position are left out",
                         found.LeftOut));
@@ -60,7 +60,7 @@ namespace FastPoints.Convert
         /// <summary>Counts, bounds, attributes, and where on Earth the first source says that the cloud lies.</summary>
         /// <param name="found">Of all points.</param>
         /// <param name="values">By attribute: what its values are.</param>
-        public static void Describe(in PointFindings found, in CloudGrid grid, PointSchema attributes, AttributeFindings[] values,
+        public static void Describe(in PointStatistics found, in CloudGrid grid, PointSchema attributes, AttributeStatistics[] values,
             CoordinateSystem crs, CloudManifest manifest)
         {
             manifest.Points = found.Count;

@@ -31,14 +31,14 @@ namespace FastPoints.Convert
         readonly string m_target;
         readonly CloudFolderWriter m_folder;
         readonly List<SourceSample> m_samples = new List<SourceSample>();
-        readonly List<SampleFindings> m_sampleFindings = new List<SampleFindings>();
+        readonly List<SampleStatistics> m_sampleStatistics = new List<SampleStatistics>();
         readonly CloudManifest m_manifest = new CloudManifest();
 
         readonly PointSchema m_attributes;
         readonly SliceTimes m_slices;
         GridChoice m_grid;
         MemoryPlan m_plan;
-        NativeReference<PagePool> m_pool;
+        NativeReference<RecordPagePool> m_pool;
         RecordFiles m_files;
         BuildCheckpoints m_checkpoints;
         BuildGenerations m_generations;
@@ -77,7 +77,7 @@ namespace FastPoints.Convert
                 progress?.Begin(BuildStages.Sample);
                 yield return Work.Of(convert.Sample());
                 yield return Work.Of(convert.Partition());
-                convert.TakeUp();
+                convert.Resume();
                 if (convert.m_journal.At == BuildJournal.Stage.Done)
                 {
                     progress?.Begin(BuildStages.Finish);
@@ -139,7 +139,7 @@ namespace FastPoints.Convert
 
         IEnumerator<Work> Sample()
         {
-            var findings = new NativeReference<SampleFindings>(Allocator.Persistent);
+            var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
             var job = default(JobHandle);
             try
             {
@@ -149,16 +149,16 @@ namespace FastPoints.Convert
                     if (!reader.BlocksAreKnown)
                         yield return Work.Of(reader.FindBlocks());
                     yield return Work.Of(SourceSample.Read(reader, MostSlots(SourceScan.DefaultSlots), m_samples.Add));
-                    job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Findings = findings }.Schedule();
+                    job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Statistics = statistics }.Schedule();
                     yield return job;
                     job.Complete();
-                    m_sampleFindings.Add(findings.Value);
+                    m_sampleStatistics.Add(statistics.Value);
                 }
             }
             finally
             {
                 job.Complete();
-                findings.Dispose();
+                statistics.Dispose();
             }
         }
 
@@ -171,13 +171,13 @@ namespace FastPoints.Convert
                 infos.Add(reader.Info);
                 m_points += reader.PointCount;
             }
-            m_grid = GridChoice.Choose(infos, m_sampleFindings, m_attributes.BytesPerPoint);
+            m_grid = GridChoice.Choose(infos, m_sampleStatistics, m_attributes.BytesPerPoint);
             int stride = m_grid.Records.StrideBytes;
             m_plan = MemoryPlan.For(m_points, stride, m_settings);
-            m_pool = new NativeReference<PagePool>(new PagePool(stride, m_points / RecordPages.RecordsPerPage),
+            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(stride, m_points / RecordPages.RecordsPerPage),
                 Allocator.Persistent);
 
-            var cube = FirstCube.Of(m_readers, m_sampleFindings, m_grid);
+            var cube = FirstCube.Of(m_readers, m_sampleStatistics, m_grid);
             yield return Work.Of(PartitionPlan.Of(cube, m_samples, m_grid, m_points, m_plan, map => m_map = map));
             foreach (var sample in m_samples)
                 sample.Dispose();
@@ -186,31 +186,31 @@ namespace FastPoints.Convert
 
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
         /// on disk.</summary>
-        void TakeUp()
+        void Resume()
         {
             m_files = m_plan.IsStored ? new RecordFiles(m_folder, m_grid.Records.StrideBytes) : null;
             m_scatter = new ScatterPoints(m_attributes, m_grid.Records, m_map, m_pool, m_files, m_plan, m_points, m_slices,
                 m_progress);
             m_chunks = new ChunkSet(m_grid.Records, m_pool, m_files, m_plan.MostPages / 2, m_slices);
             ulong identity = BuildIdentity.Of(m_readers, m_attributes, m_grid, m_plan, m_map, m_settings);
-            m_checkpoints = BuildCheckpoints.TakeUp(identity, m_folder, m_files, m_readers.Count, m_attributes.Count,
+            m_checkpoints = BuildCheckpoints.Resume(identity, m_folder, m_files, m_readers.Count, m_attributes.Count,
                 m_map.Chunks.Length + 1, m_points);
             m_journal = m_checkpoints.Journal;
             m_scatter.Skip(m_checkpoints.PointsTaken);
             for (int a = 0; a < m_journal.Attributes.Length; a++)
                 m_scatter.Attributes[a] = m_journal.Attributes[a];
-            foreach (var found in m_journal.Findings)
+            foreach (var found in m_journal.Statistics)
             {
-                var all = m_scatter.Findings;
+                var all = m_scatter.Statistics;
                 all.Include(found);
-                m_scatter.Findings = all;
+                m_scatter.Statistics = all;
             }
             m_provisional = new ProvisionalSample(m_readers, m_attributes, m_grid, m_map, m_plan.ProvisionalPoints);
             m_generations = new BuildGenerations(m_provisional, m_folder, m_grid.Records, m_settings.Sampler, Sizes,
                 m_plan.PointsPerChunk, m_settings.SecondsToFirstGeneration, m_slices);
             if (m_files == null)
                 return;
-            long needed = (m_points - m_scatter.Findings.Count) * m_grid.Records.StrideBytes, free = m_folder.FreeBytes();
+            long needed = (m_points - m_scatter.Statistics.Count) * m_grid.Records.StrideBytes, free = m_folder.FreeBytes();
             if (m_journal.At == BuildJournal.Stage.Read && free >= 0 && free < needed)
                 throw new PointCloudException(FailureCode.DiskFull, m_target, -1, string.Format(CultureInfo.InvariantCulture,
                     "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}",
@@ -231,8 +231,8 @@ namespace FastPoints.Convert
                 int slots = MostSlots(SourceScan.SlotsFor(reader, wanted, m_grid.Records.StrideBytes + sizeof(int),
                     m_plan.ReadBytes));
                 m_scatter.BeginSource(reader, m_grid.Sources[i]);
-                if (m_journal.Findings.Count <= i)
-                    m_journal.Findings.Add(PointFindings.None);
+                if (m_journal.Statistics.Count <= i)
+                    m_journal.Statistics.Add(PointStatistics.None);
                 for (int block = m_journal.Block; block < reader.BlockCount; block = m_journal.Block)
                 {
                     int end = block;
@@ -248,9 +248,9 @@ namespace FastPoints.Convert
                             yield return Work.Of(m_generations.WriteFirst(m_map.Cube, m_map.Chunks, DescribeSample));
                         }
                     }
-                    var found = m_journal.Findings[i];
-                    found.Include(m_scatter.TakeFindings());
-                    m_journal.Findings[i] = found;
+                    var found = m_journal.Statistics[i];
+                    found.Include(m_scatter.TakeStatistics());
+                    m_journal.Statistics[i] = found;
                     m_journal.Block = end;
                     if (sinceCheckpoint < m_settings.PointsPerCheckpoint)
                         continue;
@@ -267,14 +267,14 @@ namespace FastPoints.Convert
             }
             if (isReading && m_files != null)
                 yield return Work.Of(m_scatter.WriteAll());
-            CloudDescription.AddSources(m_readers, m_journal.Findings, m_manifest);
-            CloudDescription.Warn(m_readers, m_journal.Findings, m_grid.Grid);
+            CloudDescription.AddSources(m_readers, m_journal.Statistics, m_manifest);
+            CloudDescription.Warn(m_readers, m_journal.Statistics, m_grid.Grid);
         }
 
         /// <summary>The manifest of the sample alone.</summary>
         void DescribeSample(CloudManifest manifest)
         {
-            var found = m_provisional.Findings;
+            var found = m_provisional.Statistics;
             long last = m_map.Cube.Side - 1;
             // What lies outside the first cube is not in the sample's tops.
             found.Min = Grid3.Max(found.Min, m_map.Cube.Corner);
@@ -295,7 +295,7 @@ namespace FastPoints.Convert
         /// <summary>The root cube by what came, and chunks that are neither too large nor needlessly small.</summary>
         IEnumerator<Work> SettleChunks()
         {
-            var found = m_scatter.Findings;
+            var found = m_scatter.Statistics;
             if (found.Count == 0)
                 yield break;
             if (m_journal.At == BuildJournal.Stage.Read)
@@ -354,7 +354,7 @@ namespace FastPoints.Convert
 
         IEnumerator<Work> Build()
         {
-            var found = m_scatter.Findings;
+            var found = m_scatter.Statistics;
             CloudDescription.Describe(found, m_grid.Grid, m_attributes, m_scatter.Attributes, m_readers[0].Info.Crs, m_manifest);
             // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
             m_manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^ (ulong)m_plan.PointsPerChunk << 40 ^

@@ -16,10 +16,10 @@ namespace FastPoints.Convert
         /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be
         /// anything.</summary>
         /// <param name="found">In the sample of each reader.</param>
-        public static GridCube Of(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleFindings> found, GridChoice grid)
+        public static GridCube Of(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleStatistics> found, GridChoice grid)
         {
-            var min = PointFindings.None.Min;
-            var max = PointFindings.None.Max;
+            var min = PointStatistics.None.Min;
+            var max = PointStatistics.None.Max;
             for (int i = 0; i < found.Count; i++)
             {
                 if (!math.all(found[i].Min <= found[i].Max))

@@ -47,7 +47,7 @@ namespace FastPoints.Convert
         readonly List<Slot> m_slots = new List<Slot>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
-        NativeReference<PagePool> m_pool;
+        NativeReference<RecordPagePool> m_pool;
         ChunkWrites m_writes;
         UpperMerge m_merge;
         long m_largestChunkBytes;
@@ -56,7 +56,7 @@ namespace FastPoints.Convert
         /// <param name="pool">Of the chunks' pages.</param>
         /// <param name="files">Where their records are; null where they are in memory.</param>
         /// <param name="generations">Shows what is finished meanwhile.</param>
-        public OctreeBuild(ChunkSet chunks, NativeReference<PagePool> pool, RecordFiles files, MemoryPlan plan,
+        public OctreeBuild(ChunkSet chunks, NativeReference<RecordPagePool> pool, RecordFiles files, MemoryPlan plan,
             RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
             Sampler sampler, NodeSizes sizes, BuildGenerations generations, double secondsPerGeneration, SliceTimes slices)
         {
@@ -208,11 +208,11 @@ namespace FastPoints.Convert
                         yield return slot.Load.Done;
                         chunk.Pages = slot.Load.Complete();
                         // What comes from a disk is checked before anything is computed with it.
-                        bounds[0] = PointFindings.None.Min;
-                        bounds[1] = PointFindings.None.Max;
+                        bounds[0] = PointStatistics.None.Min;
+                        bounds[1] = PointStatistics.None.Max;
                         var batches = ChunkSet.CutBatches(chunk.Pages);
                         foreach (var batch in batches)
-                            check = new MeasurePagesJob
+                            check = new MeasureRecordsJob
                             {
                                 Slices = slot.Indexer.Slices,
                                 Pages = batch,

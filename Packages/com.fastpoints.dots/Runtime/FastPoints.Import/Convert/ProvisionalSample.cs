@@ -24,7 +24,7 @@ namespace FastPoints.Convert
         readonly GridChoice m_grid;
         readonly PartitionMap m_map;
         readonly long m_mostPoints;
-        readonly NativeReference<PagePool> m_pool;
+        readonly NativeReference<RecordPagePool> m_pool;
         RecordPages m_pages;
 
         /// <param name="readers">Their blocks are known.</param>
@@ -38,18 +38,18 @@ namespace FastPoints.Convert
             m_grid = grid;
             m_map = map;
             m_mostPoints = mostPoints;
-            m_pool = new NativeReference<PagePool>(new PagePool(grid.Records.StrideBytes,
+            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(grid.Records.StrideBytes,
                 2 * mostPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
-            Attributes = new AttributeFindings[attributes.Count];
+            Attributes = new AttributeStatistics[attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
-                Attributes[a] = AttributeFindings.None;
+                Attributes[a] = AttributeStatistics.None;
         }
 
         public bool IsRead { get; private set; }
 
         /// <summary>Of the points that were read.</summary>
-        public PointFindings Findings { get; private set; } = PointFindings.None;
-        public AttributeFindings[] Attributes { get; }
+        public PointStatistics Statistics { get; private set; } = PointStatistics.None;
+        public AttributeStatistics[] Attributes { get; }
 
         /// <summary>Work for a pump: reads the sample.</summary>
         public IEnumerator<Work> Read()
@@ -155,9 +155,9 @@ namespace FastPoints.Convert
             m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
                 slot.FirstOfChunk[m_map.Outside], ref pool);
             reference.Value = pool;
-            var findings = Findings;
-            findings.Include(slot.TakeFindings(Attributes));
-            Findings = findings;
+            var statistics = Statistics;
+            statistics.Include(slot.TakeStatistics(Attributes));
+            Statistics = statistics;
         }
     }
 }

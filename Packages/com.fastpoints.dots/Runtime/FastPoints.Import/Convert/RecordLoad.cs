@@ -34,7 +34,7 @@ namespace FastPoints.Convert
         /// <param name="runs">One after the other, as one sequence of records.</param>
         /// <param name="first">Of that sequence.</param>
         /// <param name="count">No more than there are.</param>
-        public void Begin(IReadOnlyList<RecordRun> runs, long first, long count, ref PagePool pool)
+        public void Begin(IReadOnlyList<RecordRange> runs, long first, long count, ref RecordPagePool pool)
         {
             Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
             var commands = (ReadCommand*)m_commands.GetUnsafePtr();
@@ -119,7 +119,7 @@ namespace FastPoints.Convert
     }
 
     /// <summary>Some consecutive records of a temporary file.</summary>
-    internal struct RecordRun
+    internal struct RecordRange
     {
         public int File;
         public long First;

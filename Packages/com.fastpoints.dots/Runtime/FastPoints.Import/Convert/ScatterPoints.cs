@@ -17,7 +17,7 @@ namespace FastPoints.Convert
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;
         readonly PartitionMap m_map;
-        readonly NativeReference<PagePool> m_pool;
+        readonly NativeReference<RecordPagePool> m_pool;
         readonly RecordFiles m_files;
         readonly MemoryPlan m_plan;
         readonly StageProgress m_progress;
@@ -36,7 +36,7 @@ namespace FastPoints.Convert
         /// <param name="files">By chunk: where its pages go; null where all stay in memory.</param>
         /// <param name="allPoints">Of all sources, to show how far it is.</param>
         /// <param name="slices">Takes in how long the jobs ran.</param>
-        public ScatterPoints(PointSchema attributes, RecordLayout layout, PartitionMap map, NativeReference<PagePool> pool,
+        public ScatterPoints(PointSchema attributes, RecordLayout layout, PartitionMap map, NativeReference<RecordPagePool> pool,
             RecordFiles files, MemoryPlan plan, long allPoints, SliceTimes slices, StageProgress progress)
         {
             m_attributes = attributes;
@@ -50,16 +50,16 @@ namespace FastPoints.Convert
             m_slices = slices;
             m_chunks = new NativeArray<RecordPages>(map.Chunks.Length + 1, Allocator.Persistent);
             m_pagesDetached = new NativeReference<long>(Allocator.Persistent);
-            Attributes = new AttributeFindings[attributes.Count];
+            Attributes = new AttributeStatistics[attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
-                Attributes[a] = AttributeFindings.None;
+                Attributes[a] = AttributeStatistics.None;
         }
 
-        /// <summary>Of all that <see cref="TakeFindings"/> took.</summary>
-        public PointFindings Findings { get; set; } = PointFindings.None;
+        /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
+        public PointStatistics Statistics { get; set; } = PointStatistics.None;
 
         /// <summary>By attribute, the same.</summary>
-        public AttributeFindings[] Attributes { get; }
+        public AttributeStatistics[] Attributes { get; }
 
         /// <summary>Records by chunk of the partition, the last those outside. Elements may be taken over and emptied.</summary>
         public NativeArray<RecordPages> Chunks => m_chunks;
@@ -119,16 +119,16 @@ namespace FastPoints.Convert
 
         /// <summary>When a scan has ended: takes in what it showed.</summary>
         /// <returns>What is new.</returns>
-        public PointFindings TakeFindings()
+        public PointStatistics TakeStatistics()
         {
             m_lastAppend.Complete();
             m_lastAppend = default;
-            var found = PointFindings.None;
+            var found = PointStatistics.None;
             foreach (var slot in m_slots)
-                found.Include(slot.TakeFindings(Attributes));
-            var all = Findings;
+                found.Include(slot.TakeStatistics(Attributes));
+            var all = Statistics;
             all.Include(found);
-            Findings = all;
+            Statistics = all;
             return found;
         }
 

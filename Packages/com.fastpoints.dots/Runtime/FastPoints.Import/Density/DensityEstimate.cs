@@ -15,8 +15,8 @@ namespace FastPoints.Density
     /// </summary>
     /// <remarks>
     /// The error is that of the choice of stretches. It holds where these lie at chance places of their parts of the file, as
-    /// runs and text do; beginnings of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
-    /// no sample of beginnings knows.
+    /// runs and text do; prefixes of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
+    /// no sample of prefixes knows.
     /// </remarks>
     internal sealed class DensityEstimate : IDisposable
     {
@@ -34,13 +34,13 @@ namespace FastPoints.Density
         readonly double m_edge;
         readonly int m_leastStretches;
         readonly double m_share;
-        readonly bool m_isOfBlockBeginnings;
+        readonly bool m_isOfBlockPrefixes;
 
         DensityEstimate(DensityTree tree, PreviewSample sample, double share, int leastStretches, double3 corner, double edge)
         {
             m_tree = tree;
             m_share = share;
-            m_isOfBlockBeginnings = sample.IsOfBlockBeginnings;
+            m_isOfBlockPrefixes = sample.IsOfBlockPrefixes;
             m_leastStretches = leastStretches;
             m_corner = corner;
             m_edge = edge;
@@ -122,12 +122,12 @@ namespace FastPoints.Density
 
         /// <summary>
         /// How many points of the cloud, by estimate, lie in cells that no sampled point lies in: as many as lie in cells that a
-        /// single stretch has points in (I. J. Good, "The population frequencies of species", 1953). NaN of beginnings of
+        /// single stretch has points in (I. J. Good, "The population frequencies of species", 1953). NaN of prefixes of
         /// blocks: what their ends hold cannot be told from them.
         /// </summary>
         public double EstimateUnseen()
         {
-            if (m_isOfBlockBeginnings)
+            if (m_isOfBlockPrefixes)
                 return double.NaN;
             double single = 0;
             foreach (var leaf in Leaves())

@@ -31,7 +31,7 @@ namespace FastPoints.Draw
         public NodeSelection(CloudFolder folder)
         {
             m_folder = folder;
-            var grid = new PageGrid(folder.Manifest);
+            var grid = new HierarchyGrid(folder.Manifest);
             m_pages = new NativeArray<HierarchyPage>(1 + folder.Chunks.Length, Allocator.Persistent);
             for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
                 m_pages[1 + chunk] = HierarchyPage.OfChunk(folder.Chunks[chunk], grid);
@@ -174,9 +174,9 @@ namespace FastPoints.Draw
         {
             var page = m_pages[1 + file];
             var chunks = (HierarchyPage*)m_pages.GetUnsafePtr() + 1;
-            PageBuilding.Build((NodeRecord*)table.Nodes.GetUnsafeReadOnlyPtr(),
+            HierarchyPageBuilding.Build((NodeRecord*)table.Nodes.GetUnsafeReadOnlyPtr(),
                 (PlaneRange*)table.Planes.GetUnsafeReadOnlyPtr(), table.Nodes.Length, table.PlaneCount, null, 0,
-                new PageGrid(m_folder.Manifest), file == UpperFile ? chunks : null, ref page);
+                new HierarchyGrid(m_folder.Manifest), file == UpperFile ? chunks : null, ref page);
             m_pages[1 + file] = page;
         }
 

@@ -91,10 +91,10 @@ namespace FastPoints.Draw
         public IEnumerator<Work> TakeSample(StageProgress progress)
         {
             m_watch.Restart();
-            if (m_reader.HasBeginnings && !m_options.Exact)
+            if (m_reader.HasPrefixes && !m_options.Exact)
             {
-                yield return Work.Of(TakeBeginnings(progress));
-                if (!m_options.Quick && Sample.IsOfBeginning)
+                yield return Work.Of(TakePrefixes(progress));
+                if (!m_options.Quick && Sample.IsOfPrefix)
                     Drop();
             }
             if (Sample == null || !m_options.Quick && !Sample.IsWhole)
@@ -104,7 +104,7 @@ namespace FastPoints.Draw
                 yield return Work.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
             }
 
-            TellChanges();
+            RaiseChanges();
             progress?.End();
         }
 
@@ -136,7 +136,7 @@ namespace FastPoints.Draw
         }
 
         /// <summary>A header of one file and points of another give anything.</summary>
-        void TellChanges()
+        void RaiseChanges()
         {
             var now = FileNow();
             if (now.Equals(m_fileBefore))
@@ -146,7 +146,7 @@ namespace FastPoints.Draw
                 + " now): the sample may be of neither state");
         }
 
-        /// <summary>Whether a first sample is of the beginnings of blocks alone, which are there soon and leave most of the cloud
+        /// <summary>Whether a first sample is of the prefixes of blocks alone, which are there soon and leave most of the cloud
         /// bare: the whole blocks take their place.</summary>
         public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
 
@@ -212,17 +212,17 @@ namespace FastPoints.Draw
 
         /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the file: of its
         /// beginning, or all over it.</summary>
-        IEnumerator<Work> TakeBeginnings(StageProgress progress)
+        IEnumerator<Work> TakePrefixes(StageProgress progress)
         {
             progress?.Begin("sample");
             // Of those that are spread a sampler looks for as many as a wave needs.
-            yield return Work.Of(m_reader.BeginningsAreSpread ? m_reader.FindBeginnings(1) : m_reader.FindBeginnings());
+            yield return Work.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
             yield return Work.Of(Take(m_options.Points, progress));
             var estimate = m_reader.EstimatedPoints;
             Sample.StandFor((long)Math.Min(Math.Round(estimate.Points), 1L << 62));
-            Sample.IsOfBeginning = !Sample.IsWhole && !m_reader.BeginningsAreSpread;
-            Sample.StandsForStretches &= !Sample.IsOfBeginning;
-            if (m_reader.BeginningsAreSpread)
+            Sample.IsOfPrefix = !Sample.IsWhole && !m_reader.PrefixesAreSpread;
+            Sample.StandsForStretches &= !Sample.IsOfPrefix;
+            if (m_reader.PrefixesAreSpread)
             {
                 Sample.Method = "lines of stretches all over the file";
                 if (m_options.Quick && estimate.StandardError > 0)
@@ -230,7 +230,7 @@ namespace FastPoints.Draw
                         + " is an estimate with a standard error of "
                         + estimate.StandardError.ToString("N0", CultureInfo.InvariantCulture));
             }
-            if (!Sample.IsOfBeginning)
+            if (!Sample.IsOfPrefix)
                 yield break;
             Sample.Method = "the file's beginning alone";
             if (m_options.Quick)
@@ -272,7 +272,7 @@ namespace FastPoints.Draw
         /// <summary>Choose from a scan of all points, not from short runs.</summary>
         public bool Exact;
 
-        /// <summary>Stop at the sample that reads little, also where it is of the beginnings of blocks alone, or of
+        /// <summary>Stop at the sample that reads little, also where it is of the prefixes of blocks alone, or of
         /// the file's.</summary>
         public bool Quick;
 

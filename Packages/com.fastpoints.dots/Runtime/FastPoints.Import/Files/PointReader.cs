@@ -39,28 +39,28 @@ namespace FastPoints.Files
             yield break;
         }
 
-        /// <summary>Whether <see cref="FindBeginnings()"/> has something to read long before <see cref="FindBlocks"/>
+        /// <summary>Whether <see cref="FindPrefixes()"/> has something to read long before <see cref="FindBlocks"/>
         /// has.</summary>
-        public virtual bool HasBeginnings => false;
+        public virtual bool HasPrefixes => false;
 
         /// <summary>Work (for a pump) of bounded time that finds what can be read without looking through the file: afterwards
         /// the blocks are these, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> takes all in
         /// their place, when there are no slots.</summary>
-        public virtual IEnumerator<Work> FindBeginnings() => FindBlocks();
+        public virtual IEnumerator<Work> FindPrefixes() => FindBlocks();
 
-        /// <summary>Whether what <see cref="FindBeginnings()"/> finds lies all over the source, each point as likely as any
+        /// <summary>Whether what <see cref="FindPrefixes()"/> finds lies all over the source, each point as likely as any
         /// other, and not in its beginning.</summary>
-        public virtual bool BeginningsAreSpread => false;
+        public virtual bool PrefixesAreSpread => false;
 
         /// <summary>Where they are spread, how many places there are to look at.</summary>
-        public virtual int MostBeginnings => 0;
+        public virtual int MaxPrefixes => 0;
 
-        /// <summary>As <see cref="FindBeginnings()"/>, until so many places were looked at; called again for more. The blocks
+        /// <summary>As <see cref="FindPrefixes()"/>, until so many places were looked at; called again for more. The blocks
         /// come in an order of which every beginning is spread over the source, and those found before keep their
         /// numbers.</summary>
-        public virtual IEnumerator<Work> FindBeginnings(int places) => FindBeginnings();
+        public virtual IEnumerator<Work> FindPrefixes(int places) => FindPrefixes();
 
-        /// <summary>Points of the whole source, after <see cref="FindBeginnings()"/>.</summary>
+        /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
         public virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
         /// <summary>The octree that the source brings along, or null. Its blocks come level by level within each page of the

@@ -4,7 +4,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>What a file says of itself, read from its header without touching the points. Claims, not findings.</summary>
+    /// <summary>What a file says of itself, read from its header without touching the points. Claims, not statistics.</summary>
     public sealed class SourceInfo
     {
         public string Path;

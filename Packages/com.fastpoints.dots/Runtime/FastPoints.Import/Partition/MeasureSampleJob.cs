@@ -10,11 +10,11 @@ namespace FastPoints.Partition
     internal struct MeasureSampleJob : IJob
     {
         [ReadOnly] public NativeArray<double3> Stored;
-        public NativeReference<SampleFindings> Findings;
+        public NativeReference<SampleStatistics> Statistics;
 
         public void Execute()
         {
-            var found = new SampleFindings
+            var found = new SampleStatistics
             {
                 Min = new double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
                 Max = new double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
@@ -30,7 +30,7 @@ namespace FastPoints.Partition
                 found.LowestDigit = math.min(found.LowestDigit,
                     new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
             }
-            Findings.Value = found;
+            Statistics.Value = found;
         }
 
         static int LowestDigit(double value)
@@ -47,7 +47,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>What the stored positions of a sample show, axis by axis. Blittable.</summary>
-    internal struct SampleFindings
+    internal struct SampleStatistics
     {
         /// <summary>Of the finite ones; min above max where there are none.</summary>
         public double3 Min;

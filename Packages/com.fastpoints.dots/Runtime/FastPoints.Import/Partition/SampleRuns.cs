@@ -13,7 +13,7 @@ namespace FastPoints.Partition
         const int PointsPerSampled = 8;
 
         /// <param name="reader">Its blocks are known.</param>
-        /// <param name="mostRuns">Runs, at most; where only beginnings of blocks are cheap, fewer and longer ones.</param>
+        /// <param name="mostRuns">Runs, at most; where only prefixes of blocks are cheap, fewer and longer ones.</param>
         /// <param name="runPoints">Records of a run.</param>
         /// <returns>In the order of the source. None is empty.</returns>
         public static List<BlockRange> Choose(PointReader reader, long mostRuns, int runPoints)
@@ -28,7 +28,7 @@ namespace FastPoints.Partition
             long length = Math.Max(1, Math.Min(runPoints, (points + wanted - 1) / wanted));
             if (!reader.HasFixedStride)
             {
-                // Only the beginnings of blocks are cheap: longer ones where there are fewer.
+                // Only the prefixes of blocks are cheap: longer ones where there are fewer.
                 long chosen = Math.Min(wanted, blocks);
                 length = wanted * length / chosen;
                 for (long i = 0; i < chosen; i++)

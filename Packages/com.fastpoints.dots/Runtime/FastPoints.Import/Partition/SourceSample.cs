@@ -71,7 +71,7 @@ namespace FastPoints.Partition
                     {
                         reads[s].Begin(runs[r]);
                         var batch = reads[s].Points;
-                        jobs[s] = new SampleRunJob
+                        jobs[s] = new LoadSamplePositionsJob
                         {
                             Columns = batch.Bytes,
                             Decoded = reads[s].Result,

@@ -9,10 +9,10 @@ namespace FastPoints.Preview
     /// blocks to the same share of their points, then all of them deeper. Otherwise whole blocks, spread over the source.
     /// </summary>
     /// <remarks>
-    /// Ranges come in rounds, whatever the number of slots and threads. Going on with the blocks that found most bare cells was
+    /// Ranges come in rounds, whatever the number of slots and threads. Going on with the blocks that found most empty cells was
     /// tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells bare,
     /// that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion they
-    /// are longer for as many bare cells. Its many slices took twice the time.
+    /// are longer for as many empty cells. Its many slices took twice the time.
     /// </remarks>
     internal sealed class DepthPlan
     {
@@ -69,7 +69,7 @@ namespace FastPoints.Preview
 
         /// <summary>Tells what a range has brought.</summary>
         /// <param name="points">Fewer than were asked for where the block is broken: nothing more is asked of it.</param>
-        public void Tell(BlockRange range, int points)
+        public void Add(BlockRange range, int points)
         {
             if (!IsSliced || points == range.Count)
                 return;

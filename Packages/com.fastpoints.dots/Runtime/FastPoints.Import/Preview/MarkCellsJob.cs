@@ -21,7 +21,7 @@ namespace FastPoints.Preview
         public int First;
         public int End;
 
-        public BareCells Cells;
+        public EmptyCells Cells;
 
         /// <summary>Cleared by whoever begins at the first place.</summary>
         public NativeArray<ulong> Table;

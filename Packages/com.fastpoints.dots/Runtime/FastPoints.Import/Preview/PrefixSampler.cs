@@ -8,7 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>The beginnings of blocks from all over a source of which nothing else is cheap (LAZ chunks): see
+    /// <summary>The prefixes of blocks from all over a source of which nothing else is cheap (LAZ chunks): see
     /// <see cref="PrefixPlan"/> for how many of which.</summary>
     /// <remarks>
     /// A later wave decodes a block's beginning again to come to what follows it: a tenth of its own work where waves are ten
@@ -17,7 +17,7 @@ namespace FastPoints.Preview
     /// </remarks>
     sealed class PrefixSampler : PreviewSampler
     {
-        /// <summary>Points that are decoded about as soon as they are read: more beginnings are asked for at a time, which a slow
+        /// <summary>Points that are decoded about as soon as they are read: more prefixes are asked for at a time, which a slow
         /// disk needs as well. A LAZ slot takes 1.5 MB.</summary>
         const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
 
@@ -28,29 +28,29 @@ namespace FastPoints.Preview
         JobHandle[] m_copied;
 
         public PrefixSampler(PointReader reader, int wanted, uint seed)
-            : base(reader, reader.BeginningsAreSpread && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
-                reader.Tree == null ? "beginnings of blocks, in waves" : "levels of its octree, in waves")
+            : base(reader, reader.PrefixesAreSpread && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
+                reader.Tree == null ? "prefixes of blocks, in waves" : "levels of its octree, in waves")
         {
             m_plan = new PrefixPlan(reader, seed);
         }
 
         /// <summary>Work for a pump: as many as the wave is spread over, and more where these have too few points.</summary>
-        IEnumerator<Work> FindBeginnings(int wanted)
+        IEnumerator<Work> FindPrefixes(int wanted)
         {
             for (long places = wanted / PrefixPlan.LeastPoints + 1L; ; places *= 2)
             {
-                yield return Work.Of(Reader.FindBeginnings((int)Math.Min(places, Reader.MostBeginnings)));
-                if (Reader.PointCount >= wanted || places >= Reader.MostBeginnings)
+                yield return Work.Of(Reader.FindPrefixes((int)Math.Min(places, Reader.MaxPrefixes)));
+                if (Reader.PointCount >= wanted || places >= Reader.MaxPrefixes)
                     break;
             }
         }
 
         private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
         {
-            // Slots for beginnings of another length than in the wave before.
+            // Slots for prefixes of another length than in the wave before.
             Free();
-            if (Reader.BeginningsAreSpread && !Reader.BlocksAreKnown)
-                yield return Work.Of(FindBeginnings(wanted));
+            if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
+                yield return Work.Of(FindPrefixes(wanted));
             var prefixes = m_plan.Next(wanted);
             int longest = 0;
             foreach (var prefix in prefixes)
@@ -120,8 +120,8 @@ namespace FastPoints.Preview
                     pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
             double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
             // Where an end is not looked at because another place was chosen by chance, that is no beginning.
-            bool isSpread = Reader.BeginningsAreSpread && !Reader.BlocksAreKnown;
-            bool isOfBeginnings = false;
+            bool isSpread = Reader.PrefixesAreSpread && !Reader.BlocksAreKnown;
+            bool isOfPrefixes = false;
             runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);
             int stretch = 0;
             for (int first = 0, end; first < m_taken.Count; first = end, stretch++)
@@ -129,7 +129,7 @@ namespace FastPoints.Preview
                 int block = m_taken[first].Block, taken = 0;
                 for (end = first; end < m_taken.Count && m_taken[end].Block == block; end++)
                     taken += m_taken[end].Count;
-                isOfBeginnings |= !isSpread && taken < Reader.PointsInBlock(block);
+                isOfPrefixes |= !isSpread && taken < Reader.PointsInBlock(block);
                 for (int i = first; i < end; i++)
                     runs.Add(new SampleRun
                     {
@@ -139,7 +139,7 @@ namespace FastPoints.Preview
                         Weight = scale * Reader.PointsInBlock(block) / taken,
                     });
             }
-            Sample.IsOfBlockBeginnings = isOfBeginnings;
+            Sample.IsOfBlockPrefixes = isOfPrefixes;
             yield break;
         }
 

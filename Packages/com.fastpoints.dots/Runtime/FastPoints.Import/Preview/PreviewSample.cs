@@ -49,7 +49,7 @@ namespace FastPoints.Preview
 
         /// <summary>Whether they are of the source's beginning alone, where the rest cannot be read without looking through all
         /// of it.</summary>
-        public bool IsOfBeginning { get; internal set; }
+        public bool IsOfPrefix { get; internal set; }
 
         /// <summary>How the points were chosen, and what kept it from being otherwise: a line for people.</summary>
         public string Method { get; internal set; }
@@ -60,7 +60,7 @@ namespace FastPoints.Preview
 
         /// <summary>Whether the points of its stretches are the first ones of blocks that were not read to their ends (LAZ): what
         /// the ends hold, and where, they do not tell.</summary>
-        public bool IsOfBlockBeginnings { get; internal set; }
+        public bool IsOfBlockPrefixes { get; internal set; }
 
         /// <summary>The points that lie together in the file, in its order, substitutes apart; empty where each stands for a
         /// stretch of its own.</summary>

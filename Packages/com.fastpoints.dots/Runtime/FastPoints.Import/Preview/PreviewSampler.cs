@@ -22,7 +22,7 @@ namespace FastPoints.Preview
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
 
         /// <summary>A wave that comes so near to all goes on to the end: another one would show hardly more, and may decode all
-        /// beginnings again.</summary>
+        /// prefixes again.</summary>
         const double LeastShareOfLast = 0.75;
 
         readonly List<SampleWave> m_waves = new List<SampleWave>();
@@ -90,7 +90,7 @@ namespace FastPoints.Preview
                             yield return Work.Of(ListRuns(m_sample.RunList));
                             yield return Work.Of(Buffer.MoveRuns(m_sample.RunList, EndPlace));
                         }
-                        TellWave();
+                        RaiseWave();
                         Report(progress);
                         // Whoever steps the work has the wave to himself until the next step.
                         yield return default;
@@ -120,7 +120,7 @@ namespace FastPoints.Preview
         private protected void Report(StageProgress progress) =>
             progress?.Report(m_sample.Count / (double)Math.Max(1, Buffer.Places), m_sample.Count, BytesRead);
 
-        void TellWave()
+        void RaiseWave()
         {
             Buffer.Measure(m_sample);
             m_sample.BytesRead = BytesRead;

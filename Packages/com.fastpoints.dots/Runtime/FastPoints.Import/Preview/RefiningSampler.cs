@@ -111,7 +111,7 @@ namespace FastPoints.Preview
                             yield return Work.Of(m_others.Coarsen(m_buffer));
                     }
                     yield return Work.Of(share < 1 ? Compose() : Close());
-                    TellWave();
+                    RaiseWave();
                     // Whoever steps the work has the wave to himself until the next step.
                     yield return default;
                 }
@@ -198,7 +198,7 @@ namespace FastPoints.Preview
             m_rangesRead++;
             m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
                 : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
-            m_plan.Tell(read.Range, read.Points.Count);
+            m_plan.Add(read.Range, read.Points.Count);
             if (m_plan.IsSliced && !m_plan.IsTaken(block))
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
         }
@@ -257,7 +257,7 @@ namespace FastPoints.Preview
                 yield return Work.Of(BlockRunListing.List(m_reader, m_strata, m_buffer.Filled, gathered.Value, m_sample.RunList));
                 yield return Work.Of(drawn.MoveRuns(m_sample.RunList, gathered.Value));
                 m_sample.StandsForStretches = true;
-                m_sample.IsOfBlockBeginnings = m_plan.IsSliced;
+                m_sample.IsOfBlockPrefixes = m_plan.IsSliced;
                 m_sample.PointsInSource = m_reader.PointCount;
                 m_sample.Substitutes = others.Value.Points;
                 m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
@@ -289,7 +289,7 @@ namespace FastPoints.Preview
             m_sample.BytesRead = m_bytesRead;
         }
 
-        void TellWave()
+        void RaiseWave()
         {
             double seconds = m_watch.Elapsed.TotalSeconds;
             var wave = new SampleWave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };

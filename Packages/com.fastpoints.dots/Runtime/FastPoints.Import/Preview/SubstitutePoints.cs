@@ -23,7 +23,7 @@ namespace FastPoints.Preview
         const double MostTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
-        BareCells m_cells;
+        EmptyCells m_cells;
         NativeArray<ulong> m_table;
         NativeArray<PointColumn> m_columns;
         NativeReference<int> m_count;
@@ -35,12 +35,12 @@ namespace FastPoints.Preview
         {
             m_transform = transform;
             double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
-            m_cells = new BareCells
+            m_cells = new EmptyCells
             {
                 Corner = bounds.IsEmpty ? default : bounds.Min,
                 CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0,
             };
-            m_table = new NativeArray<ulong>(BareCells.Words, Allocator.Persistent);
+            m_table = new NativeArray<ulong>(EmptyCells.Words, Allocator.Persistent);
             // At a half, half of the sample's places are free.
             Points = new PointBatch(schema, Math.Max(1, wanted / 2), Allocator.Persistent);
             m_columns = SampleBuffer.ColumnsOf(Points);
@@ -69,7 +69,7 @@ namespace FastPoints.Preview
         JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
             int first, int end, long firstPoint, SampleStrata strata, JobHandle inputDeps)
         {
-            m_lastAppended = new AppendBareCellsJob
+            m_lastAppended = new AppendEmptyCellsJob
             {
                 Block = points.Bytes,
                 ColumnsOfBlock = columns,
@@ -145,7 +145,7 @@ namespace FastPoints.Preview
                 }
                 for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
                 {
-                    thinning = new KeepBareCellsJob
+                    thinning = new KeepEmptyCellsJob
                     {
                         Columns = m_columns,
                         Points = Points.Bytes,

@@ -16,7 +16,7 @@ namespace FastPoints.Records
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> FirstOfChunk;
         public NativeArray<RecordPages> Chunks;
-        public NativeReference<PagePool> Pool;
+        public NativeReference<RecordPagePool> Pool;
 
         /// <summary>Pages that may be used again.</summary>
         public RecordPages Returned;
@@ -28,7 +28,7 @@ namespace FastPoints.Records
         public NativeReference<long> PagesDetached;
 
         /// <summary>Out: full pages to be written, none twice.</summary>
-        public NativeList<DetachedPages> Detached;
+        public NativeList<DetachedRecordPages> Detached;
 
         public SliceTimes Slices;
 
@@ -73,7 +73,7 @@ namespace FastPoints.Records
                 if (pages.PageCount == 0)
                     break;
                 done += pages.PageCount;
-                Detached.Add(new DetachedPages { Chunk = largest, Pages = pages });
+                Detached.Add(new DetachedRecordPages { Chunk = largest, Pages = pages });
             }
             return done;
         }

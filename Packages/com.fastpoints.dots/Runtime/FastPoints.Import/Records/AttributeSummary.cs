@@ -9,7 +9,7 @@ namespace FastPoints.Records
     internal static unsafe class AttributeSummary
     {
         /// <summary>Sets divisors and ranges.</summary>
-        public static void Describe(PointSchema attributes, AttributeFindings[] found, CloudManifest manifest)
+        public static void Describe(PointSchema attributes, AttributeStatistics[] found, CloudManifest manifest)
         {
             manifest.Divisors = new int[attributes.Count];
             manifest.Ranges = new CloudManifest.Range[attributes.Count];
@@ -28,7 +28,7 @@ namespace FastPoints.Records
         }
 
         /// <summary>8-bit colours fill 16-bit fields in two ways: shifted up, or doubled.</summary>
-        static int DivisorOf(in AttributeFindings found)
+        static int DivisorOf(in AttributeStatistics found)
         {
             if (found.Or == 0)
                 return 1;

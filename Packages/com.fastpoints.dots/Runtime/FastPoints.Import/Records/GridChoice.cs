@@ -26,7 +26,7 @@ namespace FastPoints.Records
         public RecordLayout Records;
 
         /// <exception cref="PointCloudException">Scales and offsets that no grid of 2^60 steps has room for.</exception>
-        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples,
+        public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
             int attributeBytes)
         {
             var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
@@ -66,7 +66,7 @@ namespace FastPoints.Records
             return choice;
         }
 
-        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples, int axis,
+        static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis,
             string name,
             out double step, out double origin)
         {
@@ -121,7 +121,7 @@ namespace FastPoints.Records
         }
 
         /// <summary>A power of two that keeps all digits of the sample where 31 bits for its extent allow.</summary>
-        static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleFindings> samples, int axis, string name)
+        static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis, string name)
         {
             double least = double.PositiveInfinity, most = double.NegativeInfinity, finestScale = double.PositiveInfinity;
             int digit = int.MaxValue;

@@ -37,8 +37,8 @@ namespace FastPoints.Records
 
         /// <summary>By point: scratch.</summary>
         public NativeArray<int> ChunkOfPoint;
-        public NativeReference<PointFindings> Findings;
-        public NativeArray<AttributeFindings> Attributes;
+        public NativeReference<PointStatistics> Statistics;
+        public NativeArray<AttributeStatistics> Attributes;
 
         public SliceTimes Slices;
 
@@ -52,16 +52,16 @@ namespace FastPoints.Records
         void Run()
         {
             int count = Decoded.Value.Points;
-            var findings = Findings.Value;
+            var statistics = Statistics.Value;
             var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
             var records = (byte*)Records.GetUnsafePtr();
             var chunkOfPoint = (int*)ChunkOfPoint.GetUnsafePtr();
             var first = (int*)FirstOfChunk.GetUnsafePtr();
             int stride = Layout.StrideBytes;
 
-            FindChunks(bytes, count, chunkOfPoint, first, ref findings);
+            FindChunks(bytes, count, chunkOfPoint, first, ref statistics);
             int kept = Order(count, chunkOfPoint, first);
-            findings.Count += kept;
+            statistics.Count += kept;
 
             // From here on a point's entry is the place of its record, or -1.
             WritePlaces(bytes, count, chunkOfPoint, records);
@@ -83,28 +83,28 @@ namespace FastPoints.Records
             ulong sum = 0;
             for (int i = 0; i < kept; i++)
                 sum += Layout.HashOf(records + (long)i * stride, Store.RecordHash.ChecksumSeed);
-            findings.Checksum += sum;
-            Findings.Value = findings;
+            statistics.Checksum += sum;
+            Statistics.Value = statistics;
         }
 
-        void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointFindings findings)
+        void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)
         {
             UnsafeUtility.MemClear(countOfChunk, (long)FirstOfChunk.Length * sizeof(int));
             long* x = stackalloc long[RunPoints];
             long* y = stackalloc long[RunPoints];
             long* z = stackalloc long[RunPoints];
             var chunkOfCell = (int*)ChunkOfCell.GetUnsafeReadOnlyPtr();
-            Grid3 min = findings.Min, max = findings.Max;
+            Grid3 min = statistics.Min, max = statistics.Max;
             for (int done = 0; done < count; done += RunPoints)
             {
                 int run = math.min(RunPoints, count - done);
-                LoadRun(bytes, done, run, x, y, z, ref findings.WorstLossSteps);
+                LoadRun(bytes, done, run, x, y, z, ref statistics.WorstLossSteps);
                 for (int i = 0; i < run; i++)
                 {
                     if (x[i] == SourceGrid.Nowhere || y[i] == SourceGrid.Nowhere || z[i] == SourceGrid.Nowhere)
                     {
                         chunkOfPoint[done + i] = -1;
-                        findings.LeftOut++;
+                        statistics.LeftOut++;
                         continue;
                     }
                     min.X = math.min(min.X, x[i]);
@@ -118,8 +118,8 @@ namespace FastPoints.Records
                     countOfChunk[chunk]++;
                 }
             }
-            findings.Min = min;
-            findings.Max = max;
+            statistics.Min = min;
+            statistics.Max = max;
         }
 
         /// <summary>Counts become starts, each point's chunk the place of its record.</summary>
@@ -168,14 +168,14 @@ namespace FastPoints.Records
         }
 
         static void CopyColumn(byte* from, AttributeType type, int count, int* placeOfPoint, byte* to, long stride,
-            ref AttributeFindings findings)
+            ref AttributeStatistics statistics)
         {
             if (type == AttributeType.UInt16)
             {
-                CopyShorts((ushort*)from, count, placeOfPoint, to, stride, ref findings);
+                CopyShorts((ushort*)from, count, placeOfPoint, to, stride, ref statistics);
                 return;
             }
-            ulong min = findings.Min, max = findings.Max, or = findings.Or;
+            ulong min = statistics.Min, max = statistics.Max, or = statistics.Or;
             int size = type.SizeOf();
             for (int i = 0; i < count; i++)
             {
@@ -195,15 +195,15 @@ namespace FastPoints.Records
                 max = math.max(max, ordered);
                 or |= ordered;
             }
-            findings.Min = min;
-            findings.Max = max;
-            findings.Or = or;
+            statistics.Min = min;
+            statistics.Max = max;
+            statistics.Or = or;
         }
 
         /// <summary>The usual type of colours and intensity, and the one whose halves are looked at.</summary>
-        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride, ref AttributeFindings findings)
+        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride, ref AttributeStatistics statistics)
         {
-            uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = findings.NotDoubled;
+            uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = statistics.NotDoubled;
             int copied = 0;
             for (int i = 0; i < count; i++)
             {
@@ -220,10 +220,10 @@ namespace FastPoints.Records
             }
             if (copied == 0)
                 return;
-            findings.Min = math.min(findings.Min, min);
-            findings.Max = math.max(findings.Max, max);
-            findings.Or |= or;
-            findings.NotDoubled = notDoubled;
+            statistics.Min = math.min(statistics.Min, min);
+            statistics.Max = math.max(statistics.Max, max);
+            statistics.Or |= or;
+            statistics.NotDoubled = notDoubled;
         }
     }
 }

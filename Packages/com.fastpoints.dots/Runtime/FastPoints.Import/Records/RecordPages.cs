@@ -5,7 +5,7 @@ namespace FastPoints.Records
 {
     /// <summary>
     /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined
-    /// and are given back without moving a record. Pages come from a <see cref="PagePool"/>. Blittable; one job at a time may
+    /// and are given back without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a time may
     /// change a list.
     /// </summary>
     internal unsafe struct RecordPages
@@ -37,7 +37,7 @@ namespace FastPoints.Records
         public static byte* RecordsOf(Page* page) => (byte*)page + HeaderBytes;
 
         /// <summary>Appends copies of consecutive records.</summary>
-        public void Append(byte* records, int count, ref PagePool pool)
+        public void Append(byte* records, int count, ref RecordPagePool pool)
         {
             int stride = pool.StrideBytes;
             while (count > 0)
@@ -118,7 +118,7 @@ namespace FastPoints.Records
     }
 
     /// <summary>Full pages of one chunk that memory has no more room for. Blittable.</summary>
-    internal struct DetachedPages
+    internal struct DetachedRecordPages
     {
         public int Chunk;
         public RecordPages Pages;

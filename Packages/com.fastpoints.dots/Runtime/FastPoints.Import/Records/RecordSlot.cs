@@ -26,16 +26,16 @@ namespace FastPoints.Records
             Records = new NativeArray<byte>(checked(capacity * layout.StrideBytes), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             FirstOfChunk = new NativeArray<int>(map.Chunks.Length + 2, Allocator.Persistent);
-            Findings = new NativeReference<PointFindings>(PointFindings.None, Allocator.Persistent);
+            Statistics = new NativeReference<PointStatistics>(PointStatistics.None, Allocator.Persistent);
             Slices = new SliceTimes(Allocator.Persistent);
-            Detached = new NativeList<DetachedPages>(8, Allocator.Persistent);
+            Detached = new NativeList<DetachedRecordPages>(8, Allocator.Persistent);
             m_chunkOfPoint = new NativeArray<int>(capacity, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            var findings = new AttributeFindings[attributes.Count];
+            var statistics = new AttributeStatistics[attributes.Count];
             var fields = new RecordField[attributes.Count];
             int offset = 0;
             for (int a = 0; a < fields.Length; a++)
             {
-                findings[a] = AttributeFindings.None;
+                statistics[a] = AttributeStatistics.None;
                 fields[a] = new RecordField
                 {
                     Column = batch.Column(batch.Schema.IndexOf(attributes[a].Name)),
@@ -45,7 +45,7 @@ namespace FastPoints.Records
                 offset += attributes[a].Type.SizeOf();
             }
             m_fields = new NativeArray<RecordField>(fields, Allocator.Persistent);
-            Attributes = new NativeArray<AttributeFindings>(findings, Allocator.Persistent);
+            Attributes = new NativeArray<AttributeStatistics>(statistics, Allocator.Persistent);
         }
 
         /// <summary>The block's points that have a place.</summary>
@@ -55,14 +55,14 @@ namespace FastPoints.Records
         public NativeArray<int> FirstOfChunk { get; }
 
         /// <summary>Of all blocks that went through this slot.</summary>
-        public NativeReference<PointFindings> Findings { get; }
-        public NativeArray<AttributeFindings> Attributes { get; }
+        public NativeReference<PointStatistics> Statistics { get; }
+        public NativeArray<AttributeStatistics> Attributes { get; }
 
         /// <summary>Of this slot's jobs.</summary>
         public SliceTimes Slices { get; }
 
         /// <summary>Of the last block: pages that are to be written.</summary>
-        public NativeList<DetachedPages> Detached { get; }
+        public NativeList<DetachedRecordPages> Detached { get; }
 
         public JobHandle ScheduleGrouping(BlockRead read, in SourceGrid grid, JobHandle decoded)
         {
@@ -83,23 +83,23 @@ namespace FastPoints.Records
                 Records = Records,
                 FirstOfChunk = FirstOfChunk,
                 ChunkOfPoint = m_chunkOfPoint,
-                Findings = Findings,
+                Statistics = Statistics,
                 Attributes = Attributes,
             }.Schedule(decoded);
         }
 
         /// <summary>What the blocks since the last call showed.</summary>
-        /// <param name="attributes">By attribute: their findings are taken in.</param>
-        public PointFindings TakeFindings(AttributeFindings[] attributes)
+        /// <param name="attributes">By attribute: their statistics are taken in.</param>
+        public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
-            var findings = Findings;
-            var found = findings.Value;
-            findings.Value = PointFindings.None;
+            var statistics = Statistics;
+            var found = statistics.Value;
+            statistics.Value = PointStatistics.None;
             var own = Attributes;
             for (int a = 0; a < own.Length; a++)
             {
                 attributes[a].Include(own[a]);
-                own[a] = AttributeFindings.None;
+                own[a] = AttributeStatistics.None;
             }
             return found;
         }
@@ -110,7 +110,7 @@ namespace FastPoints.Records
                 return;
             Records.Dispose();
             FirstOfChunk.Dispose();
-            Findings.Dispose();
+            Statistics.Dispose();
             Detached.Dispose();
             Slices.Dispose();
             Attributes.Dispose();

@@ -22,7 +22,7 @@ namespace FastPoints.Records
 
         /// <summary>By cube; of equal ones the last has the records.</summary>
         public NativeArray<RecordPages> Chunks;
-        public NativeReference<PagePool> Pool;
+        public NativeReference<RecordPagePool> Pool;
 
         public void Execute()
         {

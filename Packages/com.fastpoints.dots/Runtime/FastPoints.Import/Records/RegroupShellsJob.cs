@@ -21,7 +21,7 @@ namespace FastPoints.Records
 
         /// <summary>By shell times 8, plus octant.</summary>
         public NativeArray<RecordPages> Chunks;
-        public NativeReference<PagePool> Pool;
+        public NativeReference<RecordPagePool> Pool;
 
         public SliceTimes Slices;
 

@@ -18,7 +18,7 @@ namespace FastPoints.Samplers
         /// <param name="look">At the range's points.</param>
         /// <param name="top">The chunk whose top that was, or -1.</param>
         /// <returns>False where the range is to be sampled: its cube and cells are set.</returns>
-        public bool TakeWhole(ref SampledRange range, in RangeLook look, out int top)
+        public bool TakeWhole(ref SampledRange range, in RangeSurvey look, out int top)
         {
             top = -1;
             int left = look.Left, firstTop = 0, endTop = 0;

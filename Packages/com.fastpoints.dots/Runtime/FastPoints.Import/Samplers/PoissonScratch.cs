@@ -19,7 +19,7 @@ namespace FastPoints.Samplers
             public int Point;
             public int EndOfTile;
 
-            public RangeLooking Looking;
+            public RangeSurveyState Looking;
 
             /// <summary>How many of the darts are thrown, and whether the tile has others.</summary>
             public int Dart;
@@ -37,7 +37,7 @@ namespace FastPoints.Samplers
         }
 
         public NativeReference<State> Now;
-        public WaitingRanges Ranges;
+        public RangeQueue Ranges;
         public NativeList<PoissonSample> Samples;
 
         /// <summary>By slot of the hash grid: the sample that came last, or -1.</summary>
@@ -58,7 +58,7 @@ namespace FastPoints.Samplers
         public PoissonScratch(Allocator allocator)
         {
             Now = new NativeReference<State>(allocator);
-            Ranges = new WaitingRanges(allocator);
+            Ranges = new RangeQueue(allocator);
             Samples = new NativeList<PoissonSample>(64, allocator);
             Heads = new NativeList<int>(64, allocator);
             Waiting = new NativeList<int>(64, allocator);

@@ -172,7 +172,7 @@ namespace FastPoints.Samplers
         /// <summary>What becomes of a range is seen when all its points were looked at.</summary>
         void Visit(in SampledRange range)
         {
-            m_now.Looking = new RangeLooking(range);
+            m_now.Looking = new RangeSurveyState(range);
             m_now.Stage = Stage.Look;
         }
 
@@ -185,7 +185,7 @@ namespace FastPoints.Samplers
         }
 
         /// <summary>Takes a range whole, or has it wait for its spacing's turn.</summary>
-        void Place(SampledRange range, in RangeLook look)
+        void Place(SampledRange range, in RangeSurvey look)
         {
             if (!Drafting.TakeWhole(ref range, look, out int top))
                 Scratch.Ranges.Add(range);

@@ -191,11 +191,11 @@ namespace FastPoints.Samplers
             m_now.Largest = largest;
             if (end < range.End)
                 return;
-            var look = new RangeLook { Largest = largest };
+            var look = new RangeSurvey { Largest = largest };
             for (int side = 0; side < 256 && side <= range.CellLog2; side++)
             {
                 look.Left += givingWay[side];
-                look.CellsBelow[math.min(side, RangeLook.Sides - 1)] += givingWay[side];
+                look.CellsBelow[math.min(side, RangeSurvey.Sides - 1)] += givingWay[side];
             }
             if (Drafting.TakeWhole(ref range, look, out _))
             {

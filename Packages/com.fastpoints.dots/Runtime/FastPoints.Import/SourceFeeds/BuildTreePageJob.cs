@@ -52,7 +52,7 @@ namespace FastPoints.SourceFeeds
             page.RootCount = 1;
             for (int n = 0; n < order.Length; n++)
                 Fill(page, n, order[n], firstChild[n], firstChild[n + 1]);
-            page.Status = PageStatus.Loaded;
+            page.Status = HierarchyPageStatus.Loaded;
             Built.Value = page;
             Problem.Value = default;
             firstChild.Dispose();

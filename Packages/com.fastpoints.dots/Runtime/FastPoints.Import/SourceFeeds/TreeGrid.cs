@@ -49,13 +49,13 @@ namespace FastPoints.SourceFeeds
             // Floats get steps that 31 bits of the cube have room for.
             double3 a = (cube.Min - info.Transform.Offset) / info.Transform.Scale;
             double3 b = (cube.Max - info.Transform.Offset) / info.Transform.Scale;
-            var findings = new SampleFindings
+            var statistics = new SampleStatistics
             {
                 Min = math.min(a, b),
                 Max = math.max(a, b),
                 LowestDigit = new int3(int.MinValue),
             };
-            var choice = GridChoice.Choose(new[] { info }, new[] { findings }, 0);
+            var choice = GridChoice.Choose(new[] { info }, new[] { statistics }, 0);
             Grid = choice.Grid;
             Source = choice.Sources[0];
 
@@ -80,7 +80,7 @@ namespace FastPoints.SourceFeeds
             // A claim that leaves nothing of the node is none.
             bool isEmpty = math.any(low > high);
             var origin = Grid.ToGeo(Root.Corner);
-            PageGrid.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin, out center,
+            HierarchyGrid.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin, out center,
                 out half);
         }
 

@@ -12,7 +12,7 @@ namespace FastPoints.Verify
     internal unsafe struct MeasureSpacingJob : IJob
     {
         /// <summary>One after the other, level by level.</summary>
-        public NativeArray<SampledRun> Runs;
+        public NativeArray<SampledGroup> Runs;
 
         /// <summary>In CRS units, from the cloud's corner.</summary>
         [ReadOnly] public NativeArray<double3> Points;
@@ -53,7 +53,7 @@ namespace FastPoints.Verify
 
     /// <summary>Where a file's points of one level that were sampled together lie among all of its sampled points.
     /// Blittable.</summary>
-    internal struct SampledRun
+    internal struct SampledGroup
     {
         public int First;
         public int Count;

@@ -14,7 +14,7 @@ namespace FastPoints.Verify
         readonly CloudManifest m_manifest;
         readonly GridCube m_cube;
         readonly bool m_isUpper;
-        NativeArray<SampledRun> m_runs;
+        NativeArray<SampledGroup> m_runs;
         NativeArray<double3> m_atSides;
         NativeArray<int> m_atSidesOfRun;
 
@@ -25,7 +25,7 @@ namespace FastPoints.Verify
             m_manifest = manifest;
             m_cube = cube;
             m_isUpper = isUpper;
-            var runs = new SortedDictionary<(int Level, bool IsTop, int SampledWith), SampledRun>();
+            var runs = new SortedDictionary<(int Level, bool IsTop, int SampledWith), SampledGroup>();
             for (int n = 0; n < table.Nodes.Length; n++)
             {
                 var node = table.Nodes[n];
@@ -41,7 +41,7 @@ namespace FastPoints.Verify
             }
             int points = 0, count = 0;
             var next = new Dictionary<(int Level, bool IsTop, int SampledWith), int>();
-            m_runs = new NativeArray<SampledRun>(runs.Count, Allocator.Persistent);
+            m_runs = new NativeArray<SampledGroup>(runs.Count, Allocator.Persistent);
             foreach (var entry in runs)
             {
                 var run = entry.Value;

@@ -64,14 +64,14 @@ namespace FastPoints.Verify
         }
 
         /// <summary>After the scan: what the points showed, the first sum among it.</summary>
-        public PointFindings TakeFindings(out ulong secondSum, AttributeFindings[] attributes)
+        public PointStatistics TakeStatistics(out ulong secondSum, AttributeStatistics[] attributes)
         {
-            var all = PointFindings.None;
+            var all = PointStatistics.None;
             secondSum = 0;
             for (int s = 0; s < m_slots.Count; s++)
             {
                 m_jobs[s].Complete();
-                all.Include(m_slots[s].Findings.Value);
+                all.Include(m_slots[s].Statistics.Value);
                 secondSum += m_sums[s].Value;
                 for (int a = 0; a < attributes.Length; a++)
                     attributes[a].Include(m_slots[s].Attributes[a]);

@@ -119,7 +119,7 @@ namespace FastPoints.Verify
         IEnumerator<Work> CheckNodes(string path, long fileBytes, NodeTable table, GridCube cube, ulong magic)
         {
             var spacing = new SpacingCheck(m_folder.Manifest, table, cube, magic == StoreFormat.UpperMagic);
-            var verdicts = new NativeArray<NodeVerdict>(table.Nodes.Length, Allocator.Persistent);
+            var verdicts = new NativeArray<NodeCheckResult>(table.Nodes.Length, Allocator.Persistent);
             var job = default(JobHandle);
             try
             {
@@ -159,7 +159,7 @@ namespace FastPoints.Verify
                     Origin = m_folder.Manifest.Root.Corner,
                     FirstSampled = spacing.FirstSampled,
                     Sampled = spacing.Sampled,
-                    Verdicts = verdicts,
+                    Results = verdicts,
                 }.Schedule(table.Nodes.Length, NodesPerBatch);
                 yield return job;
                 job.Complete();
@@ -180,10 +180,10 @@ namespace FastPoints.Verify
             }
         }
 
-        void Take(string path, int index, NodeTable table, in NodeVerdict verdict)
+        void Take(string path, int index, NodeTable table, in NodeCheckResult verdict)
         {
             var node = table.Nodes[index];
-            if (verdict.What != NodeVerdict.Fault.None)
+            if (verdict.What != NodeCheckResult.Fault.None)
             {
                 var range = table.Planes[node.Host * table.PlaneCount + verdict.Plane];
                 m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
@@ -242,15 +242,15 @@ namespace FastPoints.Verify
             }
         }
 
-        static string Describe(NodeVerdict.Fault fault)
+        static string Describe(NodeCheckResult.Fault fault)
         {
             switch (fault)
             {
-                case NodeVerdict.Fault.PlaneHash: return "is damaged: its hash does not fit";
-                case NodeVerdict.Fault.PlaneShape: return "its blocks do not lie inside it one after the other";
-                case NodeVerdict.Fault.BlockCounts: return "its blocks have other numbers of points than the node";
-                case NodeVerdict.Fault.OutsideCube: return "a point outside of the node's cube";
-                case NodeVerdict.Fault.Bounds: return "the node's bounds are not its points'";
+                case NodeCheckResult.Fault.PlaneHash: return "is damaged: its hash does not fit";
+                case NodeCheckResult.Fault.PlaneShape: return "its blocks do not lie inside it one after the other";
+                case NodeCheckResult.Fault.BlockCounts: return "its blocks have other numbers of points than the node";
+                case NodeCheckResult.Fault.OutsideCube: return "a point outside of the node's cube";
+                case NodeCheckResult.Fault.Bounds: return "the node's bounds are not its points'";
                 default: return "a value that its attribute's type cannot have";
             }
         }
@@ -281,9 +281,9 @@ namespace FastPoints.Verify
                 names.Add(attribute.Name);
             long points = 0, leftOut = 0;
             ulong firstSum = 0, secondSum = 0;
-            var attributes = new AttributeFindings[manifest.Attributes.Count];
+            var attributes = new AttributeStatistics[manifest.Attributes.Count];
             for (int a = 0; a < attributes.Length; a++)
-                attributes[a] = AttributeFindings.None;
+                attributes[a] = AttributeStatistics.None;
             foreach (var reader in readers)
             {
                 if (!HasAttributes(reader))
@@ -295,7 +295,7 @@ namespace FastPoints.Verify
                     reader.MaxPointsPerBlock))
                 {
                     yield return Work.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
-                    var found = sums.TakeFindings(out ulong second, attributes);
+                    var found = sums.TakeStatistics(out ulong second, attributes);
                     points += found.Count;
                     leftOut += found.LeftOut;
                     firstSum += found.Checksum;

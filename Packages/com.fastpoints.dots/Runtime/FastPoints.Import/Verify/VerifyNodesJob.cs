@@ -36,20 +36,20 @@ namespace FastPoints.Verify
         [NativeDisableParallelForRestriction] public NativeArray<double3> Sampled;
 
         /// <summary>By node.</summary>
-        [NativeDisableParallelForRestriction] public NativeArray<NodeVerdict> Verdicts;
+        [NativeDisableParallelForRestriction] public NativeArray<NodeCheckResult> Results;
 
         public void Execute(int index)
         {
             if (Nodes[index].Host != index)
                 return;
-            var verdict = default(NodeVerdict);
+            var verdict = default(NodeCheckResult);
             CheckPlanes(index, ref verdict);
             var node = Nodes[index];
-            Verdicts[index] = CheckPoints(index, verdict);
+            Results[index] = CheckPoints(index, verdict);
             // The guests' verdicts are nobody else's to write.
             for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
                 if (Nodes[child].Host == index)
-                    Verdicts[child] = CheckPoints(child, verdict);
+                    Results[child] = CheckPoints(child, verdict);
         }
 
         PlaneShape ShapeOf(int plane, bool isWide) => plane == 0 ? new PlaneShape(3, isWide ? 7 : 0) : Shapes[plane - 1];
@@ -61,24 +61,24 @@ namespace FastPoints.Verify
                 ShapeOf(plane, node.IsWide), node.HostedBlocks);
         }
 
-        void CheckPlanes(int index, ref NodeVerdict verdict)
+        void CheckPlanes(int index, ref NodeCheckResult verdict)
         {
             var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p < PlaneCount && verdict.What == NodeVerdict.Fault.None; p++)
+            for (int p = 0; p < PlaneCount && verdict.What == NodeCheckResult.Fault.None; p++)
             {
                 var range = Planes[index * PlaneCount + p];
                 verdict.Plane = p;
                 if (ContentHash.Of(file + range.OffsetBytes, range.LengthBytes) != range.Hash)
-                    verdict.What = NodeVerdict.Fault.PlaneHash;
+                    verdict.What = NodeCheckResult.Fault.PlaneHash;
                 else if (!PlaneView.IsSound(file + range.OffsetBytes, range.LengthBytes, ShapeOf(p, Nodes[index].IsWide),
                     Nodes[index].HostedBlocks))
-                    verdict.What = NodeVerdict.Fault.PlaneShape;
+                    verdict.What = NodeCheckResult.Fault.PlaneShape;
             }
         }
 
-        NodeVerdict CheckPoints(int index, NodeVerdict verdict)
+        NodeCheckResult CheckPoints(int index, NodeCheckResult verdict)
         {
-            if (verdict.What != NodeVerdict.Fault.None)
+            if (verdict.What != NodeCheckResult.Fault.None)
                 return verdict;
             var node = Nodes[index];
             var host = Nodes[node.Host];
@@ -92,20 +92,20 @@ namespace FastPoints.Verify
             var min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
             var max = new Grid3(long.MinValue, long.MinValue, long.MinValue);
             int done = 0;
-            for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount && verdict.What == NodeVerdict.Fault.None; b++)
+            for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount && verdict.What == NodeCheckResult.Fault.None; b++)
             {
                 var position = ViewOf(node.Host, 0);
                 int count = position.PointsOf(b);
                 if (count != math.min(PlaneShape.MaxPointsPerBlock, node.PointCount - done))
                 {
-                    verdict.What = NodeVerdict.Fault.BlockCounts;
+                    verdict.What = NodeCheckResult.Fault.BlockCounts;
                     verdict.Plane = 0;
                     break;
                 }
                 for (int c = 0; c < 3; c++)
                     position.UnpackWide(b, c, places + c * PlaneShape.MaxPointsPerBlock);
                 LoadAttributes(node.Host, b, count, values, records, recordBytes, ref verdict);
-                if (verdict.What != NodeVerdict.Fault.None)
+                if (verdict.What != NodeCheckResult.Fault.None)
                     break;
                 for (int i = 0; i < count; i++)
                 {
@@ -113,7 +113,7 @@ namespace FastPoints.Verify
                         (long)places[2 * PlaneShape.MaxPointsPerBlock + i]);
                     if (!node.Cube.Contains(place))
                     {
-                        verdict.What = NodeVerdict.Fault.OutsideCube;
+                        verdict.What = NodeCheckResult.Fault.OutsideCube;
                         verdict.Plane = 0;
                         break;
                     }
@@ -130,19 +130,19 @@ namespace FastPoints.Verify
                 }
                 done += count;
             }
-            if (verdict.What == NodeVerdict.Fault.None)
+            if (verdict.What == NodeCheckResult.Fault.None)
             {
                 int shift = node.BoundsShift;
                 if (node.MinX != min.X >> shift || node.MinY != min.Y >> shift || node.MinZ != min.Z >> shift ||
                     node.MaxX != max.X >> shift || node.MaxY != max.Y >> shift || node.MaxZ != max.Z >> shift)
-                    verdict.What = NodeVerdict.Fault.Bounds;
+                    verdict.What = NodeCheckResult.Fault.Bounds;
             }
             UnsafeUtility.Free(records, Allocator.Temp);
             return verdict;
         }
 
         void LoadAttributes(int host, int block, int count, ulong* values, byte* records, int recordBytes,
-            ref NodeVerdict verdict)
+            ref NodeCheckResult verdict)
         {
             for (int p = 1; p < PlaneCount; p++)
             {
@@ -150,7 +150,7 @@ namespace FastPoints.Verify
                 verdict.Plane = p;
                 if (plane.PointsOf(block) != count)
                 {
-                    verdict.What = NodeVerdict.Fault.BlockCounts;
+                    verdict.What = NodeCheckResult.Fault.BlockCounts;
                     return;
                 }
                 for (int c = 0; c < plane.Shape.ColumnCount; c++)
@@ -162,7 +162,7 @@ namespace FastPoints.Verify
                     {
                         ulong value = values[i] * (ulong)column.Divisor;
                         if (bits < 64 && value >> bits != 0)
-                            verdict.What = NodeVerdict.Fault.Value;
+                            verdict.What = NodeCheckResult.Fault.Value;
                         // Averages are no part of the point.
                         if (AverageOf[p - 1] < 0)
                             OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
@@ -173,7 +173,7 @@ namespace FastPoints.Verify
     }
 
     /// <summary>What reading one node's points showed. Blittable.</summary>
-    internal struct NodeVerdict
+    internal struct NodeCheckResult
     {
         /// <summary>What is wrong with a node; 0 for nothing.</summary>
         public enum Fault

@@ -38,7 +38,7 @@ namespace FastPoints.Feeds
         }
 
         /// <summary>What is finished may be another now.</summary>
-        public virtual void LookAgain()
+        public virtual void Refresh()
         {
         }
 

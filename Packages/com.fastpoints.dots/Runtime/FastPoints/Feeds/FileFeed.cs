@@ -64,7 +64,7 @@ namespace FastPoints.Feeds
                 UpdateSource(budgetMs);
         }
 
-        public override void LookAgain() => m_converted.LookAgain();
+        public override void Refresh() => m_converted.Refresh();
 
         public override void Dispose()
         {

@@ -43,7 +43,7 @@ namespace FastPoints.Feeds
 
         public override void Update(double budgetMs) => m_generations.Update();
 
-        public override void LookAgain() => m_generations.LookAgain();
+        public override void Refresh() => m_generations.Refresh();
 
         public override void Dispose() => m_generations.Dispose();
 

@@ -62,9 +62,9 @@ namespace FastPoints.Gpu
                 var node = cloud->Pages[drawn.Page].Nodes + drawn.Node;
                 if (!cloud->Sees(node->Center, node->Half))
                     continue;
-                while (InstanceOfBank.Length <= drawn.Run.Bank)
+                while (InstanceOfBank.Length <= drawn.Range.Bank)
                     InstanceOfBank.Add(0);
-                InstanceOfBank[drawn.Run.Bank] += node->BlockCount;
+                InstanceOfBank[drawn.Range.Bank] += node->BlockCount;
                 instances += node->BlockCount;
                 Points.Value += node->PointCount;
                 Seen.Add(i);
@@ -80,10 +80,10 @@ namespace FastPoints.Gpu
                 var drawn = Drawn[Seen[i]];
                 var cloud = clouds + drawn.Cloud;
                 int blocks = cloud->Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                uint firstWord = (uint)drawn.Run.FirstPage * (NodePool.PageBytes / sizeof(uint));
+                uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
                 var node = cloud->Place(drawn.Cloud, drawn.Page, drawn.Node, firstWord);
-                int instance = InstanceOfBank[drawn.Run.Bank];
-                InstanceOfBank[drawn.Run.Bank] = instance + blocks;
+                int instance = InstanceOfBank[drawn.Range.Bank];
+                InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;
                 node.Tint = drawn.Tint;
                 node.SizeNode = SizeNodeOfDrawn.Length > 0 ? (uint)SizeNodeOfDrawn[Seen[i]] : 0;

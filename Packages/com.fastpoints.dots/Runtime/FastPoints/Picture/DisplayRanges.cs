@@ -221,7 +221,7 @@ namespace FastPoints.Picture
                 if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
                     FrameOutline();
                 if (!Full.IsEmpty)
-                    TellFar();
+                    WarnFar();
                 SetLengths();
                 if (found[3].IsCreated)
                     SetIntensity(found[3].Value);
@@ -314,7 +314,7 @@ namespace FastPoints.Picture
             Frame(low, high);
         }
 
-        void TellFar()
+        void WarnFar()
         {
             if (math.cmax(Full.Size) <= FarTold * math.cmax(Robust.Size) || math.cmax(Robust.Size) <= 0)
                 return;

@@ -18,7 +18,7 @@ namespace FastPoints.Picture
         /// <summary>Nine columns of eight bytes and more.</summary>
         public const int MaxBatchBytes = 16 << 10;
 
-        [ReadOnly] public NativeArray<BlockRun> Runs;
+        [ReadOnly] public NativeArray<NodeBlocks> Runs;
 
         /// <summary>By node times planes, plus plane: position first.</summary>
         [ReadOnly] public NativeArray<PlaneView> Planes;
@@ -95,7 +95,7 @@ namespace FastPoints.Picture
             }
         }
 
-        void FindGaps(in BlockRun run, byte* batch, int count, float* gaps)
+        void FindGaps(in NodeBlocks run, byte* batch, int count, float* gaps)
         {
             var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);
             var y = (double*)(batch + Drawing.Positions.Y.OffsetBytes);

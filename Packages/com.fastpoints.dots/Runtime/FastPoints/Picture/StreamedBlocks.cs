@@ -20,7 +20,7 @@ namespace FastPoints.Picture
         readonly PointBatch m_block;
         readonly PointColumn m_classes;
         NativeList<LocalClip> m_clips;
-        NativeList<BlockRun> m_runs;
+        NativeList<NodeBlocks> m_runs;
         NativeList<PlaneView> m_planes;
         NativeArray<StoredColumn> m_columns;
         NativeArray<PointColumn> m_targets;
@@ -66,7 +66,7 @@ namespace FastPoints.Picture
                 m_classes = m_block.Column(m_block.Schema.IndexOf(AttributeNames.Classification));
             }
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
-            m_runs = new NativeList<BlockRun>(Allocator.Persistent);
+            m_runs = new NativeList<NodeBlocks>(Allocator.Persistent);
             m_planes = new NativeList<PlaneView>(Allocator.Persistent);
         }
 
@@ -118,9 +118,9 @@ namespace FastPoints.Picture
                     continue;
                 var place = cloud.Pages[drawn.Page].Places[drawn.Node];
                 var inCube = cubes.PlaceIn(cloud.Pages + drawn.Page, drawn.Node);
-                byte* at = m_pool.AddressOf(drawn.Run);
+                byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
-                m_runs.Add(new BlockRun
+                m_runs.Add(new NodeBlocks
                 {
                     Corner = place.Corner,
                     BlockCount = blocks,
@@ -176,7 +176,7 @@ namespace FastPoints.Picture
     }
 
     /// <summary>A node's blocks as a drawing job sees them; its planes are listed beside.</summary>
-    internal struct BlockRun
+    internal struct NodeBlocks
     {
         /// <summary>Positions are offsets from here, in grid steps from the corner of the cloud's root cube.</summary>
         public Grid3 Corner;

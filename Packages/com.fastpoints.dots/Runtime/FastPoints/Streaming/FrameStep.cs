@@ -138,7 +138,7 @@ namespace FastPoints.Streaming
                     Node = node.Node,
                     Parent = parent,
                     Slot = state->Slot,
-                    Run = slot.Run,
+                    Range = slot.Run,
                     Tint = slot.Tint,
                 });
                 stats.DrawnPoints += page->Nodes[node.Node].PointCount;

@@ -143,7 +143,7 @@ namespace FastPoints.Streaming
         /// <param name="rank">Its place among what is needed.</param>
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
-            PoolRun run;
+            PoolRange run;
             while (!Pool.TryTake(bytes, out run))
             {
                 slot = Cache.LeastUseful;
@@ -302,11 +302,11 @@ namespace FastPoints.Streaming
         /// <summary>Its place in the <see cref="NodeCache"/>.</summary>
         public int Slot;
 
-        /// <summary>See <see cref="CacheSlot.Tint"/>.</summary>
+        /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
         public uint Tint;
 
         /// <summary>Its planes, one after the other in the order of <see cref="NodeSource.Planes"/>.</summary>
-        public PoolRun Run;
+        public PoolRange Range;
     }
 
     /// <summary>Something that could not be shown, after all tries.</summary>

@@ -73,7 +73,7 @@ namespace FastPoints.Streaming
             to->NodeCount = built.NodeCount;
             to->RootCount = built.RootCount;
             to->Failures = 0;
-            to->Status = PageStatus.Loaded;
+            to->Status = HierarchyPageStatus.Loaded;
             HierarchyBytes += BytesOf(built);
             AddNewPages();
         }

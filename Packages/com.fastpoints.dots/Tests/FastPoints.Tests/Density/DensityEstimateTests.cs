@@ -189,7 +189,7 @@ namespace FastPoints.Tests.Density
             using var sampler = PreviewSampler.Create(reader, wanted, 1);
             WorkPump.RunToEnd(sampler.Run(0, new StageProgress()));
             using var density = Estimate(sampler.Sample);
-            Assert.That(sampler.Sample.IsOfBlockBeginnings, Is.EqualTo(areBeginnings));
+            Assert.That(sampler.Sample.IsOfBlockPrefixes, Is.EqualTo(areBeginnings));
             Assert.That(double.IsNaN(density.EstimateUnseen()), Is.EqualTo(areBeginnings));
         }
 
@@ -220,7 +220,7 @@ namespace FastPoints.Tests.Density
             Assert.That(results[0], Is.EqualTo(results[1]));
         }
 
-        /// <summary>Blocks of which only beginnings are cheap.</summary>
+        /// <summary>Blocks of which only prefixes are cheap.</summary>
         static MemoryPointReader Blocks(double3[] points)
         {
             var batch = TestBatches.New(Points, TestBatches.Xyz(AttributeType.Float64));

@@ -52,8 +52,8 @@ namespace FastPoints.Tests.Draw
             using var file = new TemporaryFile(writer.Write(records), ".laz");
             using var reader = Open(file);
             var layout = LazFileReading.LayoutOf(file.Path);
-            Assert.That(reader.HasBeginnings, Is.True);
-            WorkPump.RunToEnd(reader.FindBeginnings());
+            Assert.That(reader.HasPrefixes, Is.True);
+            WorkPump.RunToEnd(reader.FindPrefixes());
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.PointCount, Is.EqualTo(expected));
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout),
@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Draw
             int warnings = reader.Info.Warnings.Count;
 
             WorkPump.RunToEnd(reader.FindBlocks());
-            Assert.That(reader.HasBeginnings, Is.False);
+            Assert.That(reader.HasPrefixes, Is.False);
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), all, writer.RecordBytes), Is.Null);
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
         }
@@ -75,7 +75,7 @@ namespace FastPoints.Tests.Draw
             using var preview = Take(reader, new PreviewOptions { Quick = true });
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
             Assert.That(preview.Sample.Count, Is.EqualTo(expected));
-            Assert.That(preview.Sample.IsOfBeginning, Is.True);
+            Assert.That(preview.Sample.IsOfPrefix, Is.True);
             Assert.That(preview.Sample.Share, Is.EqualTo(expected / (double)Points));
             Assert.That(reader.Info.Warnings.Select(warning => warning.Text),
                 Has.Exactly(1).Contains("beginning alone, " + 100 * expected / Points + " % of the points"));
@@ -90,7 +90,7 @@ namespace FastPoints.Tests.Draw
             using var exactReader = Open(file);
             using var preview = Take(reader, new PreviewOptions());
             using var exact = Take(exactReader, new PreviewOptions { Exact = true });
-            Assert.That(preview.Sample.IsOfBeginning, Is.False);
+            Assert.That(preview.Sample.IsOfPrefix, Is.False);
             Assert.That(preview.Sample.IsFullScan, Is.True);
             Assert.That(Xs(preview.Sample), Is.EqualTo(Xs(exact.Sample)));
             Assert.That(reader.Info.Warnings.Select(warning => warning.Text), Has.None.Contains("beginning alone"));
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.Draw
             using var reader = Open(file);
             using var preview = Take(reader, new PreviewOptions());
             Assert.That(preview.Sample.IsWhole, Is.True);
-            Assert.That(preview.Sample.IsOfBeginning, Is.False);
+            Assert.That(preview.Sample.IsOfPrefix, Is.False);
             Assert.That(preview.Sample.Count, Is.EqualTo(900));
         }
     }

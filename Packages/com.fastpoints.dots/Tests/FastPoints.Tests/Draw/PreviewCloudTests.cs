@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Draw
                     Is.GreaterThan(700));
             };
             WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
-            // 2,000 and 20,000 of beginnings, a fifth, a half, all.
+            // 2,000 and 20,000 of prefixes, a fifth, a half, all.
             Assert.That(waves, Has.Count.EqualTo(5));
             Assert.That(waves, Is.EqualTo(preview.Waves));
             Assert.That(waves.Select(w => w.Seconds), Is.Ordered);

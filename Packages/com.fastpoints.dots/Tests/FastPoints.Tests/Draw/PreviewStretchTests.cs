@@ -53,13 +53,13 @@ namespace FastPoints.Tests.Draw
         {
             Write(name, header);
             using var reader = PointReaders.Open(m_path);
-            Assert.That(reader.HasBeginnings, Is.True);
+            Assert.That(reader.HasPrefixes, Is.True);
             using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 100_000, Quick = true });
             WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
             var sample = preview.Sample;
             var xs = Xs(sample);
-            Assert.That(sample.IsOfBeginning, Is.False);
+            Assert.That(sample.IsOfPrefix, Is.False);
             Assert.That(xs.Distinct().Count(), Is.EqualTo(xs.Length));
             // Of the bytes eight ninths are the second half's. A stretch has 820 or 103 lines to choose from: one more or less
             // at its ends moves the shares by less than a hundredth.
@@ -98,7 +98,7 @@ namespace FastPoints.Tests.Draw
             Write(".ply", "ply\nformat ascii 1.0\nelement vertex 799999\nproperty float x\nproperty float y\nproperty float z\n"
                 + "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
             using var reader = PointReaders.Open(m_path);
-            Assert.That(reader.HasBeginnings, Is.False);
+            Assert.That(reader.HasPrefixes, Is.False);
         }
     }
 }

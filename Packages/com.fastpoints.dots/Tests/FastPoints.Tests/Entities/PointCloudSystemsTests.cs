@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Entities
             foreach (var drawn in m_group.Stream.Drawn)
                 Assert.That(drawn.Tint, Is.EqualTo(drawn.Page == node.Page && drawn.Node == node.Node
                     ? 0xFF0000FF
-                    : CacheSlot.White));
+                    : CachedNode.White));
         }
 
         [Test]

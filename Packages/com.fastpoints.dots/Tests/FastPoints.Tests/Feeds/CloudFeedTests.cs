@@ -150,13 +150,13 @@ namespace FastPoints.Tests.Feeds
                 Updates(feed, () => feed.IsEnded);
                 Directory.Delete(cloud.Path, true);
                 Directory.Move(other.Path, cloud.Path);
-                feed.LookAgain();
+                feed.Refresh();
                 Updates(feed, () => feed.Newest != null);
                 using (var taken = (FolderSource)feed.Take())
                     Assert.That(taken.Folder.Manifest.Points, Is.EqualTo(30_000));
 
                 Directory.Delete(cloud.Path, true);
-                feed.LookAgain();
+                feed.Refresh();
                 Updates(feed, () => feed.IsBuildGone);
             }
         }

@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Gpu
             var places = new List<(double3, double3)>();
             foreach (var draw in list.Draws)
             {
-                byte* bank = ((MemoryNodePool)stream.Pool).AddressOf(new PoolRun { Bank = draw.Bank });
+                byte* bank = ((MemoryNodePool)stream.Pool).AddressOf(new PoolRange { Bank = draw.Bank });
                 for (int i = draw.FirstInstance; i < draw.FirstInstance + draw.InstanceCount; i++)
                 {
                     var node = list.Nodes[(int)list.NodeOfInstance[i]];
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Gpu
         {
             foreach (var drawn in stream.Drawn)
             {
-                if ((uint)drawn.Run.FirstPage * (NodePool.PageBytes / 4) != node.PositionWord)
+                if ((uint)drawn.Range.FirstPage * (NodePool.PageBytes / 4) != node.PositionWord)
                     continue;
                 var corner = stream.Clouds[0].Pages[drawn.Page].Places[drawn.Node].Corner;
                 return new double3(corner.X, corner.Y, corner.Z);

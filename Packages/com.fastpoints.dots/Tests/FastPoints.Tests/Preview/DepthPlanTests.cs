@@ -32,7 +32,7 @@ namespace FastPoints.Tests.Preview
                     {
                         Assert.That(range.First, Is.EqualTo(taken[range.Block]));
                         taken[range.Block] += range.Count;
-                        plan.Tell(range, range.Count);
+                        plan.Add(range, range.Count);
                     }
                 }
                 Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(share * count));
@@ -71,7 +71,7 @@ namespace FastPoints.Tests.Preview
                     foreach (var range in ranges)
                     {
                         ofThird += range.Block == 3 ? 1 : 0;
-                        plan.Tell(range, range.Block == 3 ? range.Count - 1 : range.Count);
+                        plan.Add(range, range.Block == 3 ? range.Count - 1 : range.Count);
                     }
                 }
             }

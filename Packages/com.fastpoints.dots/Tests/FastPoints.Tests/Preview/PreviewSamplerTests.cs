@@ -257,7 +257,7 @@ namespace FastPoints.Tests.Preview
             }
         }
 
-        /// <summary>Points of a source of which only the beginnings of blocks are cheap; x is the index.</summary>
+        /// <summary>Points of a source of which only the prefixes of blocks are cheap; x is the index.</summary>
         static MemoryPointReader Blocks(int count, int pointsPerBlock)
         {
             var attributes = TestBatches.Xyz(AttributeType.Int32);

@@ -81,18 +81,18 @@ namespace FastPoints.Tests.Samplers
                 Block = 77,
                 PeakBytes = Points
             };
-            journal.Findings.Add(new PointFindings { Count = Points, Checksum = 1UL << 63, Max = new Grid3(1L << 59, 5, -1) });
-            journal.Attributes = new[] { AttributeFindings.None };
+            journal.Statistics.Add(new PointStatistics { Count = Points, Checksum = 1UL << 63, Max = new Grid3(1L << 59, 5, -1) });
+            journal.Attributes = new[] { AttributeStatistics.None };
             journal.Records.Add(Points);
             journal.Chunks.Add(new BuildJournal.Chunk
             {
                 Cube = new GridCube(new Grid3(-1L << 59, 0, 0), 40),
-                Runs = new[] { new RecordRun { File = 0, First = 1L << 33, Count = 1L << 34 } },
+                Runs = new[] { new RecordRange { File = 0, First = 1L << 33, Count = 1L << 34 } },
             });
             string text = journal.ToJson();
             var back = BuildJournal.FromJson(text);
             Assert.That(back.ToJson(), Is.EqualTo(text));
-            Assert.That(back.Findings[0].Count, Is.EqualTo(Points));
+            Assert.That(back.Statistics[0].Count, Is.EqualTo(Points));
             Assert.That(back.Chunks[0].Runs[0].Count, Is.EqualTo(1L << 34));
             Assert.That(BuildJournal.FromJson(text.Substring(0, text.Length / 2)), Is.Null);
             Assert.That(BuildJournal.FromJson("{}"), Is.Null);

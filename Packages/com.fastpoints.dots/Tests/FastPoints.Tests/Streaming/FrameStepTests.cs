@@ -72,7 +72,7 @@ namespace FastPoints.Tests.Streaming
             Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Page).Distinct().Count(), Is.GreaterThan(5));
             foreach (var drawn in m_stream.Drawn.AsArray())
             {
-                byte* at = ((MemoryNodePool)m_stream.Pool).AddressOf(drawn.Run);
+                byte* at = ((MemoryNodePool)m_stream.Pool).AddressOf(drawn.Range);
                 byte[] file = File.ReadAllBytes(m_source.PathOf(drawn.Page));
                 for (int p = 0; p < m_source.Planes.Length; p++)
                 {

@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Streaming
         {
             using (var pool = new MemoryNodePool(5 * BankBytes + 1000, BankBytes))
             {
-                var runs = new List<PoolRun>();
+                var runs = new List<PoolRange>();
                 while (pool.TryTake(20_000, out var run))
                 {
                     runs.Add(run);
@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Streaming
         {
             using (var pool = new MemoryNodePool(4 * BankBytes, BankBytes))
             {
-                var runs = new List<PoolRun>();
+                var runs = new List<PoolRange>();
                 while (pool.TryTake(BankBytes / 2, out var run))
                     runs.Add(run);
                 pool.LimitBytes = 2 * BankBytes;

@@ -242,15 +242,15 @@ namespace FastPoints.Tests.Streaming
         {
             var view = Looking(s_middle, new double3(1, 0.3, -0.4));
             int nearest = Choose(view, At(0)).First(n => n.Page > 0).Page;
-            m_cloud.Pages[nearest].Status = PageStatus.Absent;
+            m_cloud.Pages[nearest].Status = HierarchyPageStatus.Absent;
             var chosen = Choose(view, At(0));
             Assert.That(m_selector.Missing[0].Page, Is.EqualTo(nearest));
             Assert.That(chosen.Select(n => n.Page), Has.None.EqualTo(nearest).And.Some.GreaterThan(0));
 
-            m_cloud.Pages[nearest].Status = PageStatus.Failed;
+            m_cloud.Pages[nearest].Status = HierarchyPageStatus.Failed;
             Choose(view, At(0));
             Assert.That(m_selector.Missing.ToArray(), Is.Empty);
-            m_cloud.Pages[nearest].Status = PageStatus.Loaded;
+            m_cloud.Pages[nearest].Status = HierarchyPageStatus.Loaded;
         }
 
         [Test]

@@ -27,7 +27,7 @@ namespace FastPoints.Tests.Streaming
                 var corner = cloud.Source.Root.Corner + cloud.Pages[drawn.Page].Places[drawn.Node].Corner;
                 for (int block = 0; block < blocks; block++)
                 {
-                    byte* at = ((MemoryNodePool)stream.Pool).AddressOf(drawn.Run);
+                    byte* at = ((MemoryNodePool)stream.Pool).AddressOf(drawn.Range);
                     int columns = 0, points = 0;
                     for (int p = 0; p < cloud.Source.Planes.Length; p++)
                     {

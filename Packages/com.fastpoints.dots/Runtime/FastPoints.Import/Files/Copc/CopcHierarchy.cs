@@ -27,7 +27,7 @@ namespace FastPoints.Files
         readonly CopcReader m_reader;
         readonly SourceTree m_tree;
         readonly long m_fileBytes;
-        readonly WaitingPages m_pages = new WaitingPages(CopcEntry.MaxLevel + 1);
+        readonly UnreadPages m_pages = new UnreadPages(CopcEntry.MaxLevel + 1);
         readonly HashSet<long> m_pageOffsets = new HashSet<long>();
         readonly HashSet<ulong> m_chunkOffsets = new HashSet<ulong>();
         readonly HashSet<int4> m_keys = new HashSet<int4>();
@@ -68,8 +68,8 @@ namespace FastPoints.Files
         /// <summary>Whether <see cref="Read(int4, int)"/> has nothing to do.</summary>
         public bool IsKnown(int4 node, int levels) => !m_pages.TryPeek(node, levels, out _);
 
-        /// <summary>Says how many oddities were not told one by one. When all is read.</summary>
-        public void TellRest()
+        /// <summary>Says how many anomalies were not told one by one. When all is read.</summary>
+        public void WarnRest()
         {
             if (m_untold > 0)
                 m_reader.Info.Warn(m_reader.Copc.FileOffset, Text(m_untold)
@@ -85,7 +85,7 @@ namespace FastPoints.Files
             m_command.Dispose();
         }
 
-        IEnumerator<Work> Read(WaitingPage page)
+        IEnumerator<Work> Read(UnreadPage page)
         {
             var entries = new List<(CopcEntry Entry, long At)>();
             for (long done = 0; done < page.Bytes; done += PieceBytes)
@@ -132,7 +132,7 @@ namespace FastPoints.Files
                 if (entry.HasKey)
                     entries.Add((entry, piece.FileOffset + at));
                 else
-                    Tell(piece.FileOffset + at, Name(entry) + " is no node of an octree: left out");
+                    Warn(piece.FileOffset + at, Name(entry) + " is no node of an octree: left out");
             }
         }
 
@@ -153,16 +153,16 @@ namespace FastPoints.Files
         void AddPage(int4 root, long offset, long bytes, long at)
         {
             if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
-                Tell(at, "a page of the octree's hierarchy would lie at byte " + Text(offset) + " with " + Text(bytes)
+                Warn(at, "a page of the octree's hierarchy would lie at byte " + Text(offset) + " with " + Text(bytes)
                     + " bytes, the file has " + Text(m_fileBytes) + ": its nodes are left out");
             else if (!m_pageOffsets.Add(offset))
-                Tell(at, "the page at byte " + Text(offset) + " of the octree's hierarchy is named twice: read once");
+                Warn(at, "the page at byte " + Text(offset) + " of the octree's hierarchy is named twice: read once");
             else if (bytes > m_pageBytesLeft)
-                Tell(at, "the pages of the octree's hierarchy overlap: that at byte " + Text(offset) + " is left out");
+                Warn(at, "the pages of the octree's hierarchy overlap: that at byte " + Text(offset) + " is left out");
             else
             {
                 if (bytes % CopcEntry.Bytes != 0)
-                    Tell(at, "the page at byte " + Text(offset) + " of the octree's hierarchy has " + Text(bytes)
+                    Warn(at, "the page at byte " + Text(offset) + " of the octree's hierarchy has " + Text(bytes)
                         + " bytes, wanted a multiple of " + Text(CopcEntry.Bytes));
                 m_pageBytesLeft -= bytes;
                 m_pages.Add(root, offset, bytes);
@@ -178,11 +178,11 @@ namespace FastPoints.Files
                 trouble = "has the chunk of another node: left out";
             if (trouble != null)
             {
-                Tell(at, Name(entry) + " " + trouble);
+                Warn(at, Name(entry) + " " + trouble);
                 return;
             }
             if (bytes < entry.ByteSize)
-                Tell(at, Name(entry) + " would end at byte " + Text((long)entry.Offset + entry.ByteSize) + ", the file has "
+                Warn(at, Name(entry) + " would end at byte " + Text((long)entry.Offset + entry.ByteSize) + ", the file has "
                     + Text(m_fileBytes) + ": cut there");
             m_chunkBytesLeft -= bytes;
             m_reader.AddNode(entry, bytes);
@@ -211,7 +211,7 @@ namespace FastPoints.Files
             + "-" + Text(entry.Cell.z);
 
         /// <summary>The first few are told; a hierarchy that is noise is not listed.</summary>
-        void Tell(long at, string text)
+        void Warn(long at, string text)
         {
             if (m_warnings++ < MaxWarnings)
                 m_reader.Info.Warn(at, text);

@@ -70,7 +70,7 @@ namespace FastPoints.Files
                 : null;
         }
 
-        public void Tell(SourceInfo info)
+        public void AddFacts(SourceInfo info)
         {
             info.Fact("COPC version", "1.0");
             info.Fact("COPC center", Text(Center.x) + " " + Text(Center.y) + " " + Text(Center.z));

@@ -58,8 +58,8 @@ namespace FastPoints.Files
                     + ": read without the octree");
                 return null;
             }
-            copc.Tell(las.Info);
-            format.Tell(las.Info);
+            copc.AddFacts(las.Info);
+            format.AddFacts(las.Info);
             return new CopcReader(las, format, copc, source, longChunkPoints);
         }
 
@@ -78,7 +78,7 @@ namespace FastPoints.Files
             if (m_tree.IsWhole)
                 yield break;
             yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
-            m_hierarchy.TellRest();
+            m_hierarchy.WarnRest();
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();
             Info.PointsReadable = PointCount;

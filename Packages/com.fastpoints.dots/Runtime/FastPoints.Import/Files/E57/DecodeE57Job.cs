@@ -47,12 +47,12 @@ namespace FastPoints.Files
         /// <summary>Bytes of one field.</summary>
         public NativeArray<byte> Scratch;
         public NativeReference<DecodeResult> Result;
-        public NativeReference<E57Oddities> Oddities;
+        public NativeReference<E57Anomalies> Anomalies;
 
         public void Execute()
         {
             var result = FirstRead == 0 ? new DecodeResult { Points = Count } : Result.Value;
-            var oddities = FirstRead == 0 ? default : Oddities.Value;
+            var anomalies = FirstRead == 0 ? default : Anomalies.Value;
             byte* drops = (byte*)Drops.GetUnsafePtr();
             if (FirstRead == 0)
                 UnsafeUtility.MemClear(drops, Count);
@@ -66,10 +66,10 @@ namespace FastPoints.Files
                     result.Error = E57Error.FileChanged;
                     result.ErrorOffset = E57Pages.ToPhysical(Ranges[i].PacketOffset);
                 }
-                oddities.Misfits += Decode(read, there, drops);
+                anomalies.Misfits += Decode(read, there, drops);
             }
             Result.Value = result;
-            Oddities.Value = oddities;
+            Anomalies.Value = anomalies;
         }
 
         /// <returns>Values whose bytes are there.</returns>

@@ -24,7 +24,7 @@ namespace FastPoints.Files
         NativeArray<byte> m_drops;
         NativeArray<byte> m_scratch;
         NativeReference<DecodeResult> m_result;
-        NativeReference<E57Oddities> m_oddities;
+        NativeReference<E57Anomalies> m_anomalies;
         int m_readCount;
         E57Section m_section;
         PlaceE57PointsJob m_place;
@@ -54,7 +54,7 @@ namespace FastPoints.Files
             m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
             m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
             m_result = new NativeReference<DecodeResult>(allocator);
-            m_oddities = new NativeReference<E57Oddities>(allocator);
+            m_anomalies = new NativeReference<E57Anomalies>(allocator);
             Result = m_result;
         }
 
@@ -74,7 +74,7 @@ namespace FastPoints.Files
             if (range.Count == 0)
             {
                 m_result.Value = default;
-                m_oddities.Value = default;
+                m_anomalies.Value = default;
                 Decoded = default;
                 return;
             }
@@ -112,7 +112,7 @@ namespace FastPoints.Files
                 ColumnTable = m_columns,
                 Columns = Points.Bytes,
                 Result = m_result,
-                Oddities = m_oddities,
+                Anomalies = m_anomalies,
                 HasPositions = hasPositions,
                 IsSpherical = !section.Scan.IsCartesian,
                 HasNormals = hasNormals,
@@ -158,7 +158,7 @@ namespace FastPoints.Files
                 Drops = m_drops,
                 Scratch = m_scratch,
                 Result = m_result,
-                Oddities = m_oddities,
+                Anomalies = m_anomalies,
             };
             var done = m_pages.Begin();
             for (int i = 0; i == 0 || i < m_readCount; i += DecodeE57Job.FieldsPerSlice)
@@ -180,7 +180,7 @@ namespace FastPoints.Files
             m_pages.End();
             var result = m_result.Value;
             Points.Count = result.Points;
-            m_reader.Tell(Range, result, m_oddities.Value);
+            m_reader.Warn(Range, result, m_anomalies.Value);
         }
 
         public override void Dispose()
@@ -198,12 +198,12 @@ namespace FastPoints.Files
             m_drops.Dispose();
             m_scratch.Dispose();
             m_result.Dispose();
-            m_oddities.Dispose();
+            m_anomalies.Dispose();
         }
     }
 
     /// <summary>What a range had besides points. Written by jobs, told on the main thread.</summary>
-    struct E57Oddities
+    struct E57Anomalies
     {
         /// <summary>Points left out since their scan marks them as invalid.</summary>
         public int Invalid;

@@ -23,7 +23,7 @@ namespace FastPoints.Files
         static readonly string[] s_numbers = { "temperature", "relativeHumidity", "atmosphericPressure" };
         static readonly string[] s_times = { "acquisitionStart", "acquisitionEnd" };
 
-        public static void TellFile(E57Node root, SourceInfo info)
+        public static void AddFile(E57Node root, SourceInfo info)
         {
             if (root.TextOf("formatName") != "ASTM E57 3D Imaging Data File")
                 info.Warn(-1, "formatName: wanted \"ASTM E57 3D Imaging Data File\", got \"" + root.TextOf("formatName") + "\"");
@@ -33,15 +33,15 @@ namespace FastPoints.Files
             double seconds = created?.NumberOf("dateTimeValue") ?? 0;
             if (seconds > 0)
                 info.Fact("created", E57Text.GpsTime(seconds));
-            TellCrs(root.Child("coordinateMetadata")?.Text, info);
+            AddCrs(root.Child("coordinateMetadata")?.Text, info);
             info.Fact("scans", E57Text.Of(root.Child("data3D")?.Children.Count ?? 0));
-            TellImages(root.Child("images2D"), info);
+            AddImages(root.Child("images2D"), info);
             foreach (var child in root.Children)
                 if (child.Name.IndexOf(':') >= 0)
                     info.Fact("extension (left out)", E57Text.OneLine(child.Name));
         }
 
-        public static void TellScan(E57Node node, E57Scan scan, SourceInfo info)
+        public static void AddScan(E57Node node, E57Scan scan, SourceInfo info)
         {
             if (scan.Index >= MaxScans)
                 return;
@@ -58,7 +58,7 @@ namespace FastPoints.Files
             foreach (string name in s_times)
                 if (node.Child(name)?.NumberOf("dateTimeValue") > 0)
                     info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
-            TellPose(scan, info);
+            AddPose(scan, info);
             if (!scan.BoundsClaimed.IsEmpty)
                 info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " + NumberText.Of(scan.BoundsClaimed.Max) +
                     " (the scanner's coordinates)");
@@ -74,7 +74,7 @@ namespace FastPoints.Files
                 info.Fact("  field", E57Text.OneLine(field.Name) + ": " + field.Summary());
         }
 
-        public static void TellSchema(E57Schema schema, List<E57Scan> scans, SourceInfo info)
+        public static void AddSchema(E57Schema schema, List<E57Scan> scans, SourceInfo info)
         {
             info.Fact("positions", schema.PositionSummary);
             if (schema.HasScaledColors)
@@ -86,7 +86,7 @@ namespace FastPoints.Files
                     "there are more than " + E57Scan.MaxFields);
             if (schema.LeftOut.Count > MaxFieldsLeftOut)
                 info.Warn(-1, E57Text.Of(schema.LeftOut.Count) + " fields are left out");
-            TellMissing(scans, info);
+            AddMissing(scans, info);
             info.HasBoundsClaimed = scans.Count > 0;
             foreach (var scan in scans)
             {
@@ -100,7 +100,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>One attribute of some scans only is 0 in the points of the others.</summary>
-        static void TellMissing(List<E57Scan> scans, SourceInfo info)
+        static void AddMissing(List<E57Scan> scans, SourceInfo info)
         {
             var scansWith = new Dictionary<string, int>();
             foreach (var scan in scans)
@@ -117,7 +117,7 @@ namespace FastPoints.Files
                         " scans: it is 0 in the points of the others");
         }
 
-        static void TellPose(E57Scan scan, SourceInfo info)
+        static void AddPose(E57Scan scan, SourceInfo info)
         {
             var pose = scan.Pose;
             if (pose.IsIdentity)
@@ -128,7 +128,7 @@ namespace FastPoints.Files
             info.Fact("  pose", text);
         }
 
-        static void TellCrs(string metadata, SourceInfo info)
+        static void AddCrs(string metadata, SourceInfo info)
         {
             // Lengths are metres (ASTM E2807, 8.2); the text is free, and well-known text by custom.
             info.Crs.MetresPerUnit = 1;
@@ -142,7 +142,7 @@ namespace FastPoints.Files
             info.Fact("coordinateMetadata", E57Text.OneLine(metadata));
         }
 
-        static void TellImages(E57Node images, SourceInfo info)
+        static void AddImages(E57Node images, SourceInfo info)
         {
             if (images == null || images.Children.Count == 0)
                 return;

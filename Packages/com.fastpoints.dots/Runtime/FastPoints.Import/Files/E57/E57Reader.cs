@@ -80,13 +80,13 @@ namespace FastPoints.Files
                     throw PointCloudException.Wanted(FailureCode.BadInput, source.Path,
                         E57Pages.ToPhysical(header.XmlLogicalOffset), "root of the XML section", "e57Root",
                         E57Text.OneLine(root.Name));
-                E57Facts.TellFile(root, info);
+                E57Facts.AddFile(root, info);
                 var sections = ReadScans(root, source, crc, info);
                 var scans = sections.ConvertAll(section => section.Scan);
                 var schema = new E57Schema(scans);
                 info.Schema = schema.Schema;
                 info.Transform = schema.Transform;
-                E57Facts.TellSchema(schema, scans, info);
+                E57Facts.AddSchema(schema, scans, info);
                 return new E57Reader(info, schema, sections, crc);
             }
             catch
@@ -195,20 +195,20 @@ namespace FastPoints.Files
         }
 
         /// <summary>Tells what a range had besides points; of each block once.</summary>
-        internal void Tell(BlockRange range, DecodeResult result, in E57Oddities oddities)
+        internal void Warn(BlockRange range, DecodeResult result, in E57Anomalies anomalies)
         {
             bool isNew = range.First == 0 && range.Count == PointsInBlock(range.Block) && m_toldBlocks.Add(range.Block);
             if (result.Error != E57Error.None)
-                Tell("points are left out: " + E57Error.Text(result.Error), result.ErrorOffset,
+                Warn("points are left out: " + E57Error.Text(result.Error), result.ErrorOffset,
                     isNew ? range.Count - result.Points : 0);
-            if (oddities.Invalid > 0)
-                Tell("points that their scan marks as invalid are left out", -1, isNew ? oddities.Invalid : 0);
-            if (oddities.Damaged > 0)
-                Tell("the checksum of page " + oddities.FirstDamagedPage + " is wrong (" + oddities.DamagedPages +
+            if (anomalies.Invalid > 0)
+                Warn("points that their scan marks as invalid are left out", -1, isNew ? anomalies.Invalid : 0);
+            if (anomalies.Damaged > 0)
+                Warn("the checksum of page " + anomalies.FirstDamagedPage + " is wrong (" + anomalies.DamagedPages +
                     " pages of this block are damaged): points that lie in them are left out",
-                    oddities.FirstDamagedPage * E57Pages.PageBytes, isNew ? oddities.Damaged : 0);
-            if (oddities.Misfits > 0)
-                Tell("integers above the maximum of their field: the maximum was taken", -1, isNew ? oddities.Misfits : 0);
+                    anomalies.FirstDamagedPage * E57Pages.PageBytes, isNew ? anomalies.Damaged : 0);
+            if (anomalies.Misfits > 0)
+                Warn("integers above the maximum of their field: the maximum was taken", -1, isNew ? anomalies.Misfits : 0);
         }
 
         public override void CloseFile()
@@ -245,7 +245,7 @@ namespace FastPoints.Files
                 E57Section section = null;
                 if (problem == null)
                     section = E57Section.Read(scan, source, crc, info, out problem, out offset);
-                E57Facts.TellScan(data.Children[i], scan, info);
+                E57Facts.AddScan(data.Children[i], scan, info);
                 if (problem == null)
                 {
                     section.Index = sections.Count;
@@ -297,7 +297,7 @@ namespace FastPoints.Files
             }
         }
 
-        void Tell(string text, long offset, long count)
+        void Warn(string text, long offset, long count)
         {
             string key = text.Length > 24 ? text.Substring(0, 24) : text;
             if (!m_warnings.TryGetValue(key, out int index))

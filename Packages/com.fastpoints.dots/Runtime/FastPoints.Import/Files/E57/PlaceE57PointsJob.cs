@@ -21,7 +21,7 @@ namespace FastPoints.Files
         [ReadOnly] public NativeArray<PointColumn> ColumnTable;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
-        public NativeReference<E57Oddities> Oddities;
+        public NativeReference<E57Anomalies> Anomalies;
 
         /// <summary>Whether positions lie in rows 0 to 2, and normals in rows 3 to 5.</summary>
         public bool HasPositions;
@@ -108,16 +108,16 @@ namespace FastPoints.Files
         void Compact(ref DecodeResult result)
         {
             byte* drops = (byte*)Drops.GetUnsafeReadOnlyPtr();
-            var oddities = Oddities.Value;
+            var anomalies = Anomalies.Value;
             for (int i = 0; i < result.Points; i++)
             {
-                oddities.Invalid += drops[i] == E57Drop.Invalid ? 1 : 0;
-                oddities.Damaged += drops[i] == E57Drop.Damaged ? 1 : 0;
+                anomalies.Invalid += drops[i] == E57Drop.Invalid ? 1 : 0;
+                anomalies.Damaged += drops[i] == E57Drop.Damaged ? 1 : 0;
             }
-            if (oddities.Damaged > 0)
-                CountPages(ref oddities);
-            Oddities.Value = oddities;
-            if (oddities.Invalid + oddities.Damaged == 0)
+            if (anomalies.Damaged > 0)
+                CountPages(ref anomalies);
+            Anomalies.Value = anomalies;
+            if (anomalies.Invalid + anomalies.Damaged == 0)
                 return;
             byte* columns = (byte*)Columns.GetUnsafePtr();
             for (int first = 0, kept = 0; first < result.Points;)
@@ -133,22 +133,22 @@ namespace FastPoints.Files
                 while (first < result.Points && drops[first] != 0)
                     first++;
             }
-            result.Points -= oddities.Invalid + oddities.Damaged;
+            result.Points -= anomalies.Invalid + anomalies.Damaged;
         }
 
         static void Move(byte* column, int bytes, long from, long to, long count) =>
             UnsafeUtility.MemMove(column + to * bytes, column + from * bytes, count * bytes);
 
-        void CountPages(ref E57Oddities oddities)
+        void CountPages(ref E57Anomalies anomalies)
         {
             for (int e = 0; e < ExtentCount; e++)
                 for (int page = 0; page < Extents[e].Pages; page++)
                 {
                     if (IsDamaged[Extents[e].BufferPage + page] == 0)
                         continue;
-                    if (oddities.DamagedPages == 0)
-                        oddities.FirstDamagedPage = Extents[e].FirstPage + page;
-                    oddities.DamagedPages++;
+                    if (anomalies.DamagedPages == 0)
+                        anomalies.FirstDamagedPage = Extents[e].FirstPage + page;
+                    anomalies.DamagedPages++;
                 }
         }
     }

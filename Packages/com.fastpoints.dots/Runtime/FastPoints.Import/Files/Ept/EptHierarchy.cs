@@ -42,7 +42,7 @@ namespace FastPoints.Files
         readonly EptReader m_reader;
         readonly EptIndex m_index;
         readonly SourceTree m_tree;
-        readonly WaitingPages m_waiting = new WaitingPages(EptEntry.MaxLevel + 1);
+        readonly UnreadPages m_waiting = new UnreadPages(EptEntry.MaxLevel + 1);
         readonly HashSet<int4> m_pages = new HashSet<int4>();
         readonly HashSet<int4> m_nodes = new HashSet<int4>();
         bool m_isFull;
@@ -91,7 +91,7 @@ namespace FastPoints.Files
                 problem = "it has " + Text(length) + " bytes, wanted at most " + Text(MaxPageBytes);
             if (problem != null)
             {
-                m_reader.Findings.Tell("the page of the hierarchy that begins with it cannot be read", name, problem);
+                m_reader.Statistics.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
                 yield break;
             }
             m_reader.Info.FileBytes += length;
@@ -124,7 +124,7 @@ namespace FastPoints.Files
                     parsed.Complete();
                 }
                 if (state.Value.IsBroken)
-                    m_reader.Findings.Tell("the page of the hierarchy that begins with it is broken",
+                    m_reader.Statistics.Add("the page of the hierarchy that begins with it is broken",
                         name, "the first " + Text(state.Value.Entries) + " entries are read", state.Value.At, path);
             }
         }
@@ -138,7 +138,7 @@ namespace FastPoints.Files
                 int level = entries[i].Level;
                 if (!entries[i].HasKey)
                 {
-                    m_reader.Findings.Tell("an entry of the hierarchy is none", "?", null, entries[i].At, path);
+                    m_reader.Statistics.Add("an entry of the hierarchy is none", "?", null, entries[i].At, path);
                     continue;
                 }
                 first = Math.Min(first, level);
@@ -188,13 +188,13 @@ namespace FastPoints.Files
                 if (m_pages.Add(entry.Key))
                     m_waiting.Add(entry.Key);
                 else
-                    m_reader.Findings.Tell("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
+                    m_reader.Statistics.Add("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
                 return;
             }
             if (!m_nodes.Add(entry.Key))
-                m_reader.Findings.Tell("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
+                m_reader.Statistics.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
             else if (entry.Points < 0)
-                m_reader.Findings.Tell("has a number of points that is none", entry.Name, Text(entry.Points), entry.At, path);
+                m_reader.Statistics.Add("has a number of points that is none", entry.Name, Text(entry.Points), entry.At, path);
             else
                 AddNode(entry, length);
         }
@@ -209,7 +209,7 @@ namespace FastPoints.Files
             string path = m_reader.PathOf(entry.Level, entry.Cell);
             if (bytes <= 0)
             {
-                m_reader.Findings.Tell("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
+                m_reader.Statistics.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
                     entry.Name, Text(entry.Points) + " points", -1, path);
                 m_reader.AddNode(entry, 0, 0);
                 return;
@@ -217,10 +217,10 @@ namespace FastPoints.Files
             m_reader.Info.FileBytes += bytes;
             long points = Math.Min(entry.Points, MostPoints(bytes));
             if (points < entry.Points)
-                m_reader.Findings.Tell("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
+                m_reader.Statistics.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
                     + Text(entry.Points) + ", got room for " + Text(points) + " in " + Text(bytes) + " bytes", -1, path);
             else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
-                m_reader.Findings.Tell("its file holds more than the points that the hierarchy claims", entry.Name,
+                m_reader.Statistics.Add("its file holds more than the points that the hierarchy claims", entry.Name,
                     "wanted " + Text(points * m_index.RecordBytes) + " bytes, got " + Text(bytes), -1, path);
             m_reader.AddNode(entry, points, bytes);
         }

@@ -32,20 +32,20 @@ namespace FastPoints.Files
                 Result, read);
         }
 
-        protected override void Tell(DecodeResult result)
+        protected override void Warn(DecodeResult result)
         {
             if (result.Error == LazError.NoChunk)
-                Reader.TellBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
+                Reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
                     "wanted LAZ of point format " + Reader.Las.Header.PointFormat + " with the items of the root", 0);
             else if (result.Error == LazError.OffGrid)
-                Reader.TellBroken(Range.Block, "its positions do not lie on the root's grid: they are left out from there",
+                Reader.WarnBroken(Range.Block, "its positions do not lie on the root's grid: they are left out from there",
                     "wanted scale and offset that are whole steps of the root's, and places within 32 bits; read "
                     + result.Points + " points of " + Range.Count, result.ErrorOffset);
             else if (result.Error != LazError.None)
-                Reader.TellBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
+                Reader.WarnBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
                     result.ErrorOffset);
             else if (Range.Count > 0 && m_decoding.PointsInFile != Reader.Block(Range.Block).NodePoints)
-                Reader.TellBroken(Range.Block, "its file has another number of points than the hierarchy claims",
+                Reader.WarnBroken(Range.Block, "its file has another number of points than the hierarchy claims",
                     m_decoding.PointsInFile + " in the file, " + Reader.Block(Range.Block).NodePoints + " claimed", -1);
         }
 

@@ -34,7 +34,7 @@ namespace FastPoints.Files
         protected abstract JobHandle Schedule(BlockRange range, in EptBlock block);
 
         /// <summary>Says what became of a range that did not give all of its points.</summary>
-        protected abstract void Tell(DecodeResult result);
+        protected abstract void Warn(DecodeResult result);
 
         public sealed override void Begin(BlockRange range)
         {
@@ -80,7 +80,7 @@ namespace FastPoints.Files
                 var block = Reader.Block(Range.Block);
                 Reader.EndNode(block, block.FirstInNode + Range.First + result.Points);
             }
-            Tell(result);
+            Warn(result);
         }
 
         protected abstract void DisposeTables();

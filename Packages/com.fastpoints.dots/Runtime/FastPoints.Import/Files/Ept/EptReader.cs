@@ -41,7 +41,7 @@ namespace FastPoints.Files
             Laz = laz;
             int pointBytes = Math.Max(Info.Schema.BytesPerPoint, las?.Header.RecordBytes ?? index.RecordBytes);
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
-            Findings = new PotreeFindings(Info);
+            Statistics = new PotreeWarnings(Info);
             m_tree = new SourceTree(index.Cube, index.Spacing, Allocator.Persistent);
             m_hierarchy = new EptHierarchy(this, index, m_tree);
         }
@@ -70,7 +70,7 @@ namespace FastPoints.Files
                 index.Info.PointFormat = las.Header.PointFormat;
                 if (!index.Info.Crs.IsKnown)
                     index.Info.Crs = las.Info.Crs;
-                format.Tell(index.Info);
+                format.AddFacts(index.Info);
                 return new EptReader(index, las, format);
             }
         }
@@ -103,7 +103,7 @@ namespace FastPoints.Files
         internal LasFile Las { get; }
         internal LazFormat Laz { get; }
 
-        internal PotreeFindings Findings { get; }
+        internal PotreeWarnings Statistics { get; }
 
         public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
 
@@ -215,11 +215,11 @@ namespace FastPoints.Files
         }
 
         /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
-        internal void TellBroken(int block, string what, string detail, long byteOffset)
+        internal void WarnBroken(int block, string what, string detail, long byteOffset)
         {
             var of = Block(block);
             if (m_toldBlocks.Add(block))
-                Findings.Tell(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of.Level, of.Cell));
+                Statistics.Add(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of.Level, of.Cell));
         }
 
         public override void DisposeUnread()

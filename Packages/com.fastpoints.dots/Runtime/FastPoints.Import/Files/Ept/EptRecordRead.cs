@@ -49,7 +49,7 @@ namespace FastPoints.Files
             return decoded;
         }
 
-        protected override void Tell(DecodeResult result)
+        protected override void Warn(DecodeResult result)
         {
         }
 

@@ -15,7 +15,7 @@ namespace FastPoints.Files
         const int TileBytes = 256 << 10;
 
         readonly int m_tilePoints;
-        readonly DecompressorSlot m_decompressor;
+        readonly DecompressorHandle m_decompressor;
         NativeArray<LasFieldCopy> m_copies;
         NativeArray<byte> m_tile;
         NativeReference<DecompressState> m_state;
@@ -26,7 +26,7 @@ namespace FastPoints.Files
             try
             {
                 m_copies = new NativeArray<LasFieldCopy>(PlanCopies(reader, wanted, Points), allocator);
-                m_decompressor = new DecompressorSlot(Decompressors.Zstandard());
+                m_decompressor = new DecompressorHandle(Decompressors.Zstandard());
             }
             catch
             {
@@ -75,12 +75,12 @@ namespace FastPoints.Files
             return decoded;
         }
 
-        protected override void Tell(DecodeResult result)
+        protected override void Warn(DecodeResult result)
         {
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;
             if (result.Error != 0)
-                Reader.TellBroken(Range.Block, "its zstandard stream is broken: points are left out",
+                Reader.WarnBroken(Range.Block, "its zstandard stream is broken: points are left out",
                     "wanted " + Range.Count + " points, got " + result.Points
                         + (failure != null ? " (" + failure.Message + ")" : ""),
                     result.ErrorOffset);

@@ -14,10 +14,10 @@ namespace FastPoints.Files
             "synthetic return numbers", "CRS is WKT", "aggregate", "GPS time has an offset",
         };
 
-        public static void Tell(LasHeader header, LasVlrTable vlrs, SourceInfo info)
+        public static void Add(LasHeader header, LasVlrTable vlrs, SourceInfo info)
         {
-            TellText("system identifier", header.SystemIdentifier, info);
-            TellText("generating software", header.GeneratingSoftware, info);
+            AddText("system identifier", header.SystemIdentifier, info);
+            AddText("generating software", header.GeneratingSoftware, info);
             if (header.CreationYear != 0 || header.CreationDay != 0)
                 info.Fact("created", "day " + Text(header.CreationDay) + " of " + Text(header.CreationYear));
             info.Fact("file source id", Text(header.FileSourceId));
@@ -46,7 +46,7 @@ namespace FastPoints.Files
                     + (record.Description.Length > 0 ? ", " + record.Description : ""));
         }
 
-        static void TellText(string name, string value, SourceInfo info)
+        static void AddText(string name, string value, SourceInfo info)
         {
             if (value.Length > 0)
                 info.Fact(name, value);

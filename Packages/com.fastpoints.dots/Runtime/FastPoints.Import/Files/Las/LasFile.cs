@@ -34,7 +34,7 @@ namespace FastPoints.Files
                     + header.HeaderBytes + ": fields beyond it are taken as absent");
             var vlrs = LasVlrTable.Read(source, header, info);
             info.Transform = LasTransform.Read(header, info);
-            LasFacts.Tell(header, vlrs, info);
+            LasFacts.Add(header, vlrs, info);
             ReadCrs(vlrs, info);
 
             var format = LasPointFormat.Of(header.PointFormat);

@@ -19,7 +19,7 @@ namespace FastPoints.Files
             m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, target), allocator);
         }
 
-        private protected override JobHandle Schedule(NativeArray<byte> records, NativeArray<RunInBuffer> runs, int runCount,
+        private protected override JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
             JobHandle read) =>
             new DecodeLasRunsJob
             {
@@ -44,7 +44,7 @@ namespace FastPoints.Files
     struct DecodeLasRunsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
-        [ReadOnly] public NativeArray<RunInBuffer> Runs;
+        [ReadOnly] public NativeArray<BufferedRun> Runs;
         [ReadOnly] public NativeArray<LasFieldCopy> Copies;
         public int RunCount;
         public int RecordBytes;

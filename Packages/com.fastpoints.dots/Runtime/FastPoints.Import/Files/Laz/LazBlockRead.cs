@@ -271,7 +271,7 @@ namespace FastPoints.Files
             var block = m_reader.Block(Range.Block);
             if (result.Error == LazError.Short || result.Error == LazError.NoChunk)
                 m_reader.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
-            m_reader.TellBroken(Range, result);
+            m_reader.WarnBroken(Range, result);
         }
 
         void CloseReads()

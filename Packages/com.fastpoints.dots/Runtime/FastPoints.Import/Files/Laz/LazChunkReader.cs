@@ -158,7 +158,7 @@ namespace FastPoints.Files
 
         /// <summary>A warning for a block that gave fewer points than it has, or did not end where it should; once a
         /// block.</summary>
-        internal void TellBroken(BlockRange range, DecodeResult result)
+        internal void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_toldBlocks.Add(range.Block))
                 return;

@@ -60,7 +60,7 @@ namespace FastPoints.Files
         /// and the rest must be looked for from <see cref="EndOfKnown"/>.</summary>
         public bool IsLost { get; private set; }
 
-        /// <summary>Reads the table of a chunked file with points. Oddities become warnings.</summary>
+        /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>
         public static LazChunkTable Read(FileSource source, LazFormat format, SourceInfo info, long pointsOffset)
         {
             var table = new LazChunkTable(source, format, info, pointsOffset);

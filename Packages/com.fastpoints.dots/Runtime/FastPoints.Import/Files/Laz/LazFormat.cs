@@ -121,7 +121,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>All of it as lines for people.</summary>
-        public void Tell(SourceInfo info)
+        public void AddFacts(SourceInfo info)
         {
             info.Fact("LASzip version", WriterVersion);
             info.Fact("LASzip compressor", Compressor.ToString());

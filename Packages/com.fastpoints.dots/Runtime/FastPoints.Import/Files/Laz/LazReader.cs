@@ -16,7 +16,7 @@ namespace FastPoints.Files
     /// </remarks>
     internal sealed class LazReader : LazChunkReader
     {
-        const int MaxPointsOfBeginning = 1 << 18;
+        const int MaxPrefixPoints = 1 << 18;
 
         readonly List<LazCheckpoint> m_checkpoints = new List<LazCheckpoint>();
         readonly bool m_isTableLost;
@@ -39,7 +39,7 @@ namespace FastPoints.Files
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
-            format.Tell(las.Info);
+            format.AddFacts(las.Info);
             return format.Compressor == LazCompressor.None
                 ? LasReader.OpenUncompressed(las, source)
                 : new LazReader(las, format, source, longChunkPoints);
@@ -51,26 +51,26 @@ namespace FastPoints.Files
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
         /// <summary>Not those of layered files, whose chunks say how long they are: all are soon found.</summary>
-        public override bool HasBeginnings => !m_areBlocksKnown && !Format.IsLayered;
+        public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
         /// <summary>Points of a long chunk's beginning, which takes no checkpoint; the first chunks of a file without a table are
         /// found up to as many: about 50 ms of decoding.</summary>
-        internal int PointsOfBeginning => Math.Min(LongChunkPoints, MaxPointsOfBeginning);
+        internal int PrefixPoints => Math.Min(LongChunkPoints, MaxPrefixPoints);
 
-        public override IEnumerator<Work> FindBeginnings()
+        public override IEnumerator<Work> FindPrefixes()
         {
-            if (!HasBeginnings)
+            if (!HasPrefixes)
                 yield break;
             Forget();
             if (m_isTableLost)
             {
-                yield return Work.Of(new LazWalk(this, Source, m_checkpoints).WalkBeginning(Chunks));
+                yield return Work.Of(new LazWalk(this, Source, m_checkpoints).WalkPrefix(Chunks));
                 Source.Dispose();
             }
             for (int c = 0; c < Chunks.Count; c++)
             {
                 bool isLong = Chunks[c].Points > LongChunkPoints;
-                AddBlock(c, 0, isLong ? PointsOfBeginning : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes, !isLong, -1);
+                AddBlock(c, 0, isLong ? PrefixPoints : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes, !isLong, -1);
             }
         }
 

@@ -56,10 +56,10 @@ namespace FastPoints.Files
             return isTableLost ? WalkStreams(chunks, false) : WalkLongChunks(chunks);
         }
 
-        /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PointsOfBeginning"/>
+        /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PrefixPoints"/>
         /// points or a little more; one that is too long for a block is taken to be as long as it may be, and not
         /// walked.</summary>
-        public IEnumerator<Work> WalkBeginning(LazChunkList chunks)
+        public IEnumerator<Work> WalkPrefix(LazChunkList chunks)
         {
             ulong claimed = m_reader.Info.PointsClaimed;
             if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_reader.LongChunkPoints)
@@ -107,15 +107,15 @@ namespace FastPoints.Files
                 at += bytes;
                 pointsLeft -= Math.Min(pointsLeft, (ulong)points);
             }
-            Tell(chunks);
+            Warn(chunks);
         }
 
-        /// <param name="isBeginning">Stop at <see cref="LazReader.PointsOfBeginning"/>.</param>
+        /// <param name="isBeginning">Stop at <see cref="LazReader.PrefixPoints"/>.</param>
         IEnumerator<Work> WalkStreams(LazChunkList chunks, bool isBeginning)
         {
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
             ulong pointsLeft = m_reader.Info.PointsClaimed;
-            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)m_reader.PointsOfBeginning) : 0;
+            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)m_reader.PrefixPoints) : 0;
             using (var stream = new LazWalkStream(m_reader, m_format))
             {
                 while (pointsLeft > pointsBehind && at + m_format.RecordBytes <= m_source.Length)
@@ -138,7 +138,7 @@ namespace FastPoints.Files
                 }
             }
             if (!isBeginning)
-                Tell(chunks);
+                Warn(chunks);
         }
 
         /// <summary>Whether the chunk table follows here, whose place was lost, or nothing but zeros, as in a file that was made
@@ -229,7 +229,7 @@ namespace FastPoints.Files
             }
         }
 
-        void Tell(LazChunkList chunks)
+        void Warn(LazChunkList chunks)
         {
             ulong points = (ulong)chunks.PointCount;
             if (points != m_reader.Info.PointsClaimed)

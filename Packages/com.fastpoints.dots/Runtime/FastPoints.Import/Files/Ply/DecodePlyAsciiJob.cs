@@ -31,7 +31,7 @@ namespace FastPoints.Files
         [ReadOnly] public NativeArray<PlyStep> Steps;
         [WriteOnly] public NativeArray<byte> Output;
         [WriteOnly] public NativeReference<DecodeResult> Result;
-        [WriteOnly] public NativeReference<PlyOddities> Oddities;
+        [WriteOnly] public NativeReference<PlyAnomalies> Anomalies;
 
         public void Execute()
         {
@@ -42,7 +42,7 @@ namespace FastPoints.Files
             *end = (byte)'\n';
             byte* p = StartsInRow ? LineEnd(input) : input;
             var result = default(DecodeResult);
-            var oddities = default(PlyOddities);
+            var anomalies = default(PlyAnomalies);
             for (int row = -RowsBefore; row < Points; row++)
             {
                 while (p < end && *p <= ' ')
@@ -52,7 +52,7 @@ namespace FastPoints.Files
                 if (p >= blockEnd)
                     error = PlyError.Truncated;
                 else if (row >= 0)
-                    error = Row(ref p, input, output, row, ref oddities);
+                    error = Row(ref p, input, output, row, ref anomalies);
                 byte* at = p;
                 if (error != PlyError.Truncated)
                     p = LineEnd(p);
@@ -71,10 +71,10 @@ namespace FastPoints.Files
                     result.Points = row + 1;
             }
             Result.Value = result;
-            Oddities.Value = oddities;
+            Anomalies.Value = anomalies;
         }
 
-        int Row(ref byte* p, byte* input, byte* output, int row, ref PlyOddities oddities)
+        int Row(ref byte* p, byte* input, byte* output, int row, ref PlyAnomalies anomalies)
         {
             int steps = Steps.Length;
             var step = (PlyStep*)Steps.GetUnsafeReadOnlyPtr();
@@ -107,8 +107,8 @@ namespace FastPoints.Files
                             isNegative);
                         if (!fits || !isExact)
                         {
-                            if (oddities.Misfits++ == 0)
-                                oddities.FirstMisfitOffset = InputOffset + (text - input);
+                            if (anomalies.Misfits++ == 0)
+                                anomalies.FirstMisfitOffset = InputOffset + (text - input);
                         }
                     }
                     continue;
@@ -138,8 +138,8 @@ namespace FastPoints.Files
                 }
             }
             SkipBlanks(ref p);
-            if (!IsLineEnd(*p) && oddities.LinesWithExtraValues++ == 0)
-                oddities.FirstExtraOffset = InputOffset + (p - input);
+            if (!IsLineEnd(*p) && anomalies.LinesWithExtraValues++ == 0)
+                anomalies.FirstExtraOffset = InputOffset + (p - input);
             return PlyError.None;
         }
 

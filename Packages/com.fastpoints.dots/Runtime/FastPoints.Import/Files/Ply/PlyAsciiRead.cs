@@ -38,7 +38,7 @@ namespace FastPoints.Files
                 Steps = m_steps,
                 Output = Points.Bytes,
                 Result = Result,
-                Oddities = Oddities,
+                Anomalies = Anomalies,
             }.Schedule(read);
         }
 

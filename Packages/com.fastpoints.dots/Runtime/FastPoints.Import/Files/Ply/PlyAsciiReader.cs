@@ -50,11 +50,11 @@ namespace FastPoints.Files
 
         /// <summary>Vertices all over the file, by jumping: where there are faces as well, nothing tells their lines
         /// apart.</summary>
-        public override bool HasBeginnings => !m_areAllFound && m_hasVerticesAlone
+        public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
             && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
 
-        public override bool BeginningsAreSpread => true;
-        public override int MostBeginnings => AsciiStretches.Count;
+        public override bool PrefixesAreSpread => true;
+        public override int MaxPrefixes => AsciiStretches.Count;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 
@@ -72,9 +72,9 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<Work> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
 
-        public override IEnumerator<Work> FindBeginnings(int places)
+        public override IEnumerator<Work> FindPrefixes(int places)
         {
             m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset);
             yield return Work.Of(m_stretches.Find(places));

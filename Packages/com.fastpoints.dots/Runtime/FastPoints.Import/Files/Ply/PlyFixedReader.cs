@@ -88,10 +88,10 @@ namespace FastPoints.Files
                 offset + ")");
             m_dataOffset = offset;
             m_points = points;
-            TellTrailingBytes(offset);
+            WarnTrailingBytes(offset);
         }
 
-        void TellTrailingBytes(long offset)
+        void WarnTrailingBytes(long offset)
         {
             for (int i = Header.VertexIndex; i < Header.Elements.Count; i++)
             {

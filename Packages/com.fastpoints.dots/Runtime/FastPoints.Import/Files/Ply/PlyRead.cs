@@ -12,7 +12,7 @@ namespace FastPoints.Files
         readonly PlyReader m_reader;
         readonly NativeFileRead m_file;
         NativeReference<DecodeResult> m_result;
-        NativeReference<PlyOddities> m_oddities;
+        NativeReference<PlyAnomalies> m_anomalies;
         bool m_isBusy;
         bool m_isDisposed;
 
@@ -28,12 +28,12 @@ namespace FastPoints.Files
             Points = new PointBatch(wanted, capacity, allocator);
             m_file = new NativeFileRead(reader.Info.Path, reader.File, inputBytes, allocator);
             m_result = new NativeReference<DecodeResult>(allocator);
-            m_oddities = new NativeReference<PlyOddities>(allocator);
+            m_anomalies = new NativeReference<PlyAnomalies>(allocator);
             Result = m_result;
         }
 
         protected NativeFileRead File => m_file;
-        protected NativeReference<PlyOddities> Oddities => m_oddities;
+        protected NativeReference<PlyAnomalies> Anomalies => m_anomalies;
 
         /// <summary>Starts the read and the job behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range);
@@ -64,9 +64,9 @@ namespace FastPoints.Files
             m_file.End();
             var result = m_result.Value;
             Points.Count = result.Points;
-            m_reader.TellOddities(m_oddities.Value);
+            m_reader.WarnAnomalies(m_anomalies.Value);
             if (result.Error != PlyError.None)
-                m_reader.TellBroken(Range, result);
+                m_reader.WarnBroken(Range, result);
         }
 
         protected virtual void DisposeTables()
@@ -83,7 +83,7 @@ namespace FastPoints.Files
             m_file.Dispose();
             Points.Dispose();
             m_result.Dispose();
-            m_oddities.Dispose();
+            m_anomalies.Dispose();
             DisposeTables();
         }
 
@@ -92,7 +92,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>What a decoding job met that is odd and costs no point.</summary>
-    struct PlyOddities
+    struct PlyAnomalies
     {
         /// <summary>Values that their integer type cannot hold.</summary>
         public int Misfits;

@@ -151,7 +151,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>A range broke off. What it has is kept; the file's first range must have something.</summary>
-        internal void TellBroken(BlockRange range, DecodeResult result)
+        internal void WarnBroken(BlockRange range, DecodeResult result)
         {
             string text = PlyError.Text(result.Error);
             if (BlocksAreKnown && range.Block == 0 && range.First == 0 && result.Points == 0)
@@ -181,21 +181,21 @@ namespace FastPoints.Files
         }
 
         /// <summary>Tells, once a file, of values that were changed or passed over.</summary>
-        internal void TellOddities(in PlyOddities oddities)
+        internal void WarnAnomalies(in PlyAnomalies anomalies)
         {
-            if (oddities.Misfits > 0 && !m_hasToldMisfits)
+            if (anomalies.Misfits > 0 && !m_hasToldMisfits)
             {
                 m_hasToldMisfits = true;
-                Info.Warn(oddities.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
-                    "that it can was taken, without fraction (" + oddities.Misfits +
+                Info.Warn(anomalies.FirstMisfitOffset, "a value that its property's integer type cannot hold: the nearest " +
+                    "that it can was taken, without fraction (" + anomalies.Misfits +
                     " in this block; later blocks are not counted)");
             }
-            if (oddities.LinesWithExtraValues > 0 && !m_hasToldExtraValues)
+            if (anomalies.LinesWithExtraValues > 0 && !m_hasToldExtraValues)
             {
                 m_hasToldExtraValues = true;
-                Info.Warn(oddities.FirstExtraOffset,
+                Info.Warn(anomalies.FirstExtraOffset,
                     "more values in the line than the vertex has properties: they are left out (" +
-                    oddities.LinesWithExtraValues + " lines in this block; later blocks are not counted)");
+                    anomalies.LinesWithExtraValues + " lines in this block; later blocks are not counted)");
             }
         }
     }

@@ -21,7 +21,7 @@ namespace FastPoints.Files
             m_copies = new NativeArray<PlyCopy>(PlyCopy.From(reader.Steps(target)).ToArray(), allocator);
         }
 
-        private protected override JobHandle Schedule(NativeArray<byte> records, NativeArray<RunInBuffer> runs, int runCount,
+        private protected override JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
             JobHandle read) =>
             new DecodePlyRunsJob
             {
@@ -47,7 +47,7 @@ namespace FastPoints.Files
     struct DecodePlyRunsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
-        [ReadOnly] public NativeArray<RunInBuffer> Runs;
+        [ReadOnly] public NativeArray<BufferedRun> Runs;
         [ReadOnly] public NativeArray<PlyCopy> Copies;
         public int RunCount;
         public int RecordBytes;

@@ -59,7 +59,7 @@ namespace FastPoints.Files
         /// <summary>Nodes that the hierarchy has, and whose files have not been looked up.</summary>
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
-        WaitingPage m_page;
+        UnreadPage m_page;
         ByteReader m_records;
         int m_recordAt;
 
@@ -185,7 +185,7 @@ namespace FastPoints.Files
             Tree.IsWhole = Pages.Count == 0;
         }
 
-        bool TryPeek(int4 node, int levels, out WaitingPage page)
+        bool TryPeek(int4 node, int levels, out UnreadPage page)
         {
             // All pages but the first begin with a node that is known.
             return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
@@ -203,7 +203,7 @@ namespace FastPoints.Files
             return true;
         }
 
-        void BeginPage(WaitingPage page, Potree1Page read)
+        void BeginPage(UnreadPage page, Potree1Page read)
         {
             m_page = page;
             Pages.Remove(page);
@@ -212,7 +212,7 @@ namespace FastPoints.Files
                 // Without the first there is no tree at all.
                 if (page.Root.w == 0)
                     throw read.Problem;
-                Findings.Tell("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
+                Statistics.Add("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
                     read.Problem.Message);
                 return;
             }
@@ -226,7 +226,7 @@ namespace FastPoints.Files
             m_parents.Enqueue(new Parent { Level = page.Root.w, Cell = page.Root.xyz, Mask = mask });
         }
 
-        Func<Potree1Page> ReaderOf(WaitingPage page)
+        Func<Potree1Page> ReaderOf(UnreadPage page)
         {
             string path = m_files.HierarchyPathOf(page.Root.w, page.Root.xyz);
             return () =>
@@ -259,7 +259,7 @@ namespace FastPoints.Files
                     continue;
                 if (m_recordAt + RecordBytes > m_records.Length)
                 {
-                    Findings.Tell("the hierarchy that begins with it ends early",
+                    Statistics.Add("the hierarchy that begins with it ends early",
                         PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz), "wanted child " + Text(child) + " of " +
                         PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
                     m_parents.Clear();
@@ -280,7 +280,7 @@ namespace FastPoints.Files
                 if (mask == 0)
                     continue;
                 if (level == MaxLevels)
-                    Findings.Tell("has children below the deepest level that is read", PotreeNames.NameOf(level, cell));
+                    Statistics.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell));
                 else if (level == m_page.Root.w + m_stepSize)
                     Pages.Add(new int4(cell, level));
                 else
@@ -336,16 +336,16 @@ namespace FastPoints.Files
             long points = 0;
             PointsClaimed += node.Claimed;
             if (node.Bytes < 0 && node.Claimed > 0)
-                Findings.Tell("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1,
+                Statistics.Add("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1,
                     node.Path);
             if (node.Problem != null)
-                Findings.Tell("its file cannot be read: its points are left out", name, node.Problem);
+                Statistics.Add("its file cannot be read: its points are left out", name, node.Problem);
             if (node.Bytes > 0)
             {
                 Info.FileBytes += node.Bytes;
                 points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
                 if (points != node.Claimed || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
-                    Findings.Tell("its file does not hold what the hierarchy says", name,
+                    Statistics.Add("its file does not hold what the hierarchy says", name,
                         "wanted " + Text(node.Claimed) + " points, got " + Text(points) + (m_layout == null ? ""
                             : " and " + Text(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
             }

@@ -45,8 +45,8 @@ namespace FastPoints.Files
             info.RecordBytes = index.IsBrotli ? 0 : index.Layout.RecordBytes;
             info.HasBoundsClaimed = true;
             PotreeIndexes.ReadProjection(json, info);
-            PotreeIndexes.TellFact(json, "name", info);
-            PotreeIndexes.TellFact(json, "description", info);
+            PotreeIndexes.AddFact(json, "name", info);
+            PotreeIndexes.AddFact(json, "description", info);
             info.Fact("encoding", encoding);
             info.Fact("spacing", NumberText.Of(index.Spacing));
             return index;

@@ -220,7 +220,7 @@ namespace FastPoints.Files
             m_nodesLost += m_nodesOfPage.Count;
             m_nodesOfPage.Clear();
             if (m_nodesLost > 0)
-                Findings.Tell("the page of the hierarchy that begins with it ends early",
+                Statistics.Add("the page of the hierarchy that begins with it ends early",
                     PotreeNames.NameOf(m_pageRoot.w, m_pageRoot.xyz),
                     Text(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchyPath);
             m_nodesLost = 0;
@@ -254,7 +254,7 @@ namespace FastPoints.Files
             }
             Add(level, cell, points, offset, bytes, where);
             if (mask != 0 && level == MaxLevels)
-                Findings.Tell("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
+                Statistics.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
                     m_hierarchyPath);
             // No more than the page can have records for, so that masks that lie take no memory.
             long room = (m_pageEnd - where) / RecordBytes - 1;
@@ -272,7 +272,7 @@ namespace FastPoints.Files
             bool isInFile = offset >= 0 && bytes >= RecordBytes && offset <= m_hierarchyBytes - RecordBytes;
             if (!isInFile || isPageRoot || m_recordsLeft <= 0)
             {
-                Findings.Tell("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
+                Statistics.Add("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
                     "wanted " + Text(bytes) + " bytes at byte " + Text(offset) + (isPageRoot ? ", which is itself" : ""), where,
                     m_hierarchyPath);
                 return;
@@ -288,7 +288,7 @@ namespace FastPoints.Files
             PointsClaimed += points;
             string problem = points > 0 ? FindProblem(ref points, offset, bytes) : null;
             if (problem != null)
-                Findings.Tell("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
+                Statistics.Add("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
                     m_hierarchyPath);
             if (points > 0 && HasPoints)
                 m_octreeBytesClaimed += bytes;

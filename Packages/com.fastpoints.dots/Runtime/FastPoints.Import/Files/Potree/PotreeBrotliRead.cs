@@ -31,7 +31,7 @@ namespace FastPoints.Files
 
         readonly List<Part> m_parts = new List<Part>();
         readonly PotreeSpecialColumns m_special;
-        readonly DecompressorSlot m_decompressor;
+        readonly DecompressorHandle m_decompressor;
         NativeArray<LasFieldCopy> m_copies;
         NativeArray<byte> m_tile;
         NativeReference<DecompressState> m_state;
@@ -43,7 +43,7 @@ namespace FastPoints.Files
             m_copies = new NativeArray<LasFieldCopy>(PlanParts().ToArray(), allocator);
             m_tile = new NativeArray<byte>(TileBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<DecompressState>(allocator);
-            m_decompressor = new DecompressorSlot(Decompressors.Brotli());
+            m_decompressor = new DecompressorHandle(Decompressors.Brotli());
         }
 
         List<LasFieldCopy> PlanParts()
@@ -124,14 +124,14 @@ namespace FastPoints.Files
             Count = count,
         };
 
-        protected override void TellBroken(DecodeResult result)
+        protected override void WarnBroken(DecodeResult result)
         {
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;
             if (failure != null)
                 throw new PointCloudException(FailureCode.Unsupported, Reader.Info.Path, result.ErrorOffset,
                     "Brotli cannot be decompressed here (Decompressors.Brotli takes another decompressor): " + failure.Message, failure);
-            Reader.TellBroken(Range.Block, "its Brotli stream is broken: its points are left out", null, result.ErrorOffset);
+            Reader.WarnBroken(Range.Block, "its Brotli stream is broken: its points are left out", null, result.ErrorOffset);
         }
 
         protected override void DisposeTables()

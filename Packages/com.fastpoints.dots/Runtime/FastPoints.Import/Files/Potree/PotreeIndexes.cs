@@ -63,7 +63,7 @@ namespace FastPoints.Files
                 info.Crs.Epsg = code;
         }
 
-        public static void TellFact(SourceJson json, string name, SourceInfo info)
+        public static void AddFact(SourceJson json, string name, SourceInfo info)
         {
             string text = json.Text(name, "");
             if (text.Length > 0)

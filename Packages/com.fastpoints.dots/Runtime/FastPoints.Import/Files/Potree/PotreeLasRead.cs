@@ -57,7 +57,7 @@ namespace FastPoints.Files
             Decoded.Complete();
             m_file?.End();
             Points.Count = m_result.Value.Points;
-            Tell(m_result.Value);
+            Warn(m_result.Value);
         }
 
         public override void Dispose()
@@ -85,17 +85,17 @@ namespace FastPoints.Files
             return m_decoding.Schedule(m_file.Buffer, bytes, range.First, range.Count, true, Points, m_result, read);
         }
 
-        void Tell(DecodeResult result)
+        void Warn(DecodeResult result)
         {
             if (result.Error == LazError.NoChunk)
-                m_reader.TellBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
+                m_reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
                     "wanted point format " + m_reader.Las.Header.PointFormat + " in records of " +
                     m_reader.Las.Header.RecordBytes + " bytes, " + (m_reader.Laz == null ? "LAS" : "LAZ"), 0);
             else if (result.Error == LazError.OffGrid)
-                m_reader.TellBroken(Range.Block, "its positions do not lie on the cloud's grid: they are left out from there",
+                m_reader.WarnBroken(Range.Block, "its positions do not lie on the cloud's grid: they are left out from there",
                     "wanted its scale, and places within 32 bits", result.ErrorOffset);
             else if (result.Error != LazError.None)
-                m_reader.TellBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
+                m_reader.WarnBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
                     result.ErrorOffset);
         }
     }

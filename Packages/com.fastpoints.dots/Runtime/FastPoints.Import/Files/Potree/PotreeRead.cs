@@ -63,11 +63,11 @@ namespace FastPoints.Files
             var result = m_result.Value;
             Points.Count = result.Points;
             if (result.Error != PotreeError.None)
-                TellBroken(result);
+                WarnBroken(result);
         }
 
         /// <summary>Turns the error of a range into a warning, or into an exception.</summary>
-        protected virtual void TellBroken(DecodeResult result) => Reader.TellBroken(Range.Block,
+        protected virtual void WarnBroken(DecodeResult result) => Reader.WarnBroken(Range.Block,
             "has positions beyond the 32-bit grid of the cloud: they are at its edge", null, -1);
 
         protected virtual void DisposeTables()

@@ -46,7 +46,7 @@ namespace FastPoints.Files
         private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing)
         {
             Info = info;
-            Findings = new PotreeFindings(info);
+            Statistics = new PotreeWarnings(info);
             m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
         }
 
@@ -58,7 +58,7 @@ namespace FastPoints.Files
 
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
 
-        private protected PotreeFindings Findings { get; }
+        private protected PotreeWarnings Statistics { get; }
 
         /// <summary>By the hierarchy, as far as it has been read.</summary>
         private protected long PointsClaimed { get; set; }
@@ -76,7 +76,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Pages of the hierarchy that are not read.</summary>
-        private protected WaitingPages Pages { get; } = new WaitingPages(MaxLevels + 1);
+        private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
         public override IEnumerator<Work> FindBlocks() => FindLevels(MaxLevels + 1);
 
@@ -169,10 +169,10 @@ namespace FastPoints.Files
         }
 
         /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
-        internal void TellBroken(int block, string kind, string detail, long byteOffset)
+        internal void WarnBroken(int block, string kind, string detail, long byteOffset)
         {
             if (m_toldBlocks.Add(block))
-                Findings.Tell(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
+                Statistics.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
         }
 
         public override void DisposeUnread() => m_tree.Dispose();

@@ -24,21 +24,21 @@ namespace FastPoints.Files
 
         public bool IsFirst;
 
-        /// <summary>A GCHandle of a <see cref="DecompressorSlot"/>: jobs hold no references.</summary>
+        /// <summary>A GCHandle of a <see cref="DecompressorHandle"/>: jobs hold no references.</summary>
         public long Slot;
 
         public NativeReference<DecompressState> State;
 
         public void Execute()
         {
-            var slot = (DecompressorSlot)GCHandle.FromIntPtr((IntPtr)Slot).Target;
+            var slot = (DecompressorHandle)GCHandle.FromIntPtr((IntPtr)Slot).Target;
             var state = IsFirst ? default : State.Value;
             if (!state.IsBroken)
                 Decode(slot, ref state);
             State.Value = state;
         }
 
-        void Decode(DecompressorSlot slot, ref DecompressState state)
+        void Decode(DecompressorHandle slot, ref DecompressState state)
         {
             try
             {

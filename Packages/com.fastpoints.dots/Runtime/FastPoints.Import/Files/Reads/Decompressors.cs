@@ -73,11 +73,11 @@ namespace FastPoints.Files
     }
 
     /// <summary>A decompressor that jobs can find by a number.</summary>
-    sealed class DecompressorSlot : IDisposable
+    sealed class DecompressorHandle : IDisposable
     {
         GCHandle m_handle;
 
-        public DecompressorSlot(StreamDecompressor decompressor)
+        public DecompressorHandle(StreamDecompressor decompressor)
         {
             Decompressor = decompressor;
             m_handle = GCHandle.Alloc(this);

@@ -28,7 +28,7 @@ namespace FastPoints.Files
         readonly long m_dataOffset;
         readonly int m_recordBytes;
         NativeArray<byte> m_records;
-        NativeArray<RunInBuffer> m_runs;
+        NativeArray<BufferedRun> m_runs;
         // The read manager keeps the pointer to its commands until the read has ended.
         NativeArray<ReadCommand> m_commands;
         NativeReference<long> m_ended;
@@ -48,7 +48,7 @@ namespace FastPoints.Files
             m_recordBytes = reader.Info.RecordBytes;
             Target = target;
             m_records = new NativeArray<byte>(maxBytes + PaddingBytes, allocator, NativeArrayOptions.UninitializedMemory);
-            m_runs = new NativeArray<RunInBuffer>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
+            m_runs = new NativeArray<BufferedRun>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
             m_commands = new NativeArray<ReadCommand>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
             m_ended = new NativeReference<long>(allocator);
         }
@@ -104,7 +104,7 @@ namespace FastPoints.Files
                 var command = m_commands[stretches - 1];
                 command.Size = end - command.Offset;
                 m_commands[stretches - 1] = command;
-                m_runs[taken] = new RunInBuffer
+                m_runs[taken] = new BufferedRun
                 {
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
                     StrideBytes = run.Step * m_recordBytes,
@@ -123,7 +123,7 @@ namespace FastPoints.Files
                 ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
             });
             m_isReading = true;
-            var stamped = new StampJob { At = m_ended }.Schedule(m_read.JobHandle);
+            var stamped = new TimestampJob { At = m_ended }.Schedule(m_read.JobHandle);
             Decoded = JobHandle.CombineDependencies(stamped, Schedule(m_records, m_runs, taken, m_read.JobHandle));
             return taken;
         }
@@ -166,7 +166,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Decodes the runs behind the read.</summary>
-        private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<RunInBuffer> runs, int runCount,
+        private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
             JobHandle read);
     }
 
@@ -190,7 +190,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A <see cref="PointRun"/> whose records have been read. Blittable: jobs carry arrays of these.</summary>
-    struct RunInBuffer
+    struct BufferedRun
     {
         /// <summary>Of the first record in the buffer.</summary>
         public int FirstByte;
@@ -206,7 +206,7 @@ namespace FastPoints.Files
 
     /// <summary>Notes when what it depends on was done.</summary>
     [BurstCompile]
-    struct StampJob : IJob
+    struct TimestampJob : IJob
     {
         /// <summary>By <see cref="ReadClock"/>.</summary>
         public NativeReference<long> At;

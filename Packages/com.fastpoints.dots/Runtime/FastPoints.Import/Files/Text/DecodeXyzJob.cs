@@ -38,7 +38,7 @@ namespace FastPoints.Files
         [ReadOnly] public NativeArray<XyzStep> Steps;
         [WriteOnly] public NativeArray<byte> Output;
         [WriteOnly] public NativeReference<DecodeResult> Result;
-        [WriteOnly] public NativeReference<XyzOddities> Oddities;
+        [WriteOnly] public NativeReference<XyzAnomalies> Anomalies;
 
         public void Execute()
         {
@@ -51,7 +51,7 @@ namespace FastPoints.Files
             byte* p = StartsInRow ? LineEnd(input) : input;
             byte mark = Dialect.Separator != 0 ? XyzDialect.Mark : (byte)'\n';
             int points = 0;
-            var oddities = default(XyzOddities);
+            var anomalies = default(XyzAnomalies);
             for (int row = -RowsBefore; row < Rows; row++)
             {
                 while (p < end && *p <= ' ' && (*p != mark || IsLineEnd(*p)))
@@ -66,11 +66,11 @@ namespace FastPoints.Files
                 }
                 if (Dialect.IsRemark(*p))
                 {
-                    oddities.Remarks++;
+                    anomalies.Remarks++;
                     p = LineEnd(p);
                     continue;
                 }
-                var error = Row(ref p, input, output, points, mark, ref oddities);
+                var error = Row(ref p, input, output, points, mark, ref anomalies);
                 p = LineEnd(p);
                 if (p == end && !ReachesFileEnd)
                     error = XyzError.LineTooLong;
@@ -78,17 +78,17 @@ namespace FastPoints.Files
                 {
                     points++;
                 }
-                else if (oddities.BadRows++ == 0)
+                else if (anomalies.BadRows++ == 0)
                 {
-                    oddities.FirstBadRow = InputOffset + (start - input);
-                    oddities.FirstError = error;
+                    anomalies.FirstBadRow = InputOffset + (start - input);
+                    anomalies.FirstError = error;
                 }
             }
             Result.Value = new DecodeResult { Points = points };
-            Oddities.Value = oddities;
+            Anomalies.Value = anomalies;
         }
 
-        XyzError Row(ref byte* p, byte* input, byte* output, int row, byte mark, ref XyzOddities oddities)
+        XyzError Row(ref byte* p, byte* input, byte* output, int row, byte mark, ref XyzAnomalies anomalies)
         {
             int steps = Steps.Length;
             var step = (XyzStep*)Steps.GetUnsafeReadOnlyPtr();
@@ -111,8 +111,8 @@ namespace FastPoints.Files
                     if (step->Kind != XyzStepKind.Skip && step->Kind != XyzStepKind.Check)
                     {
                         AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, 0, false);
-                        if (oddities.EmptyValues++ == 0)
-                            oddities.FirstEmpty = InputOffset + (text - input);
+                        if (anomalies.EmptyValues++ == 0)
+                            anomalies.FirstEmpty = InputOffset + (text - input);
                     }
                     continue;
                 }
@@ -131,8 +131,8 @@ namespace FastPoints.Files
                             return XyzError.NoNumber;
                         if (!ToPlace(number, step->Decimals, out long place, out bool isWhole))
                             return XyzError.TooLarge;
-                        if (!isWhole && oddities.Rounded++ == 0)
-                            oddities.FirstRounded = InputOffset + (text - input);
+                        if (!isWhole && anomalies.Rounded++ == 0)
+                            anomalies.FirstRounded = InputOffset + (text - input);
                         if (step->IsStored)
                             ((long*)column)[row] = place;
                         break;
@@ -140,8 +140,8 @@ namespace FastPoints.Files
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return XyzError.NoNumber;
                         bool fits = AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
-                        if (!(fits && isExact) && oddities.Misfits++ == 0)
-                            oddities.FirstMisfit = InputOffset + (text - input);
+                        if (!(fits && isExact) && anomalies.Misfits++ == 0)
+                            anomalies.FirstMisfit = InputOffset + (text - input);
                         break;
                     case XyzStepKind.Float32:
                         if (!AsciiNumber.TryFloat(ref p, out ((float*)column)[row]))
@@ -154,8 +154,8 @@ namespace FastPoints.Files
                 }
             }
             SkipBlanks(ref p, mark);
-            if (!IsLineEnd(*p) && oddities.RowsWithMore++ == 0)
-                oddities.FirstWithMore = InputOffset + (p - input);
+            if (!IsLineEnd(*p) && anomalies.RowsWithMore++ == 0)
+                anomalies.FirstWithMore = InputOffset + (p - input);
             return XyzError.None;
         }
 
@@ -251,7 +251,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>What a decoding job met that is not as it should be: how often, and the byte of the first one.</summary>
-    struct XyzOddities
+    struct XyzAnomalies
     {
         public int BadRows;
         public long FirstBadRow;

@@ -12,7 +12,7 @@ namespace FastPoints.Files
         readonly NativeFileRead m_file;
         NativeArray<XyzStep> m_steps;
         NativeReference<DecodeResult> m_result;
-        NativeReference<XyzOddities> m_oddities;
+        NativeReference<XyzAnomalies> m_anomalies;
         bool m_isBusy;
         bool m_isDisposed;
 
@@ -30,7 +30,7 @@ namespace FastPoints.Files
                 Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
             m_steps = new NativeArray<XyzStep>(reader.StepsFor(Points), allocator);
             m_result = new NativeReference<DecodeResult>(allocator);
-            m_oddities = new NativeReference<XyzOddities>(allocator);
+            m_anomalies = new NativeReference<XyzAnomalies>(allocator);
             Result = m_result;
         }
 
@@ -65,7 +65,7 @@ namespace FastPoints.Files
                 Steps = m_steps,
                 Output = Points.Bytes,
                 Result = m_result,
-                Oddities = m_oddities,
+                Anomalies = m_anomalies,
             }.Schedule(read);
             m_isBusy = true;
         }
@@ -78,7 +78,7 @@ namespace FastPoints.Files
             Decoded.Complete();
             m_file.End();
             Points.Count = m_result.Value.Points;
-            m_reader.Tell(Range, m_oddities.Value);
+            m_reader.Warn(Range, m_anomalies.Value);
         }
 
         public override void Dispose()
@@ -92,7 +92,7 @@ namespace FastPoints.Files
             Points.Dispose();
             m_steps.Dispose();
             m_result.Dispose();
-            m_oddities.Dispose();
+            m_anomalies.Dispose();
         }
     }
 }

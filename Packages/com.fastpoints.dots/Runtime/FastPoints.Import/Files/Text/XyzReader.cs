@@ -55,11 +55,11 @@ namespace FastPoints.Files
         public override bool BlocksAreKnown => m_areAllFound;
 
         /// <summary>Lines all over the file, by jumping.</summary>
-        public override bool HasBeginnings =>
+        public override bool HasPrefixes =>
             !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
 
-        public override bool BeginningsAreSpread => true;
-        public override int MostBeginnings => AsciiStretches.Count;
+        public override bool PrefixesAreSpread => true;
+        public override int MaxPrefixes => AsciiStretches.Count;
         public override PointEstimate EstimatedPoints => m_estimate;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
@@ -158,9 +158,9 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
-        public override IEnumerator<Work> FindBeginnings() => FindBeginnings(AsciiStretches.Count);
+        public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
 
-        public override IEnumerator<Work> FindBeginnings(int places)
+        public override IEnumerator<Work> FindPrefixes(int places)
         {
             m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset);
             yield return Work.Of(m_stretches.Find(places));
@@ -245,7 +245,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Takes in what was odd about a block, once a block: warnings have running counts.</summary>
-        internal void Tell(BlockRange range, in XyzOddities found)
+        internal void Warn(BlockRange range, in XyzAnomalies found)
         {
             if (m_isTold[range.Block])
                 return;
@@ -253,17 +253,17 @@ namespace FastPoints.Files
             if (found.BadRows > 0)
             {
                 m_firstError ??= TextOf(found.FirstError);
-                Tell(0, found.BadRows, found.FirstBadRow, " lines are no points and left out; the first one: " + m_firstError);
+                Warn(0, found.BadRows, found.FirstBadRow, " lines are no points and left out; the first one: " + m_firstError);
             }
-            Tell(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
+            Warn(1, found.Rounded, found.FirstRounded, " coordinates have more digits than the lines that were looked at " +
                 "first: rounded to " + NumberText.Of(Info.Transform.Scale));
-            Tell(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
+            Warn(2, found.Misfits, found.FirstMisfit, " values do not fit the whole numbers that their column has elsewhere: " +
                 "the nearest that do were taken");
-            Tell(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");
-            Tell(4, found.RowsWithMore, found.FirstWithMore, " lines have more values than there are columns: left out");
+            Warn(3, found.EmptyValues, found.FirstEmpty, " values are empty: 0 was taken");
+            Warn(4, found.RowsWithMore, found.FirstWithMore, " lines have more values than there are columns: left out");
         }
 
-        void Tell(int kind, int count, long firstOffset, string text)
+        void Warn(int kind, int count, long firstOffset, string text)
         {
             if (count == 0)
                 return;

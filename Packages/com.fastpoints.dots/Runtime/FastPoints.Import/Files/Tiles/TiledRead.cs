@@ -76,7 +76,7 @@ namespace FastPoints.Files
             }
             finally
             {
-                m_reader.TellWarnings(m_tile);
+                m_reader.TakeWarnings(m_tile);
             }
         }
 

@@ -150,7 +150,7 @@ namespace FastPoints.Files
                             yield return work.Current;
                     if (tile.Reader.BlocksAreKnown)
                         TakeBlocks(tile);
-                    TellWarnings(tile);
+                    TakeWarnings(tile);
                 }
                 finally
                 {
@@ -169,7 +169,7 @@ namespace FastPoints.Files
             }
             catch (PointCloudException e) when (m_leavesOut && e.IsBadInput)
             {
-                TellLeftOut(tile.Path, e);
+                WarnLeftOut(tile.Path, e);
                 return false;
             }
         }
@@ -221,7 +221,7 @@ namespace FastPoints.Files
         internal void Leave(Tile tile) => tile.Users--;
 
         /// <summary>Takes over what a tile's reader has to say by now; each line once.</summary>
-        internal void TellWarnings(Tile tile)
+        internal void TakeWarnings(Tile tile)
         {
             var warnings = tile.Reader.Info.Warnings;
             if (warnings.Count == 0)
@@ -329,7 +329,7 @@ namespace FastPoints.Files
                     if (e.Code == FailureCode.Unsupported && e.ByteOffset == 0)
                         strangers.Add(Path.GetFileName(path));
                     else
-                        TellLeftOut(path, e);
+                        WarnLeftOut(path, e);
                     continue;
                 }
                 try
@@ -353,7 +353,7 @@ namespace FastPoints.Files
                     summary.Include(reader.Info);
                     if (m_tiles.Count <= MaxShown)
                         Info.Fact(Path.GetFileName(path), summary.Describe(reader.Info));
-                    TellWarnings(tile);
+                    TakeWarnings(tile);
                     tile.Reader = null;
                 }
                 finally
@@ -376,7 +376,7 @@ namespace FastPoints.Files
             return this;
         }
 
-        void TellLeftOut(string path, PointCloudException failure)
+        void WarnLeftOut(string path, PointCloudException failure)
         {
             string text = failure.Message.StartsWith(failure.Path + ": ", StringComparison.Ordinal)
                 ? failure.Message.Substring(failure.Path.Length + 2)

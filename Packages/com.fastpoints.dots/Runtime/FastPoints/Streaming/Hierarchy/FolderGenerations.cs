@@ -75,7 +75,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Looks with the next update, at a finished cloud too: it may have been made anew.</summary>
-        public void LookAgain() => m_isAsked = true;
+        public void Refresh() => m_isAsked = true;
 
         /// <summary>Once a frame. Looks for nothing while there is one to take. Never waits.</summary>
         /// <exception cref="PointCloudException">A look came to what nobody foresaw.</exception>

@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
-        readonly PageGrid m_grid;
+        readonly HierarchyGrid m_grid;
 
         /// <summary>Made once: a path a read would be garbage.</summary>
         readonly string[] m_pathOfPage;
@@ -26,7 +26,7 @@ namespace FastPoints.Streaming
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
-            m_grid = new PageGrid(folder.Manifest);
+            m_grid = new HierarchyGrid(folder.Manifest);
             m_pathOfPage = new string[1 + folder.Chunks.Length];
             m_pathOfPage[0] = folder.UpperPath;
             for (int chunk = 0; chunk < folder.Chunks.Length; chunk++)
@@ -74,7 +74,7 @@ namespace FastPoints.Streaming
                 pages[1 + chunk] = HierarchyPage.OfChunk(m_folder.Chunks[chunk], m_grid);
             var upper = m_folder.Upper;
             pages[0] = default;
-            PageBuilding.Build((NodeRecord*)upper.Nodes.GetUnsafeReadOnlyPtr(),
+            HierarchyPageBuilding.Build((NodeRecord*)upper.Nodes.GetUnsafeReadOnlyPtr(),
                 (PlaneRange*)upper.Planes.GetUnsafeReadOnlyPtr(), upper.Nodes.Length, upper.PlaneCount,
                 (int*)m_planes.GetUnsafeReadOnlyPtr(), m_planes.Length, m_grid, pages + 1, ref pages[0]);
         }
@@ -113,8 +113,8 @@ namespace FastPoints.Streaming
             m_shapes.Dispose();
         }
 
-        BuildPageJob JobFor(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
-            NativeReference<TableProblem> problem) => new BuildPageJob
+        BuildHierarchyPageJob JobFor(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
+            NativeReference<TableProblem> problem) => new BuildHierarchyPageJob
             {
                 Table = table,
                 Chunk = m_folder.Chunks[page - 1],

@@ -42,9 +42,9 @@ namespace FastPoints.Streaming
 
         /// <summary>Its file cannot be read: what is not in the cache is a hole.</summary>
         public bool IsBroken;
-        public PageStatus Status;
+        public HierarchyPageStatus Status;
 
-        public bool IsLoaded => Status == PageStatus.Loaded;
+        public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
         /// <summary>Whether a node will never be there: it takes nothing of the budget, and what is below it is shown
         /// without it.</summary>
@@ -76,11 +76,11 @@ namespace FastPoints.Streaming
             Places = null;
             Planes = null;
             NodeCount = 0;
-            Status = PageStatus.Absent;
+            Status = HierarchyPageStatus.Absent;
         }
 
         /// <summary>The box of a chunk, as far as the cloud's bounds go.</summary>
-        public static HierarchyPage OfChunk(in ChunkRecord chunk, in PageGrid grid)
+        public static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
             long last = chunk.Cube.Side - 1;
@@ -90,7 +90,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    public enum PageStatus : byte
+    public enum HierarchyPageStatus : byte
     {
         Absent,
         /// <summary>Its table is being read.</summary>
@@ -101,7 +101,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A page that a selection came to and found not loaded.</summary>
-    internal struct MissingPage
+    internal struct MissingHierarchyPage
     {
         public int Cloud;
         public int Page;

@@ -14,11 +14,11 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Where a run's bytes are.</summary>
-        public byte* AddressOf(PoolRun run) =>
+        public byte* AddressOf(PoolRange run) =>
             (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[run.Bank]) +
             (long)run.FirstPage * PageBytes;
 
-        public override byte* AddressForUpload(PoolRun run, long bytes) => AddressOf(run);
+        public override byte* AddressForUpload(PoolRange run, long bytes) => AddressOf(run);
 
         protected override void CreateBank(int bank)
         {

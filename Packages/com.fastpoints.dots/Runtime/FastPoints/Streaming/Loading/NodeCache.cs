@@ -11,14 +11,14 @@ namespace FastPoints.Streaming
     {
         public const int None = -1;
 
-        NativeList<CacheSlot> m_slots;
+        NativeList<CachedNode> m_slots;
         NativeList<int> m_free;
         NativeList<int> m_pinned;
         int m_mostUseful = None;
 
         public NodeCache()
         {
-            m_slots = new NativeList<CacheSlot>(1024, Allocator.Persistent);
+            m_slots = new NativeList<CachedNode>(1024, Allocator.Persistent);
             m_free = new NativeList<int>(1024, Allocator.Persistent);
             m_pinned = new NativeList<int>(Allocator.Persistent);
         }
@@ -28,10 +28,10 @@ namespace FastPoints.Streaming
         /// <summary>The one to give up first, or <see cref="None"/>.</summary>
         public int LeastUseful { get; private set; } = None;
 
-        public CacheSlot this[int slot] => m_slots[slot];
+        public CachedNode this[int slot] => m_slots[slot];
 
         /// <summary>Free ones among them.</summary>
-        public NativeArray<CacheSlot> Slots => m_slots.AsArray();
+        public NativeArray<CachedNode> Slots => m_slots.AsArray();
 
         /// <summary>Slots that were ever in use: free ones among them.</summary>
         public int SlotCount => m_slots.Length;
@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
         public bool IsAlive(int slot, int version) => m_slots[slot].Version == version;
 
         /// <summary>A new slot, the most useful of all.</summary>
-        public int Add(int cloud, int page, int node, PoolRun run)
+        public int Add(int cloud, int page, int node, PoolRange run)
         {
             int slot;
             if (m_free.Length > 0)
@@ -52,7 +52,7 @@ namespace FastPoints.Streaming
                 slot = m_slots.Length;
                 m_slots.Add(default);
             }
-            m_slots[slot] = new CacheSlot
+            m_slots[slot] = new CachedNode
             {
                 Cloud = cloud,
                 Page = page,
@@ -60,7 +60,7 @@ namespace FastPoints.Streaming
                 Run = run,
                 Phase = CachePhase.Requested,
                 Version = m_slots[slot].Version,
-                Tint = CacheSlot.White,
+                Tint = CachedNode.White,
             };
             Append(slot);
             Count++;
@@ -72,7 +72,7 @@ namespace FastPoints.Streaming
             Unlink(slot);
             SetPinned(slot, false);
             int version = m_slots[slot].Version;
-            m_slots[slot] = new CacheSlot { Version = version + 1 };
+            m_slots[slot] = new CachedNode { Version = version + 1 };
             m_free.Add(slot);
             Count--;
         }
@@ -106,7 +106,7 @@ namespace FastPoints.Streaming
 
         public void SetPhase(int slot, CachePhase phase) => m_slots.ElementAt(slot).Phase = phase;
 
-        public void SetRun(int slot, PoolRun run) => m_slots.ElementAt(slot).Run = run;
+        public void SetRun(int slot, PoolRange run) => m_slots.ElementAt(slot).Run = run;
 
         /// <summary>Makes it the most useful.</summary>
         public void Use(int slot, uint frame, int rank)
@@ -168,14 +168,14 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A node that has memory in the pool.</summary>
-    internal struct CacheSlot
+    internal struct CachedNode
     {
         public const uint White = 0xFFFFFFFF;
 
         public int Cloud;
         public int Page;
         public int Node;
-        public PoolRun Run;
+        public PoolRange Run;
         public CachePhase Phase;
 
         /// <summary>Whoever remembers a slot by its number remembers this as well: it rises when the slot is given up.</summary>

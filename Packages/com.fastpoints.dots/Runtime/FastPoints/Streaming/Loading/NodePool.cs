@@ -16,7 +16,7 @@ namespace FastPoints.Streaming
         /// <summary>Storage buffers of a graphics card are sure up to here.</summary>
         public const int LargestBankBytes = 1 << 27;
 
-        readonly List<SlotHeap> m_banks = new List<SlotHeap>();
+        readonly List<RangeAllocator> m_banks = new List<RangeAllocator>();
         readonly int m_pagesPerBank;
         long m_limitBytes;
 
@@ -51,10 +51,10 @@ namespace FastPoints.Streaming
         public static int PagesFor(long bytes) => (int)((bytes + PageBytes - 1) / PageBytes);
 
         /// <returns>Whether there was room. A new bank is made where none has.</returns>
-        public bool TryTake(long bytes, out PoolRun run)
+        public bool TryTake(long bytes, out PoolRange run)
         {
             int pages = PagesFor(bytes), limit = BankLimit;
-            run = new PoolRun { PageCount = pages };
+            run = new PoolRange { PageCount = pages };
             int unmade = -1;
             for (int bank = 0; bank < m_banks.Count && bank < limit; bank++)
             {
@@ -74,7 +74,7 @@ namespace FastPoints.Streaming
             if (unmade >= 0 && pages <= m_pagesPerBank)
             {
                 CreateBank(unmade);
-                m_banks[unmade] = new SlotHeap(m_pagesPerBank, Allocator.Persistent);
+                m_banks[unmade] = new RangeAllocator(m_pagesPerBank, Allocator.Persistent);
                 AllocatedBytes += BankBytes;
                 return TryTake(unmade, ref run);
             }
@@ -83,7 +83,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Takes a run back, and frees its bank where that is empty and beyond the limit.</summary>
-        public void Give(PoolRun run)
+        public void Give(PoolRange run)
         {
             var heap = m_banks[run.Bank];
             heap.Give(run.FirstPage);
@@ -95,7 +95,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Keeps as much of a run as so many bytes need, and takes the rest back.</summary>
         /// <returns>Whether the run is long enough.</returns>
-        public bool TryShorten(ref PoolRun run, long bytes)
+        public bool TryShorten(ref PoolRange run, long bytes)
         {
             int pages = PagesFor(bytes);
             if (pages > run.PageCount)
@@ -128,7 +128,7 @@ namespace FastPoints.Streaming
         /// <summary>Where the upload's job writes what is to lie in a run: front to back, and never reads. Null where the upload
         /// has no more room.</summary>
         /// <param name="bytes">A multiple of 16.</param>
-        public abstract byte* AddressForUpload(PoolRun run, long bytes);
+        public abstract byte* AddressForUpload(PoolRange run, long bytes);
 
         /// <summary>The upload's job is complete: from now on its nodes can be drawn.</summary>
         public virtual void EndUpload()
@@ -161,7 +161,7 @@ namespace FastPoints.Streaming
 
         protected abstract void DisposeBank(int bank);
 
-        bool TryTake(int bank, ref PoolRun run)
+        bool TryTake(int bank, ref PoolRange run)
         {
             var heap = m_banks[bank];
             run.Bank = bank;
@@ -183,7 +183,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A piece of a <see cref="NodePool"/>: pages that follow one another in one bank.</summary>
-    public struct PoolRun
+    public struct PoolRange
     {
         public int Bank;
         public int FirstPage;

@@ -91,10 +91,10 @@ namespace FastPoints.Streaming
                 if (tables >= Math.Max(1, m_stream.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
                     break;
                 var page = m_stream.Clouds[missing.Cloud].Pages + missing.Page;
-                if (page->Status != PageStatus.Absent || !m_stream.IsTime(page->RetryFrame) ||
+                if (page->Status != HierarchyPageStatus.Absent || !m_stream.IsTime(page->RetryFrame) ||
                     !m_stream.Clouds[missing.Cloud].Source.CanBuild(missing.Page))
                     continue;
-                page->Status = PageStatus.Loading;
+                page->Status = HierarchyPageStatus.Loading;
                 fetch.BeginTable(++m_count, missing.Cloud, m_stream.Clouds[missing.Cloud], missing.Page);
                 tables++;
             }
@@ -315,7 +315,7 @@ namespace FastPoints.Streaming
             {
                 if (problem.IsNone)
                     built.Free();
-                page->Status = PageStatus.Absent;
+                page->Status = HierarchyPageStatus.Absent;
             }
             else if (problem.IsNone)
             {
@@ -324,7 +324,7 @@ namespace FastPoints.Streaming
             else
             {
                 var piece = fetch.Cloud.Source.TableOf(fetch.Page);
-                page->Status = PageStatus.Absent;
+                page->Status = HierarchyPageStatus.Absent;
                 CountFailure(page, piece.Path, piece.OffsetBytes, fetch.Describe(problem));
             }
             fetch.End();
@@ -334,7 +334,7 @@ namespace FastPoints.Streaming
         void Drop(NodeFetch fetch, HierarchyPage* page)
         {
             if (fetch.IsTable)
-                page->Status = PageStatus.Absent;
+                page->Status = HierarchyPageStatus.Absent;
             foreach (var node in fetch.Nodes)
                 if (m_stream.Cache.IsAlive(node.Slot, node.Version))
                     m_stream.Release(node.Slot);
@@ -351,8 +351,8 @@ namespace FastPoints.Streaming
             page->LastFailureFrame = m_stream.Selector.Frame;
             if (++page->Failures < m_stream.Settings.MostTries)
                 return;
-            if (page->Status == PageStatus.Absent)
-                page->Status = PageStatus.Failed;
+            if (page->Status == HierarchyPageStatus.Absent)
+                page->Status = HierarchyPageStatus.Failed;
             // What was on its way when the file was given up fails after it: that was told.
             if (!page->IsBroken)
                 m_stream.Report(new StreamFailure(path, offset, what));

@@ -15,8 +15,8 @@ namespace FastPoints.Streaming
         NativeArray<ClipBox> m_clipBoxes;
         NativeList<SelectedNode> m_selected;
         NativeList<SelectedNode> m_forecast;
-        NativeList<MissingPage> m_missing;
-        NativeList<MissingPage> m_missingOfForecast;
+        NativeList<MissingHierarchyPage> m_missing;
+        NativeList<MissingHierarchyPage> m_missingOfForecast;
         NativeReference<long> m_points;
         NativeReference<long> m_pointsOfForecast;
         SelectionHeap m_heap;
@@ -29,8 +29,8 @@ namespace FastPoints.Streaming
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
             m_selected = new NativeList<SelectedNode>(1024, Allocator.Persistent);
             m_forecast = new NativeList<SelectedNode>(256, Allocator.Persistent);
-            m_missing = new NativeList<MissingPage>(Allocator.Persistent);
-            m_missingOfForecast = new NativeList<MissingPage>(Allocator.Persistent);
+            m_missing = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
+            m_missingOfForecast = new NativeList<MissingHierarchyPage>(Allocator.Persistent);
             m_points = new NativeReference<long>(Allocator.Persistent);
             m_pointsOfForecast = new NativeReference<long>(Allocator.Persistent);
             m_heap = new SelectionHeap(Allocator.Persistent);
@@ -46,7 +46,7 @@ namespace FastPoints.Streaming
         public NativeArray<SelectedNode> Forecasted => m_forecast.AsArray();
 
         /// <summary>The most needed first.</summary>
-        public NativeArray<MissingPage> Missing => m_missing.AsArray();
+        public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
 
         /// <summary>Of all that is chosen.</summary>
         public long Points => m_points.Value;

@@ -40,7 +40,7 @@ namespace FastPoints.Streaming
 
         public SelectionHeap Heap;
         public NativeList<SelectedNode> Selected;
-        public NativeList<MissingPage> Missing;
+        public NativeList<MissingHierarchyPage> Missing;
 
         /// <summary>Points of all that is chosen.</summary>
         public NativeReference<long> Points;
@@ -61,7 +61,7 @@ namespace FastPoints.Streaming
                 var page = cloud.Pages + best.Page;
                 if (best.Node < 0)
                 {
-                    Missing.Add(new MissingPage { Cloud = cloud.Cloud, Page = best.Page });
+                    Missing.Add(new MissingHierarchyPage { Cloud = cloud.Cloud, Page = best.Page });
                     if (Missing.Length >= MissingToStopAt)
                         break;
                     continue;
@@ -134,7 +134,7 @@ namespace FastPoints.Streaming
                 for (int n = 0; n < page->RootCount; n++)
                     PushNode(cloud, page, index, n, spacing, parent);
             }
-            else if (page->Status != PageStatus.Failed && spacingPx >= Settings.FinestSpacingPx)
+            else if (page->Status != HierarchyPageStatus.Failed && spacingPx >= Settings.FinestSpacingPx)
             {
                 Heap.Push(new SelectionCandidate { SpacingPx = spacingPx, Cloud = cloud, Page = index, Node = -1 });
             }

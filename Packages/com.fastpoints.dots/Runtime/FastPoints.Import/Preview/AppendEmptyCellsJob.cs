@@ -12,7 +12,7 @@ namespace FastPoints.Preview
     /// for a stratum, nor one that was appended. One of these after the other.
     /// </summary>
     [BurstCompile]
-    struct AppendBareCellsJob : IJob
+    struct AppendEmptyCellsJob : IJob
     {
         const int RunLength = ColumnValues.RunLength;
 
@@ -32,7 +32,7 @@ namespace FastPoints.Preview
         /// <summary>None where the points are of no range.</summary>
         public SampleStrata Strata;
 
-        public BareCells Cells;
+        public EmptyCells Cells;
         public NativeArray<ulong> Table;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;

@@ -11,7 +11,7 @@ namespace FastPoints.Streaming
     /// </summary>
     /// <remarks>The first and the last slot of a run know its length: above 0 where it is taken, below where it is
     /// free.</remarks>
-    internal struct SlotHeap : IDisposable
+    internal struct RangeAllocator : IDisposable
     {
         const int None = -1;
         const int BinCount = 31;
@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
         NativeArray<int> m_firstOfBin;
         uint m_occupiedBins;
 
-        public SlotHeap(int capacity, Allocator allocator)
+        public RangeAllocator(int capacity, Allocator allocator)
         {
             if (capacity < 1)
                 throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "wanted at least 1");

@@ -8,12 +8,12 @@ namespace FastPoints.Streaming
 {
     /// <summary>From the bytes of a chunk's table to a page of the hierarchy; everything is checked first.</summary>
     [BurstCompile]
-    internal unsafe struct BuildPageJob : IJob
+    internal unsafe struct BuildHierarchyPageJob : IJob
     {
         /// <summary>Node records, then each node's plane ranges.</summary>
         [ReadOnly] public NativeArray<byte> Table;
         public ChunkRecord Chunk;
-        public PageGrid Grid;
+        public HierarchyGrid Grid;
 
         /// <summary>By plane of the cloud.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
@@ -44,7 +44,7 @@ namespace FastPoints.Streaming
             if (!Problem.Value.IsNone)
                 return;
             var page = new HierarchyPage();
-            PageBuilding.Build(check.Nodes, check.Planes, check.NodeCount, check.PlaneCount,
+            HierarchyPageBuilding.Build(check.Nodes, check.Planes, check.NodeCount, check.PlaneCount,
                 (int*)Wanted.GetUnsafeReadOnlyPtr(), Wanted.Length, Grid, null, ref page);
             Built.Value = page;
         }

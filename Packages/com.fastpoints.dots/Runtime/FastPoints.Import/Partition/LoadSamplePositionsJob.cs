@@ -10,7 +10,7 @@ namespace FastPoints.Partition
 {
     /// <summary>Stored positions of a few points, as doubles: exact for what is stored as 32-bit integers or floats.</summary>
     [BurstCompile]
-    internal unsafe struct SampleRunJob : IJob
+    internal unsafe struct LoadSamplePositionsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;

@@ -4,9 +4,9 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>Oddities that any of a tree's nodes may have: the first few of a kind are told one by one, the others as a
+    /// <summary>Anomalies that any of a tree's nodes may have: the first few of a kind are told one by one, the others as a
     /// count.</summary>
-    sealed class PotreeFindings
+    sealed class PotreeWarnings
     {
         const int MostTold = 3;
 
@@ -19,7 +19,7 @@ namespace FastPoints.Files
         readonly SourceInfo m_info;
         readonly Dictionary<string, Kind> m_kinds = new Dictionary<string, Kind>();
 
-        public PotreeFindings(SourceInfo info)
+        public PotreeWarnings(SourceInfo info)
         {
             m_info = info;
         }
@@ -29,7 +29,7 @@ namespace FastPoints.Files
         /// <param name="detail">What is told of this one, or null.</param>
         /// <param name="byteOffset">In the file that <paramref name="path"/> names, or -1.</param>
         /// <param name="path">Null for the source's own.</param>
-        public void Tell(string what, string node, string detail = null, long byteOffset = -1, string path = null)
+        public void Add(string what, string node, string detail = null, long byteOffset = -1, string path = null)
         {
             if (!m_kinds.TryGetValue(what, out var kind))
                 m_kinds.Add(what, kind = new Kind());

@@ -7,7 +7,7 @@ namespace FastPoints.Samplers
 {
     /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
     /// come from, each with the next one's number.</summary>
-    internal unsafe struct WaitingRanges : IDisposable
+    internal unsafe struct RangeQueue : IDisposable
     {
         NativeList<SampledRange> m_ranges;
 
@@ -15,7 +15,7 @@ namespace FastPoints.Samplers
         NativeArray<int> m_first;
         NativeArray<int> m_last;
 
-        public WaitingRanges(Allocator allocator)
+        public RangeQueue(Allocator allocator)
         {
             m_ranges = new NativeList<SampledRange>(64, allocator);
             m_first = new NativeArray<int>(GridCube.MaxSideLog2 + 1, allocator);

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>From grid places to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
-    public struct PageGrid
+    public struct HierarchyGrid
     {
         public Grid3 Corner;
         public double3 Step;
@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
         public Grid3 BoundsMin;
         public Grid3 BoundsMax;
 
-        public PageGrid(CloudManifest manifest)
+        public HierarchyGrid(CloudManifest manifest)
         {
             Corner = manifest.Root.Corner;
             Step = manifest.Grid.Step;

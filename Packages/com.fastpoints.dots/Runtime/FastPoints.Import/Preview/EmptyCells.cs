@@ -5,7 +5,7 @@ namespace FastPoints.Preview
 {
     /// <summary>Cubic cells over all of space, by their hash: which of them hold a point. Blittable, for jobs.</summary>
     /// <remarks>Two cells may share a bit: of a million occupied ones 3 % are taken for occupied too soon.</remarks>
-    internal struct BareCells
+    internal struct EmptyCells
     {
         const int BitsLog2 = 25;
 

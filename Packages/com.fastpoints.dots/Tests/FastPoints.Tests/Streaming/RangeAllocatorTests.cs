@@ -6,7 +6,7 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Streaming
 {
-    public class SlotHeapTests
+    public class RangeAllocatorTests
     {
         [TestCase(1, 1u)]
         [TestCase(64, 2u)]
@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Streaming
             var random = new Unity.Mathematics.Random(seed);
             var owner = new int[capacity];
             var runs = new List<(int First, int Count)>();
-            using (var heap = new SlotHeap(capacity, Allocator.Persistent))
+            using (var heap = new RangeAllocator(capacity, Allocator.Persistent))
             {
                 var books = heap;
                 int used = 0;
@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Give_WhatIsNoRun_Throws()
         {
-            using (var heap = new SlotHeap(100, Allocator.Persistent))
+            using (var heap = new RangeAllocator(100, Allocator.Persistent))
             {
                 var books = heap;
                 int run = books.Take(10);
@@ -101,7 +101,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Take_MoreThanThereIs_IsNone()
         {
-            using (var heap = new SlotHeap(100, Allocator.Persistent))
+            using (var heap = new RangeAllocator(100, Allocator.Persistent))
             {
                 var books = heap;
                 Assert.That(books.Take(101), Is.EqualTo(-1));

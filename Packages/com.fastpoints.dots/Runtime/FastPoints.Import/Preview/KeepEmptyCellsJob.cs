@@ -9,7 +9,7 @@ namespace FastPoints.Preview
     /// <summary>Keeps, of points in one slice after the other, the first one of each cell in which there is none so far, and
     /// moves them together.</summary>
     [BurstCompile]
-    struct KeepBareCellsJob : IJob
+    struct KeepEmptyCellsJob : IJob
     {
         const int RunLength = ColumnValues.RunLength;
 
@@ -22,7 +22,7 @@ namespace FastPoints.Preview
         public int First;
         public int End;
 
-        public BareCells Cells;
+        public EmptyCells Cells;
         public NativeArray<ulong> Table;
 
         /// <summary>How many of all slices so far.</summary>

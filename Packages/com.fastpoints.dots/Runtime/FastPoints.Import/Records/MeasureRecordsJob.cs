@@ -7,7 +7,7 @@ namespace FastPoints.Records
 {
     /// <summary>The bounds of a chunk's records.</summary>
     [BurstCompile]
-    internal unsafe struct MeasurePagesJob : IJob
+    internal unsafe struct MeasureRecordsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;

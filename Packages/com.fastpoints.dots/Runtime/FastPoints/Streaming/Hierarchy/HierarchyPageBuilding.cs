@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>From the records of a table that has been checked to a page of the hierarchy. For jobs and for the main
     /// thread.</summary>
-    internal static unsafe class PageBuilding
+    internal static unsafe class HierarchyPageBuilding
     {
         /// <param name="records">Of a table in which nothing is wrong, as are <paramref name="ranges"/>.</param>
         /// <param name="planesInTable">Planes that each node of the table has.</param>
@@ -15,7 +15,7 @@ namespace FastPoints.Streaming
         /// <param name="chunks">The pages of the chunks, by chunk: their boxes are read. Null where no chunk hangs on the
         /// page.</param>
         public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
-            int wantedCount, in PageGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
+            int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
         {
             page.Allocate(nodeCount, wantedCount);
             var boxes = new NativeArray<LocalBox>(nodeCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
@@ -49,10 +49,10 @@ namespace FastPoints.Streaming
                     page.Planes[n * wantedCount + p] = ranges[(long)n * planesInTable + wanted[p]];
             }
             boxes.Dispose();
-            page.Status = PageStatus.Loaded;
+            page.Status = HierarchyPageStatus.Loaded;
         }
 
-        static StreamNode NodeOf(NodeRecord* records, int n, LocalBox box, in PageGrid grid)
+        static StreamNode NodeOf(NodeRecord* records, int n, LocalBox box, in HierarchyGrid grid)
         {
             var record = records[n];
             var node = new StreamNode
@@ -65,13 +65,13 @@ namespace FastPoints.Streaming
                 PointCount = record.Host == n ? record.PointCount : 0,
                 BlockCount = record.HostedBlocks,
             };
-            PageGrid.Box(box.Min, box.Max, out node.Center, out node.Half);
+            HierarchyGrid.Box(box.Min, box.Max, out node.Center, out node.Half);
             for (int child = record.FirstChild; record.Host == n && child < record.FirstChild + record.ChildCount; child++)
                 node.PointCount += records[child].Host == n ? records[child].PointCount : 0;
             return node;
         }
 
-        static LocalBox OwnBox(in NodeRecord node, in PageGrid grid)
+        static LocalBox OwnBox(in NodeRecord node, in HierarchyGrid grid)
         {
             // Bounds of wide nodes are rounded down to units of several steps.
             int shift = node.BoundsShift;

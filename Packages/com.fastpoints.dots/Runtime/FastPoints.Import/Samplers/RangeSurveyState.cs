@@ -2,21 +2,21 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>A <see cref="RangeLook"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
+    /// <summary>A <see cref="RangeSurvey"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
     /// has all of its points. Blittable.</summary>
-    internal unsafe struct RangeLooking
+    internal unsafe struct RangeSurveyState
     {
         public SampledRange Range;
 
         /// <summary>Whole when <see cref="GoOn"/> says so.</summary>
-        public RangeLook Look;
+        public RangeSurvey Look;
         int m_at;
         int m_taken;
 
         // log2 of the largest cube that neighbours have in common since the last taken point.
         uint m_sinceTaken;
 
-        public RangeLooking(in SampledRange range)
+        public RangeSurveyState(in SampledRange range)
         {
             Range = range;
             Look = default;

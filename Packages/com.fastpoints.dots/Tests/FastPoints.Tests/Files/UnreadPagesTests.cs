@@ -5,11 +5,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Files
 {
-    public class WaitingPagesTests
+    public class UnreadPagesTests
     {
-        static WaitingPages Some()
+        static UnreadPages Some()
         {
-            var pages = new WaitingPages(10);
+            var pages = new UnreadPages(10);
             pages.Add(new int4(0, 0, 0, 0), 1);
             pages.Add(new int4(3, 3, 3, 2), 2);
             pages.Add(new int4(0, 1, 0, 2), 3);
@@ -18,7 +18,7 @@ namespace FastPoints.Tests.Files
             return pages;
         }
 
-        static List<long> TakeAll(WaitingPages pages, int4 node, int levels)
+        static List<long> TakeAll(UnreadPages pages, int4 node, int levels)
         {
             var taken = new List<long>();
             while (pages.TryPeek(node, levels, out var page))

@@ -5,20 +5,20 @@ namespace FastPoints.Files
 {
     /// <summary>Pages of an octree's hierarchy that are known and not read: level by level of the nodes that they begin with, and
     /// within a level as they came to be known.</summary>
-    internal sealed class WaitingPages
+    internal sealed class UnreadPages
     {
-        readonly Queue<WaitingPage>[] m_ofLevel;
+        readonly Queue<UnreadPage>[] m_ofLevel;
 
         /// <summary>Numbers of pages that were read before their turn and are in the queues still.</summary>
         readonly HashSet<int> m_isRead = new HashSet<int>();
         int m_added;
 
         /// <param name="mostLevels">Of the nodes that pages begin with.</param>
-        public WaitingPages(int mostLevels)
+        public UnreadPages(int mostLevels)
         {
-            m_ofLevel = new Queue<WaitingPage>[mostLevels];
+            m_ofLevel = new Queue<UnreadPage>[mostLevels];
             for (int level = 0; level < mostLevels; level++)
-                m_ofLevel[level] = new Queue<WaitingPage>();
+                m_ofLevel[level] = new Queue<UnreadPage>();
         }
 
         public int Count { get; private set; }
@@ -26,7 +26,7 @@ namespace FastPoints.Files
         /// <param name="root">Key of the node that the page begins with.</param>
         public void Add(int4 root, long offset = 0, long bytes = 0)
         {
-            var page = new WaitingPage { Root = root, Offset = offset, Bytes = bytes, Number = m_added++ };
+            var page = new UnreadPage { Root = root, Offset = offset, Bytes = bytes, Number = m_added++ };
             m_ofLevel[root.w].Enqueue(page);
             Count++;
         }
@@ -35,7 +35,7 @@ namespace FastPoints.Files
         /// <param name="node">Key; the tree's root for pages of the whole, when this takes no time.</param>
         /// <param name="levels">Pages that begin below the first so many levels of the tree are left alone.</param>
         /// <returns>Whether there is one.</returns>
-        public bool TryPeek(int4 node, int levels, out WaitingPage page)
+        public bool TryPeek(int4 node, int levels, out UnreadPage page)
         {
             for (int level = 0; level < math.min(levels, m_ofLevel.Length); level++)
             {
@@ -54,7 +54,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Takes note that a page has been read.</summary>
-        public void Remove(in WaitingPage page)
+        public void Remove(in UnreadPage page)
         {
             m_isRead.Add(page.Number);
             Count--;
@@ -77,7 +77,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>A page of an octree's hierarchy that is known and not read.</summary>
-    internal struct WaitingPage
+    internal struct UnreadPage
     {
         /// <summary>Key of the node that it begins with.</summary>
         public int4 Root;

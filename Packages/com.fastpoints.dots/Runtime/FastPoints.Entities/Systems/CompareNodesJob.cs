@@ -8,14 +8,14 @@ namespace FastPoints.Entities
 {
     /// <summary>Finds where entities of nodes are not what the cache says.</summary>
     [BurstCompile]
-    internal struct CompareSlotsJob : IJob
+    internal struct CompareNodesJob : IJob
     {
-        [ReadOnly] public NativeArray<CacheSlot> Slots;
+        [ReadOnly] public NativeArray<CachedNode> Slots;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
         /// <summary>Entities to make or to destroy at most: what is left over waits for the next frame.</summary>
         public int MostChanges;
-        public NativeList<TrackedSlot> Tracked;
+        public NativeList<TrackedNode> Tracked;
 
         /// <summary>Scratch: by slot.</summary>
         public NativeList<bool> IsDrawn;
@@ -60,8 +60,8 @@ namespace FastPoints.Entities
             }
             if (!isThere)
                 return;
-            byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedSlot.IsResident : 0) |
-                (IsDrawn[slot] ? TrackedSlot.IsDrawn : 0));
+            byte state = (byte)((cached.Phase == CachePhase.Resident ? TrackedNode.IsResident : 0) |
+                (IsDrawn[slot] ? TrackedNode.IsDrawn : 0));
             if (tracked.Entity == Entity.Null)
             {
                 if (Come.Length == MostChanges)

@@ -3,7 +3,7 @@ using FastPoints.Points;
 namespace FastPoints.Partition
 {
     /// <summary>What the points of one slot showed, of those that are kept. Blittable.</summary>
-    internal struct PointFindings
+    internal struct PointStatistics
     {
         public long Count;
 
@@ -18,13 +18,13 @@ namespace FastPoints.Partition
         /// <summary>Largest distance of a float position from its place on the grid, in steps.</summary>
         public double WorstLossSteps;
 
-        public static PointFindings None => new PointFindings
+        public static PointStatistics None => new PointStatistics
         {
             Min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue),
             Max = new Grid3(long.MinValue, long.MinValue, long.MinValue),
         };
 
-        public void Include(in PointFindings other)
+        public void Include(in PointStatistics other)
         {
             Count += other.Count;
             LeftOut += other.LeftOut;
@@ -36,7 +36,7 @@ namespace FastPoints.Partition
     }
 
     /// <summary>What all values of one attribute showed. Blittable.</summary>
-    internal struct AttributeFindings
+    internal struct AttributeStatistics
     {
         /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
         public ulong Min;
@@ -48,11 +48,11 @@ namespace FastPoints.Partition
         /// <summary>0 where every value is a multiple of 257: eight bits twice.</summary>
         public uint NotDoubled;
 
-        public static AttributeFindings None => new AttributeFindings { Min = ulong.MaxValue };
+        public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
 
         public bool IsEmpty => Min > Max;
 
-        public void Include(in AttributeFindings other)
+        public void Include(in AttributeStatistics other)
         {
             Min = Min < other.Min ? Min : other.Min;
             Max = Max > other.Max ? Max : other.Max;

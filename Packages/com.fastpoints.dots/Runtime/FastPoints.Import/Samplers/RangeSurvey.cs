@@ -1,7 +1,7 @@
 namespace FastPoints.Samplers
 {
     /// <summary>What a sampler sees of a range's points before it decides what becomes of them.</summary>
-    internal unsafe struct RangeLook
+    internal unsafe struct RangeSurvey
     {
         // Sides from a step's to the largest cube's, and one beyond all.
         public const int Sides = Points.GridCube.MaxSideLog2 + 3;

@@ -9,14 +9,14 @@ namespace FastPoints.Records
     /// <summary>Distributes one chunk's records over the chunks that it is split into, and gives its pages
     /// back as they are done.</summary>
     [BurstCompile]
-    internal unsafe struct RegroupPagesJob : IJob
+    internal unsafe struct RegroupRecordsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;
         public CellFinder Cells;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
         public NativeArray<RecordPages> Chunks;
-        public NativeReference<PagePool> Pool;
+        public NativeReference<RecordPagePool> Pool;
 
         public SliceTimes Slices;
 

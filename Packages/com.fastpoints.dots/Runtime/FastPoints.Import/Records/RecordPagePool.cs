@@ -7,7 +7,7 @@ namespace FastPoints.Records
     /// The memory of record pages: slabs that are used again and again, and freed all at once. What is resident is thus what was
     /// in use at most, whatever the allocator below makes of many small blocks. Blittable; one job at a time may use it.
     /// </summary>
-    internal unsafe struct PagePool
+    internal unsafe struct RecordPagePool
     {
         struct Slab
         {
@@ -27,7 +27,7 @@ namespace FastPoints.Records
 
         /// <param name="strideBytes">Of a record.</param>
         /// <param name="expectedPages">Small clouds take small slabs.</param>
-        public PagePool(int strideBytes, long expectedPages)
+        public RecordPagePool(int strideBytes, long expectedPages)
         {
             m_free = null;
             m_slabs = null;
