@@ -45,17 +45,6 @@ namespace Unity.Mathematics
         internal static int Ones(ulong x) => Ones((uint)x) + Ones((uint)(x >> 32));
 #endif
 
-        internal static uint Reverse(uint x)
-        {
-            x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-            x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-            x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
-            x = ((x >> 8) & 0x00FF00FFu) | ((x & 0x00FF00FFu) << 8);
-            return (x >> 16) | (x << 16);
-        }
-
-        internal static ulong Reverse(ulong x) => ((ulong)Reverse((uint)x) << 32) | Reverse((uint)(x >> 32));
-
         internal static uint CeilPowerOfTwo(uint x) => Smear(x - 1) + 1;
 
         internal static ulong CeilPowerOfTwo(ulong x) => Smear(x - 1) + 1;

@@ -1,11 +1,9 @@
-// A plain reading of Unity's signatures, one line a component.
 using System;
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
 
 namespace Unity.Mathematics
 {
-    public partial struct double3x3 : IEquatable<double3x3>, IFormattable
+    public struct double3x3 : IEquatable<double3x3>, IFormattable
     {
         public double3 c0;
         public double3 c1;
@@ -16,116 +14,26 @@ namespace Unity.Mathematics
             0.0, 1.0, 0.0,
             0.0, 0.0, 1.0);
 
-        public static readonly double3x3 zero;
-
-        [MethodImpl(Inlining.Always)]
-        public double3x3(double3 c0, double3 c1, double3 c2)
-        {
-            this.c0 = c0;
-            this.c1 = c1;
-            this.c2 = c2;
-        }
-
-        [MethodImpl(Inlining.Always)]
-        public double3x3(
+        [MethodImpl(Inlining.Always)] public double3x3(double3 c0, double3 c1, double3 c2) =>
+            (this.c0, this.c1, this.c2) = (c0, c1, c2);
+        [MethodImpl(Inlining.Always)] public double3x3(
             double m00, double m01, double m02,
             double m10, double m11, double m12,
-            double m20, double m21, double m22)
-        {
-            c0 = new double3(m00, m10, m20);
-            c1 = new double3(m01, m11, m21);
-            c2 = new double3(m02, m12, m22);
-        }
+            double m20, double m21, double m22) =>
+            (c0, c1, c2) = (new double3(m00, m10, m20), new double3(m01, m11, m21), new double3(m02, m12, m22));
 
-        [MethodImpl(Inlining.Always)]
-        public double3x3(double v)
-        {
-            c0 = v;
-            c1 = v;
-            c2 = v;
-        }
-
-        [MethodImpl(Inlining.Always)]
-        public double3x3(float3x3 v)
-        {
-            c0 = v.c0;
-            c1 = v.c1;
-            c2 = v.c2;
-        }
-
-        [MethodImpl(Inlining.Always)]
-        public static implicit operator double3x3(double v) => new double3x3(v);
-
-        [MethodImpl(Inlining.Always)]
-        public static implicit operator double3x3(float3x3 v) => new double3x3(v);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator *(double3x3 lhs, double3x3 rhs) =>
-            new double3x3(lhs.c0 * rhs.c0, lhs.c1 * rhs.c1, lhs.c2 * rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator *(double3x3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)] public static double3x3 operator *(double3x3 lhs, double rhs) =>
             new double3x3(lhs.c0 * rhs, lhs.c1 * rhs, lhs.c2 * rhs);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator *(double lhs, double3x3 rhs) =>
-            new double3x3(lhs * rhs.c0, lhs * rhs.c1, lhs * rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator +(double3x3 lhs, double3x3 rhs) =>
-            new double3x3(lhs.c0 + rhs.c0, lhs.c1 + rhs.c1, lhs.c2 + rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator +(double3x3 lhs, double rhs) =>
-            new double3x3(lhs.c0 + rhs, lhs.c1 + rhs, lhs.c2 + rhs);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator +(double lhs, double3x3 rhs) =>
-            new double3x3(lhs + rhs.c0, lhs + rhs.c1, lhs + rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator -(double3x3 lhs, double3x3 rhs) =>
-            new double3x3(lhs.c0 - rhs.c0, lhs.c1 - rhs.c1, lhs.c2 - rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator -(double3x3 lhs, double rhs) =>
-            new double3x3(lhs.c0 - rhs, lhs.c1 - rhs, lhs.c2 - rhs);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator -(double lhs, double3x3 rhs) =>
-            new double3x3(lhs - rhs.c0, lhs - rhs.c1, lhs - rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator /(double3x3 lhs, double3x3 rhs) =>
-            new double3x3(lhs.c0 / rhs.c0, lhs.c1 / rhs.c1, lhs.c2 / rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator /(double3x3 lhs, double rhs) =>
-            new double3x3(lhs.c0 / rhs, lhs.c1 / rhs, lhs.c2 / rhs);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator /(double lhs, double3x3 rhs) =>
-            new double3x3(lhs / rhs.c0, lhs / rhs.c1, lhs / rhs.c2);
-
-        [MethodImpl(Inlining.Always)]
-        public static double3x3 operator -(double3x3 val) => new double3x3(-val.c0, -val.c1, -val.c2);
 
         public unsafe ref double3 this[int index]
         {
             [MethodImpl(Inlining.Always)]
             get
             {
-                CheckIndex(index);
+                Components.Check(index, 3);
                 fixed (double3x3* array = &this)
                     return ref ((double3*)array)[index];
             }
-        }
-
-        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
-        private static void CheckIndex(int index)
-        {
-            if ((uint)index >= 3)
-                throw new ArgumentException("index must be between[0...2]");
         }
 
         public bool Equals(double3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);
@@ -140,13 +48,12 @@ namespace Unity.Mathematics
             math.fold_to_uint(c2.x) * 0x6E624EB7u + math.fold_to_uint(c2.y) * 0x7383ED49u +
             math.fold_to_uint(c2.z) * 0xDD49C23Bu + 0xEBD0D005u);
 
-        public override string ToString() =>
-            $"double3x3({c0.x}, {c1.x}, {c2.x},  {c0.y}, {c1.y}, {c2.y},  {c0.z}, {c1.z}, {c2.z})";
+        public override string ToString() => ToString(null, null);
 
         public string ToString(string format, IFormatProvider formatProvider) =>
-            string.Format(formatProvider, "double3x3({0}, {1}, {2},  {3}, {4}, {5},  {6}, {7}, {8})",
-                c0.x.ToString(format, formatProvider), c1.x.ToString(format, formatProvider), c2.x.ToString(format, formatProvider),
-                c0.y.ToString(format, formatProvider), c1.y.ToString(format, formatProvider), c2.y.ToString(format, formatProvider),
-                c0.z.ToString(format, formatProvider), c1.z.ToString(format, formatProvider), c2.z.ToString(format, formatProvider));
+            VectorText.Of("double3x3", "", format, formatProvider, 3,
+                c0.x, c1.x, c2.x,
+                c0.y, c1.y, c2.y,
+                c0.z, c1.z, c2.z);
     }
 }

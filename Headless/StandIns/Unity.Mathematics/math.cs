@@ -1,4 +1,3 @@
-// A plain reading of Unity's signatures, one line a component.
 namespace Unity.Mathematics
 {
     public static partial class math
@@ -35,17 +34,5 @@ namespace Unity.Mathematics
         public const double TODEGREES_DBL = 57.29577951308232;
         public const float TORADIANS = 0.017453292f;
         public const double TORADIANS_DBL = 0.017453292519943295;
-
-        public static float3 up() => new float3(0.0f, 1.0f, 0.0f);
-
-        public static float3 down() => new float3(0.0f, -1.0f, 0.0f);
-
-        public static float3 forward() => new float3(0.0f, 0.0f, 1.0f);
-
-        public static float3 back() => new float3(0.0f, 0.0f, -1.0f);
-
-        public static float3 left() => new float3(-1.0f, 0.0f, 0.0f);
-
-        public static float3 right() => new float3(1.0f, 0.0f, 0.0f);
     }
 }
