@@ -66,7 +66,7 @@ namespace FastPoints.Convert
             var manifest = new CloudManifest { Root = root };
             describe(manifest);
             using (var store = new NativeStoreLayout(manifest.CreateLayout()))
-            yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Count], new NativeArray<byte>[cubes.Count]));
+                yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Count], new NativeArray<byte>[cubes.Count]));
         }
 
         /// <summary>Work for a pump: the next generation.</summary>
@@ -102,7 +102,7 @@ namespace FastPoints.Convert
                 }
                 using (var merge = new UpperMerge(m_records, store, manifest.Root, manifest.CloudId, m_folder, m_sampler, m_sizes,
                     m_slices))
-                yield return Work.Of(merge.Run(chunks, tops, m_pointsPerRegion, manifest, null));
+                    yield return Work.Of(merge.Run(chunks, tops, m_pointsPerRegion, manifest, null));
             }
             finally
             {

@@ -109,8 +109,8 @@ namespace FastPoints.Verify
                 if (table == null)
                     continue;
                 using (table)
-                yield return Work.Of(CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
-                    m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic));
+                    yield return Work.Of(CheckNodes(m_folder.ChunkPath(c), m_folder.Chunks[c].FileBytes, table,
+                        m_folder.Chunks[c].Cube, StoreFormat.ChunkMagic));
                 progress?.Report((c + 1) / (double)m_folder.Chunks.Length, m_result.Points, 0);
             }
         }

@@ -152,7 +152,7 @@ namespace FastPoints.Files
                 else if (section.Scan.RecordsClaimed > 0)
                 {
                     using (var walk = new E57Walk(this, section))
-                    yield return Work.Of(walk.Run());
+                        yield return Work.Of(walk.Run());
                     LimitPages(section);
                 }
                 section.FirstBlock = m_blockCount;
