@@ -16,6 +16,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Density
 {
     /// <summary>Estimates against all points of clouds of very uneven density, in orders good and bad.</summary>
+    [Category("Smoke")]
     public class DensityEstimateTests
     {
         const int Points = 200_000;

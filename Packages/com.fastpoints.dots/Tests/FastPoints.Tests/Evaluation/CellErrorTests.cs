@@ -11,6 +11,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Evaluation
 {
+    [Category("Smoke")]
     public class CellErrorTests
     {
         /// <summary>Points of uneven density on a bent surface, in metres far from the origin.</summary>

@@ -19,6 +19,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.SourceFeeds
 {
     /// <summary>COPC, EPT and Potree streamed as they are.</summary>
+    [Category("Smoke")]
     public unsafe class TreeSourceTests
     {
         const int MostFrames = 1_000_000;

@@ -8,6 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Verify
 {
+    [Category("Smoke")]
     public class SummariseCloudTests
     {
         static CloudSummary Summarise(MemoryPointReader reader, int slots)

@@ -8,6 +8,7 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Writing
 {
+    [Category("Smoke")]
     public sealed class StreamSpoolTests
     {
         const int Length = (3 << 20) + 17;
