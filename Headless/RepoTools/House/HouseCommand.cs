@@ -11,7 +11,7 @@ namespace FastPoints.RepoTools.House
     public static class HouseCommand
     {
         /// <param name="check">Writes nothing; else limits come down to what has been reached.</param>
-        /// <param name="list">A measure all of whose statistics are printed in place of the table; null for none.</param>
+        /// <param name="list">A measure all of whose findings are printed in place of the table; null for none.</param>
         public static ToolResult Run(Repository repository, bool check, string? list)
         {
             string file = repository.House;

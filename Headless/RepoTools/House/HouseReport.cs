@@ -37,7 +37,7 @@ namespace FastPoints.RepoTools.House
             HouseFigure figure = m_figures.FirstOrDefault(f => f.Measure.Name == measure)
                 ?? throw new ToolException($"there is no measure {measure}; "
                     + $"{string.Join(", ", m_figures.Select(f => f.Measure.Name))}");
-            return figure.Statistics.OrderByDescending(f => f.Amount).Select(Line);
+            return figure.Findings.OrderByDescending(f => f.Amount).Select(Line);
         }
 
         /// <summary>The table that is printed, a line for each measure.</summary>
@@ -85,9 +85,9 @@ namespace FastPoints.RepoTools.House
                 $"{figure.Measure.Name}: {figure.Value}, the limit is {limit}"));
             if (figure.Measure.IsSum)
                 return;
-            foreach (Finding finding in figure.Statistics.OrderByDescending(f => f.Amount).Take(FindingsShown))
+            foreach (Finding finding in figure.Findings.OrderByDescending(f => f.Amount).Take(FindingsShown))
                 m_problems.Add("  " + Line(finding));
-            if (figure.Statistics.Count > FindingsShown)
+            if (figure.Findings.Count > FindingsShown)
                 m_problems.Add($"  and others; RepoTools house --list {figure.Measure.Name} names them all");
         }
 
