@@ -3,8 +3,8 @@ using System;
 namespace FastPoints.Benchmarks
 {
     /// <summary>
-    /// One piece of work that is measured: a struct, prepared once, then run as often as the driver likes. The headless driver
-    /// and Unity's performance tests time the same structs.
+    /// One piece of work that is measured, prepared once, then run as often as the driver likes. The headless driver
+    /// and Unity's performance tests time the same ones.
     /// </summary>
     public interface IWorkload : IDisposable
     {

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Every workload of this assembly: a struct that implements <see cref="IWorkload"/> is in it.</summary>
+    /// <summary>Every workload of this assembly: what implements <see cref="IWorkload"/> is in it.</summary>
     public static class WorkloadList
     {
         public static List<IWorkload> All() =>

@@ -1,0 +1,36 @@
+using System.IO;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>Real clouds of workloads, since made ones compress unlike them (Documentation~/benchmarks.md). Where one is
+    /// absent, its workloads do nothing and report no points.</summary>
+    static class BenchmarkSamples
+    {
+        /// <summary>Airborne, point format 2, pointwise chunks: 5.0 M points in 30 MB.</summary>
+        public const string LazPointwise = "ca13_d.laz";
+
+        /// <summary>A sculpture, point format 7, layered chunks: 4.0 M points in 25 MB.</summary>
+        public const string LazLayered = "lion.laz";
+
+        public const string PotreeDefault = "samples/potree/v2-mixedconifer-default";
+        public const string PotreeBrotli = "samples/potree/v2-autzen-brotli";
+
+        /// <returns>The path of a file or folder; null where it is not there.</returns>
+        public static string Find(WorkloadContext context, string name)
+        {
+            if (context.DataFolder == null)
+                return null;
+            foreach (string folder in new[] { "data", "" })
+            {
+                string path = Path.Combine(context.DataFolder, folder, name);
+                if (File.Exists(path) || Directory.Exists(path))
+                    return path;
+            }
+            return null;
+        }
+
+        /// <summary>A COPC file: five million points, where it was made; else half a million.</summary>
+        public static string FindCopc(WorkloadContext context) =>
+            Find(context, "ca13_d.copc.laz") ?? Find(context, "samples/copc/lone-star.copc.laz");
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using System.IO;
+using FastPoints.Base;
+using FastPoints.Files;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>The limit of a <see cref="ColumnsWorkload"/> of compressed points: its files are read, and as many bytes copied
+    /// as its columns have, on one thread.</summary>
+    public abstract class ReadCopyWorkload : IWorkload
+    {
+        const int BufferBytes = 1 << 20;
+
+        string m_path;
+        byte[] m_from;
+        byte[] m_to;
+
+        protected ReadCopyWorkload(string name)
+        {
+            Name = name;
+        }
+
+        public string Name { get; }
+        public string LimitName => null;
+
+        public void Prepare(WorkloadContext context)
+        {
+            m_path = Find(context);
+            m_from = new byte[BufferBytes];
+            m_to = new byte[BufferBytes];
+            Run();
+        }
+
+        public WorkloadResult Run()
+        {
+            if (m_path == null)
+                return default;
+            long points, bytes;
+            using (var reader = PointReaders.Open(m_path))
+            {
+                WorkPump.RunToEnd(reader.FindBlocks());
+                points = reader.PointCount;
+                bytes = points * reader.Info.Schema.BytesPerPoint;
+            }
+            foreach (string file in FilesOf(m_path))
+                using (var stream = new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
+                    while (stream.Read(m_to, 0, m_to.Length) > 0)
+                    {
+                    }
+            for (long at = 0; at < bytes; at += BufferBytes)
+                Buffer.BlockCopy(m_from, 0, m_to, 0, (int)Math.Min(BufferBytes, bytes - at));
+            return new WorkloadResult { Points = points, Bytes = BytesOf(m_path) };
+        }
+
+        public void Dispose()
+        {
+        }
+
+        /// <returns>The path; null where there is none.</returns>
+        protected abstract string Find(WorkloadContext context);
+
+        /// <param name="path">A file, or a folder of files.</param>
+        internal static long BytesOf(string path)
+        {
+            long bytes = 0;
+            foreach (string file in FilesOf(path))
+                bytes += new FileInfo(file).Length;
+            return bytes;
+        }
+
+        static string[] FilesOf(string path) =>
+            Directory.Exists(path) ? Directory.GetFiles(path, "*", SearchOption.AllDirectories) : new[] { path };
+    }
+}
