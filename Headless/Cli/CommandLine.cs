@@ -7,6 +7,9 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Cli.Output;
+using FastPoints.Cli.Settings;
+using FastPoints.Cli.Sources;
 using FastPoints.Cli.Verbs;
 using StandIns.Engine;
 

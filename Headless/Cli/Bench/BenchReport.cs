@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using FastPoints.Benchmarks;
+using FastPoints.Cli.Charts;
+using FastPoints.Cli.Output;
 
 namespace FastPoints.Cli.Bench
 {

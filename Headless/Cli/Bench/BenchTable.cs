@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using FastPoints.Benchmarks;
+using FastPoints.Cli.Output;
 
 namespace FastPoints.Cli.Bench
 {

@@ -7,6 +7,8 @@ using System.Text.Encodings.Web;
 using System.Text.Json;
 using FastPoints.Base;
 using FastPoints.Benchmarks;
+using FastPoints.Cli.Output;
+using FastPoints.Cli.Settings;
 
 namespace FastPoints.Cli.Bench
 {

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace FastPoints.Cli
+namespace FastPoints.Cli.Charts
 {
     /// <summary>From values to pixels.</summary>
     public sealed class ChartAxis

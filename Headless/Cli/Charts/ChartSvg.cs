@@ -4,7 +4,7 @@ using System.Linq;
 using System.Net;
 using System.Text;
 
-namespace FastPoints.Cli
+namespace FastPoints.Cli.Charts
 {
     /// <summary>What charts are made of: SVG elements and one style, legible on light and on dark pages.</summary>
     public static class ChartSvg

@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text;
 
-namespace FastPoints.Cli
+namespace FastPoints.Cli.Charts
 {
     /// <summary>
     /// A line chart as SVG: linear or logarithmic axes, a legend, a marker of its own for each series, legible on light and on

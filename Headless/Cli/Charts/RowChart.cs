@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text;
 
-namespace FastPoints.Cli
+namespace FastPoints.Cli.Charts
 {
     /// <summary>
     /// Named rows of samples along one axis as SVG: each row has a lane for each series, in which every sample is a marker, with

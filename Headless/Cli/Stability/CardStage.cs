@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Threading;
+using FastPoints.Cli.Draw;
 using FastPoints.Picture;
 using FastPoints.Streaming;
 

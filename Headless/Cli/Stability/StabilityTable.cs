@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using FastPoints.Base;
+using FastPoints.Cli.Output;
 using FastPoints.Headless.Graphics;
 using FastPoints.Samplers;
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using FastPoints.Cli.Draw;
 using FastPoints.Picture;
 using FastPoints.Streaming;
 using Unity.Collections;

@@ -6,6 +6,8 @@ using System.Linq;
 using System.Text.Json;
 using FastPoints.Benchmarks;
 using FastPoints.Cli.Bench;
+using FastPoints.Cli.Output;
+using FastPoints.Cli.Settings;
 using FastPoints.Cli.Stability;
 
 namespace FastPoints.Cli.Verbs

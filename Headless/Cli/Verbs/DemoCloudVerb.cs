@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using FastPoints.Base;
+using FastPoints.Cli.Demo;
+using FastPoints.Cli.Output;
 using FastPoints.Files;
 using FastPoints.Scenes;
 

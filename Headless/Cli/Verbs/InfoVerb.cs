@@ -2,6 +2,9 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using System.Text.Json;
+using FastPoints.Cli.Output;
+using FastPoints.Cli.Settings;
+using FastPoints.Cli.Sources;
 using FastPoints.Files;
 using FastPoints.Verify;
 

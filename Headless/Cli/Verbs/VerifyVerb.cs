@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Text.Json;
 using FastPoints.Base;
+using FastPoints.Cli.Output;
+using FastPoints.Cli.Settings;
 using FastPoints.Files;
 using FastPoints.Verify;
 

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Cli;
+using FastPoints.Cli.Output;
 using FastPoints.Picture;
 using NUnit.Framework;
 

@@ -1,4 +1,4 @@
-using FastPoints.Cli;
+using FastPoints.Cli.Output;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli

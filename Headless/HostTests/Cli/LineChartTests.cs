@@ -1,7 +1,7 @@
 using System.Linq;
 using System.Text;
 using System.Xml.Linq;
-using FastPoints.Cli;
+using FastPoints.Cli.Charts;
 using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli

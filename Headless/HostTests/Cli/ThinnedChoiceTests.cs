@@ -1,5 +1,5 @@
 using System.Linq;
-using FastPoints.Cli;
+using FastPoints.Cli.Preview;
 using FastPoints.Picture;
 using FastPoints.Points;
 using NUnit.Framework;

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Cli.Draw;
 using FastPoints.Gpu;
 using FastPoints.Headless.Graphics;
 using FastPoints.HostTests.Cli;

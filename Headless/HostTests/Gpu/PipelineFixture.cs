@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Cli.Draw;
 using FastPoints.Entities;
 using FastPoints.Gpu;
 using FastPoints.Headless.Graphics;

@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Threading;
 using FastPoints.Cli;
+using FastPoints.Cli.Draw;
 using FastPoints.Editor;
 using FastPoints.Entities;
 using FastPoints.Headless.Graphics;

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
-using FastPoints.Cli;
+using FastPoints.Cli.Draw;
 using FastPoints.Picture;
 using FastPoints.Streaming;
 using NUnit.Framework;

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Draw;
+using FastPoints.Files;
+using FastPoints.Points;
+using FastPoints.Store;
+using FastPoints.Verify;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Cli.Convert
+{
+    /// <summary>How evenly the sampled points of one level lie. Lengths are in CRS units.</summary>
+    public sealed class LevelQuality
+    {
+        /// <summary>Nearest neighbours are looked for up to so many spacings away; a point without one there is left
+        /// out.</summary>
+        const double FarthestSpacings = 3;
+
+        public required int Level { get; init; }
+        public required int Nodes { get; init; }
+        public required long Points { get; init; }
+        public required double Spacing { get; init; }
+
+        /// <summary>Inside of chunks.</summary>
+        public required double MinDistance { get; init; }
+        public required double ShareNearAcrossChunks { get; init; }
+
+        /// <summary>Standard deviation by mean of the distances from the level's points to their nearest neighbours, in what is
+        /// drawn down to the level.</summary>
+        public required double Variation { get; init; }
+
+        /// <summary>Of every level with a spacing; the cloud is verified on the way.</summary>
+        public static List<LevelQuality> Measure(string cloud, CliRun run)
+        {
+            var verified = new VerifyResult();
+            run.Pump(VerifyCloud.Run(cloud, Array.Empty<PointReader>(), verified, run.Progress));
+            var result = new List<LevelQuality>();
+            using var folder = CloudFolder.Open(cloud);
+            for (int level = 0; level < verified.Levels.Count; level++)
+            {
+                var at = verified.Levels[level];
+                if (at.SampledPoints < 2)
+                    continue;
+                result.Add(new LevelQuality
+                {
+                    Level = level,
+                    Nodes = at.Nodes,
+                    Points = at.SampledPoints,
+                    Spacing = at.Spacing,
+                    MinDistance = at.MinDistance,
+                    ShareNearAcrossChunks = at.NearAcrossChunks / (double)at.SampledPoints,
+                    Variation = VariationOf(folder, level, at.Spacing, run),
+                });
+            }
+            return result;
+        }
+
+        static unsafe double VariationOf(CloudFolder folder, int level, double spacing, CliRun run)
+        {
+            var points = new List<double3>();
+            Load(folder, 0, level - 1, points, run);
+            int own = points.Count;
+            Load(folder, level, level, points, run);
+            using var all = new NativeArray<double3>(points.ToArray(), Allocator.Persistent);
+            using var distances = new NativeArray<double>(points.Count, Allocator.Persistent);
+            var found = (double*)distances.GetUnsafePtr();
+            NearestNeighbours.Find((double3*)all.GetUnsafeReadOnlyPtr(), points.Count, FarthestSpacings * spacing, found);
+            double sum = 0, squares = 0;
+            long count = 0;
+            for (int i = own; i < points.Count; i++)
+            {
+                if (!double.IsFinite(found[i]))
+                    continue;
+                count++;
+                sum += found[i];
+                squares += found[i] * found[i];
+            }
+            double mean = sum / count;
+            return Math.Sqrt(Math.Max(0, squares / count - mean * mean)) / mean;
+        }
+
+        static unsafe void Load(CloudFolder folder, int first, int last, List<double3> points, CliRun run)
+        {
+            using var selection = new NodeSelection(folder);
+            selection.ChooseSampled(first, last);
+            if (selection.Points == 0)
+                return;
+            var schema = LoadNodes.SchemaFor(folder);
+            using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
+            run.Pump(LoadNodes.Run(folder, selection, batch, null));
+            var bytes = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
+            var x = (double*)(bytes + batch.Column(schema.IndexOf(AttributeNames.X)).OffsetBytes);
+            var y = (double*)(bytes + batch.Column(schema.IndexOf(AttributeNames.Y)).OffsetBytes);
+            var z = (double*)(bytes + batch.Column(schema.IndexOf(AttributeNames.Z)).OffsetBytes);
+            for (int i = 0; i < batch.Count; i++)
+                points.Add(new double3(x[i], y[i], z[i]) * folder.Manifest.Grid.Step);
+        }
+    }
+}
