@@ -59,3 +59,15 @@ namespace Unity.Collections
         }
     }
 }
+
+namespace Unity.Collections.LowLevel.Unsafe
+{
+    public static unsafe class NativeReferenceUnsafeUtility
+    {
+        public static T* GetUnsafePtr<T>(this NativeReference<T> reference) where T : unmanaged
+        {
+            AtomicSafetyHandle.CheckWriteAndThrow(reference.m_Safety);
+            return reference.m_Data;
+        }
+    }
+}

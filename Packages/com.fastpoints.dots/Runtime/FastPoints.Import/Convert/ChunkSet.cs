@@ -60,7 +60,7 @@ namespace FastPoints.Convert
             m_pool = pool;
             m_files = files;
             m_mostPages = mostPages;
-            m_load = new RecordLoad(files, layout.StrideBytes);
+            m_load = new RecordLoad(files, pool);
         }
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
@@ -399,10 +399,7 @@ namespace FastPoints.Convert
 
         void BeginBatch(Chunk chunk, long first)
         {
-            var pool = m_pool.Value;
-            m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first), ref pool);
-            var poolReference = m_pool;
-            poolReference.Value = pool;
+            m_load.Begin(chunk.Runs, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
         }
 
         void HandOver(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
@@ -424,12 +421,6 @@ namespace FastPoints.Convert
             Return(ref written);
         }
 
-        void Return(ref RecordPages pages)
-        {
-            var poolReference = m_pool;
-            var pool = poolReference.Value;
-            pool.Return(ref pages);
-            poolReference.Value = pool;
-        }
+        void Return(ref RecordPages pages) => RecordPagePool.Of(m_pool).Return(ref pages);
     }
 }

@@ -110,8 +110,7 @@ namespace FastPoints.Convert
             m_slices.Dispose();
             if (m_pool.IsCreated)
             {
-                var pool = m_pool.Value;
-                pool.FreeAll();
+                RecordPagePool.Of(m_pool).FreeAll();
                 m_pool.Dispose();
             }
             foreach (var sample in m_samples)
@@ -333,11 +332,8 @@ namespace FastPoints.Convert
             }
             m_chunks.Settled = null;
             m_manifest.Root = m_journal.Root;
-            if (m_files == null)
-                yield break;
-            var pool = m_pool.Value;
-            pool.FreeAll();
-            m_pool.Value = pool;
+            if (m_files != null)
+                RecordPagePool.Of(m_pool).FreeAll();
         }
 
         void TakeChunk(GridCube cube, NativeArray<RecordPages> lists, int chunk)

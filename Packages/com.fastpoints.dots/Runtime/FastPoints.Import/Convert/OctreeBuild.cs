@@ -47,7 +47,7 @@ namespace FastPoints.Convert
         readonly List<Slot> m_slots = new List<Slot>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
-        NativeReference<RecordPagePool> m_pool;
+        readonly NativeReference<RecordPagePool> m_pool;
         ChunkWrites m_writes;
         UpperMerge m_merge;
         long m_largestChunkBytes;
@@ -94,9 +94,7 @@ namespace FastPoints.Convert
                 slot.Dispose();
             m_slots.Clear();
             m_writes.Dispose();
-            var pool = m_pool.Value;
-            pool.FreeAll();
-            m_pool.Value = pool;
+            RecordPagePool.Of(m_pool).FreeAll();
 
             progress?.Begin(BuildStages.Merge);
             int lowest = m_root.SideLog2;
@@ -163,7 +161,7 @@ namespace FastPoints.Convert
                 m_slots.Add(new Slot
                 {
                     Indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes),
-                    Load = m_files == null ? null : new RecordLoad(m_files, m_records.StrideBytes),
+                    Load = m_files == null ? null : new RecordLoad(m_files, m_pool),
                 });
             }
             m_writes = new ChunkWrites(m_folder, m_chunks, m_files, atOnce);
@@ -202,9 +200,7 @@ namespace FastPoints.Convert
                     var chunk = m_chunks.Chunks[slot.Chunk];
                     if (m_files != null)
                     {
-                        var pool = m_pool.Value;
-                        slot.Load.Begin(chunk.Runs, 0, chunk.Count, ref pool);
-                        m_pool.Value = pool;
+                        slot.Load.Begin(chunk.Runs, 0, chunk.Count);
                         yield return slot.Load.Done;
                         chunk.Pages = slot.Load.Complete();
                         // What comes from a disk is checked before anything is computed with it.
@@ -296,9 +292,7 @@ namespace FastPoints.Convert
             m_slices.Take(indexer.Slices);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
-            var pool = m_pool.Value;
-            pool.Return(ref pages);
-            m_pool.Value = pool;
+            RecordPagePool.Of(m_pool).Return(ref pages);
             m_chunks.Chunks[slot.Chunk].Pages = default;
             if (m_files == null)
                 m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);

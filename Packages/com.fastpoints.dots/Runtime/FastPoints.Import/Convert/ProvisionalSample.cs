@@ -82,20 +82,13 @@ namespace FastPoints.Convert
             }.Schedule();
 
         /// <summary>Takes back a part.</summary>
-        public void Return(RecordPages part)
-        {
-            var reference = m_pool;
-            var pool = reference.Value;
-            pool.Return(ref part);
-            reference.Value = pool;
-        }
+        public void Return(RecordPages part) => RecordPagePool.Of(m_pool).Return(ref part);
 
         public void Dispose()
         {
             if (!m_pool.IsCreated)
                 return;
-            var pool = m_pool.Value;
-            pool.FreeAll();
+            RecordPagePool.Of(m_pool).FreeAll();
             m_pool.Dispose();
         }
 
@@ -150,11 +143,8 @@ namespace FastPoints.Convert
         /// <summary>A run is few records: they are copied here and now.</summary>
         unsafe void Take(RecordSlot slot)
         {
-            var reference = m_pool;
-            var pool = reference.Value;
             m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
-                slot.FirstOfChunk[m_map.Outside], ref pool);
-            reference.Value = pool;
+                slot.FirstOfChunk[m_map.Outside], ref RecordPagePool.Of(m_pool));
             var statistics = Statistics;
             statistics.Include(slot.TakeStatistics(Attributes));
             Statistics = statistics;

@@ -13,7 +13,7 @@ namespace FastPoints.Convert
     internal sealed unsafe class RecordLoad : IDisposable
     {
         readonly RecordFiles m_files;
-        readonly int m_strideBytes;
+        readonly NativeReference<RecordPagePool> m_pool;
         readonly List<ReadHandle> m_reads = new List<ReadHandle>();
         readonly List<string> m_paths = new List<string>();
 
@@ -21,10 +21,11 @@ namespace FastPoints.Convert
         NativeArray<ReadCommand> m_commands;
         RecordPages m_pages;
 
-        public RecordLoad(RecordFiles files, int strideBytes)
+        /// <param name="pool">Gives the pages.</param>
+        public RecordLoad(RecordFiles files, NativeReference<RecordPagePool> pool)
         {
             m_files = files;
-            m_strideBytes = strideBytes;
+            m_pool = pool;
         }
 
         /// <summary>Finished when everything is read; then comes <see cref="Complete"/>.</summary>
@@ -34,8 +35,9 @@ namespace FastPoints.Convert
         /// <param name="runs">One after the other, as one sequence of records.</param>
         /// <param name="first">Of that sequence.</param>
         /// <param name="count">No more than there are.</param>
-        public void Begin(IReadOnlyList<RecordRange> runs, long first, long count, ref RecordPagePool pool)
+        public void Begin(IReadOnlyList<RecordRange> runs, long first, long count)
         {
+            ref var pool = ref RecordPagePool.Of(m_pool);
             Reserve((int)(count / RecordPages.RecordsPerPage) + 1 + runs.Count);
             var commands = (ReadCommand*)m_commands.GetUnsafePtr();
             int commandCount = 0;
@@ -44,7 +46,7 @@ namespace FastPoints.Convert
             {
                 long skipped = Math.Min(first, run.Count);
                 first -= skipped;
-                long left = Math.Min(count, run.Count - skipped), offset = (run.First + skipped) * m_strideBytes;
+                long left = Math.Min(count, run.Count - skipped), offset = (run.First + skipped) * pool.StrideBytes;
                 if (left <= 0)
                     continue;
                 count -= left;
@@ -53,7 +55,7 @@ namespace FastPoints.Convert
                 {
                     var page = pool.Take();
                     page->Count = (int)Math.Min(left, RecordPages.RecordsPerPage);
-                    long bytes = (long)page->Count * m_strideBytes;
+                    long bytes = (long)page->Count * pool.StrideBytes;
                     commands[commandCount++] = new ReadCommand
                     {
                         Buffer = RecordPages.RecordsOf(page),

@@ -146,10 +146,7 @@ namespace FastPoints.Convert
                 yield return default;
             }
             var written = m_files.TakeWritten();
-            var pool = m_pool.Value;
-            pool.Return(ref written);
-            var poolReference = m_pool;
-            poolReference.Value = pool;
+            RecordPagePool.Of(m_pool).Return(ref written);
             m_pagesDetached.Value = 0;
         }
 

@@ -43,7 +43,7 @@ namespace FastPoints.Records
         {
             var records = (byte*)Records.GetUnsafeReadOnlyPtr();
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
-            var pool = Pool.Value;
+            ref var pool = ref RecordPagePool.Of(Pool);
             long detached = PagesDetached.Value - Returned.PageCount;
             pool.Return(ref Returned);
             Detached.Clear();
@@ -55,7 +55,6 @@ namespace FastPoints.Records
             }
             if (pool.PagesInUse - detached > MostPages)
                 detached += Detach(chunks, pool.PagesInUse - detached - MostPages / 4 * 3);
-            Pool.Value = pool;
             PagesDetached.Value = detached;
         }
 

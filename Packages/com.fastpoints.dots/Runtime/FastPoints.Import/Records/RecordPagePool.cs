@@ -39,6 +39,9 @@ namespace FastPoints.Records
             PagesInUse = 0;
         }
 
+        /// <summary>The pool itself, not a copy: what is taken from it is taken for all who hold the reference.</summary>
+        public static ref RecordPagePool Of(NativeReference<RecordPagePool> pool) => ref *pool.GetUnsafePtr();
+
         public int StrideBytes { get; }
 
         /// <summary>Taken, and not given back.</summary>

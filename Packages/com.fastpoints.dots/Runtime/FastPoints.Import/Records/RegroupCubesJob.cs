@@ -27,7 +27,7 @@ namespace FastPoints.Records
         public void Execute()
         {
             int stride = Layout.StrideBytes;
-            var pool = Pool.Value;
+            ref var pool = ref RecordPagePool.Of(Pool);
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             for (var page = Pages.First; page != null; page = page->Next)
             {
@@ -40,7 +40,6 @@ namespace FastPoints.Records
                         chunks[cube].Append(record, 1, ref pool);
                 }
             }
-            Pool.Value = pool;
         }
 
         /// <summary>The last cube whose corner does not come after a place; -1 where there is none.</summary>

@@ -35,7 +35,7 @@ namespace FastPoints.Records
         void Run()
         {
             int stride = Layout.StrideBytes;
-            var pool = Pool.Value;
+            ref var pool = ref RecordPagePool.Of(Pool);
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             for (var page = Pages.First; page != null;)
             {
@@ -52,7 +52,6 @@ namespace FastPoints.Records
                 pool.Return(page);
                 page = next;
             }
-            Pool.Value = pool;
         }
     }
 }
