@@ -3,29 +3,33 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>What a pipeline's pass draws one camera's picture into, and from where.</summary>
+    /// <summary>Where a pipeline's pass draws one camera's picture, and from which viewpoint.</summary>
     internal struct CameraTarget
     {
-        /// <summary>It is set already, all slices of it where it has several; a style that needs a layer of its own sets it
-        /// again, the viewport being the whole picture.</summary>
+        /// <summary>
+        /// The pass has set it already, with all slices if there are several. A style that needs a layer of its own sets it
+        /// again, with the whole picture as the viewport.
+        /// </summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
 
-        /// <summary>Whether it is a render texture, which some APIs have upside down.</summary>
+        /// <summary>Whether it is a render texture; some APIs store these upside down.</summary>
         public bool IsTexture;
 
-        /// <summary>Of the target, which a pipeline may make larger or smaller than the camera's picture.</summary>
+        /// <summary>Width of the target; a pipeline may make it larger or smaller than the camera's picture.</summary>
         public int WidthPx;
         public int HeightPx;
 
         public EyeMatrices Eye;
 
-        /// <summary>Both of a headset's eyes at once: <see cref="Eye"/> is the left one, in the target's first slice, and the
-        /// right one is in its second.</summary>
+        /// <summary>
+        /// Whether both of a headset's eyes are drawn at once: <see cref="Eye"/> is the left one, in the target's first slice;
+        /// the right one is in the second.
+        /// </summary>
         public bool HasBothEyes;
         public EyeMatrices RightEye;
 
-        /// <summary>As the camera itself says.</summary>
+        /// <summary>The target with the viewpoint that the camera itself reports.</summary>
         public static CameraTarget Of(Camera camera, RenderTargetIdentifier color, RenderTargetIdentifier depth,
             bool hasBothEyes = false) => new CameraTarget
             {

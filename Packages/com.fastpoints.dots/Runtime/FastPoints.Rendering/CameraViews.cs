@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
                 IsOrthographic = IsOrthographic(eye.Projection),
                 ScalePx = ScalePxOf(eye.Projection, heightPx),
             };
-            // Of a place p seen from the eye, clip = M p: inside is -w <= x, y, z <= w (Gribb and Hartmann, 2001).
+            // For a place p relative to the eye, clip = M p: inside means -w <= x, y, z <= w (Gribb and Hartmann, 2001).
             var w = Row(clip, 3);
             for (int axis = 0; axis < 3; axis++)
             {
@@ -32,8 +32,8 @@ namespace FastPoints.Rendering
             return view;
         }
 
-        /// <summary>How an eye's picture is drawn, the style aside.</summary>
-        /// <param name="eye">Of the target's.</param>
+        /// <summary>How an eye's picture is drawn, apart from the style.</summary>
+        /// <param name="eye">One of the target's eyes.</param>
         public static RenderView RenderViewOf(in CameraTarget target, in EyeMatrices eye)
         {
             var rotation = RotationOf(eye.View);
@@ -52,8 +52,8 @@ namespace FastPoints.Rendering
             };
         }
 
-        /// <summary>What lies under a place of a camera's picture.</summary>
-        /// <param name="ray">Of <c>Camera.ScreenPointToRay</c>, or the editor's <c>GUIPointToWorldRay</c>: from the near
+        /// <summary>The ray through a place in a camera's picture.</summary>
+        /// <param name="ray">From <c>Camera.ScreenPointToRay</c>, or the editor's <c>GUIPointToWorldRay</c>: from the near
         /// plane.</param>
         /// <param name="radiusPx">How far from it a point may be, in pixels of the camera's picture.</param>
         public static PickRay PickRayOf(Camera camera, Ray ray, double radiusPx)
@@ -74,14 +74,14 @@ namespace FastPoints.Rendering
 
         static bool IsOrthographic(in Matrix4x4 projection) => projection.m33 == 1;
 
-        /// <summary>A far plane at infinity has no direction: it is left out.</summary>
+        /// <summary>Leaves out a far plane at infinity, which has no direction.</summary>
         static void AddPlane(ref StreamView view, double4 plane)
         {
             if (math.length(plane.xyz) > 1e-6 * math.abs(plane.w) && math.length(plane.xyz) > 0)
                 view.Add(plane.xyz, plane.w);
         }
 
-        /// <summary>The view without the eye's place, which is subtracted in double elsewhere.</summary>
+        /// <summary>The view without the eye's position, which is subtracted in double elsewhere.</summary>
         static Matrix4x4 RotationOf(Matrix4x4 view)
         {
             view.m03 = 0;

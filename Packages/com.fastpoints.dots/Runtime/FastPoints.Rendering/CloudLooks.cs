@@ -7,11 +7,11 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>From what a picture decides to what shaders are told: both colour a point alike.</summary>
+    /// <summary>Translates what a picture decides into what shaders read, so that both colour a point alike.</summary>
     internal static class CloudLooks
     {
-        /// <summary>What a mode streams beside the position.</summary>
-        /// <param name="hidesClasses">Whether it matters what class a point has.</param>
+        /// <summary>The planes that a mode streams besides the position.</summary>
+        /// <param name="hidesClasses">Whether points are hidden by class.</param>
         public static string[] PlanesFor(ColorMode mode, bool hidesClasses)
         {
             var planes = PlanesFor(mode);
@@ -22,13 +22,13 @@ namespace FastPoints.Rendering
             return planes;
         }
 
-        /// <summary>What a mode streams beside the position.</summary>
+        /// <summary>The planes that a mode streams besides the position.</summary>
         public static string[] PlanesFor(ColorMode mode) => mode == ColorMode.Rgb ? new[] { StoreLayout.ColorName }
             : ColorModes.AttributeOf(mode) is string attribute ? new[] { attribute }
             : new string[0];
 
-        /// <param name="colors">Of places in grid steps from the corner of the source's root cube.</param>
-        /// <param name="source">Streams the plane that the mode needs.</param>
+        /// <param name="colors">Takes places in grid steps from the corner of the source's root cube.</param>
+        /// <param name="source">Must stream the plane that the mode needs.</param>
         /// <param name="hidden">Classes; where the source does not stream them, none is hidden.</param>
         public static CloudLook Of(in ColorMapping colors, NodeSource source, in ClassMask hidden = default)
         {
@@ -61,7 +61,7 @@ namespace FastPoints.Rendering
         static int PlaneOf(NodeSource source, string name) => FindPlane(source, name, out int plane) ? plane
             : throw new ArgumentException(source.Path + ": plane " + name + " is not streamed", nameof(source));
 
-        /// <param name="found">Counted among the planes that are streamed; 0 where it is none of them.</param>
+        /// <param name="found">Its index among the streamed planes; 0 if it is not streamed.</param>
         static bool FindPlane(NodeSource source, string name, out int found)
         {
             int plane = source.Layout.PlaneOf(name);

@@ -7,13 +7,15 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Draws points of one pixel by a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one
-    /// camera. Where it can be used, see <see cref="CanDraw"/>, it takes the place of point primitives.</summary>
+    /// <summary>
+    /// Draws points of one pixel with a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one camera. It
+    /// replaces point primitives wherever <see cref="CanDraw"/> allows it.
+    /// </summary>
     sealed class ComputeRaster : IDisposable
     {
         const int BytesPerPixel = 8, ClearThreads = 64;
 
-        /// <summary>Groups along one axis of a dispatch.</summary>
+        /// <summary>The most groups along one axis of a dispatch.</summary>
         const int MostGroups = 65535;
 
         readonly ComputeShader m_shader;
@@ -34,8 +36,10 @@ namespace FastPoints.Rendering
         /// <summary>Depth and colour of each pixel.</summary>
         public GraphicsBuffer Pixels { get; private set; }
 
-        /// <summary>Whether the device counts rows from the top and has buffers as large as the picture needs, and depth follows
-        /// from the distance along the view alone, as it does but for oblique projections.</summary>
+        /// <summary>
+        /// Whether it can draw this view: the device counts rows from the top, has buffers as large as the picture needs, and
+        /// depth follows from the distance along the view alone, which only oblique projections violate.
+        /// </summary>
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);
@@ -45,7 +49,7 @@ namespace FastPoints.Rendering
                 Vector3.Cross(depth, view.Forward).magnitude <= 1e-5f * Math.Max(depth.magnitude, float.Epsilon);
         }
 
-        /// <summary>What the device makes of a distance d along the view: (x d + y) / (z d + w).</summary>
+        /// <summary>The device's depth for a distance d along the view: (x d + y) / (z d + w).</summary>
         public static Vector4 DeviceOfDepth(in RenderView view)
         {
             var z = view.ViewProjection.GetRow(2);
@@ -53,7 +57,7 @@ namespace FastPoints.Rendering
             return new Vector4(Vector3.Dot(z, view.Forward), z.w, Vector3.Dot(w, view.Forward), w.w);
         }
 
-        /// <param name="buffers">What draws read; its bank is set here.</param>
+        /// <param name="buffers">The buffers that draws read; the bank is set here.</param>
         public void Record(CommandBuffer commands, in RenderView view, DrawList list, in RasterBuffers buffers, GraphicsNodePool pool)
         {
             MakeBuffers(view);
@@ -112,7 +116,7 @@ namespace FastPoints.Rendering
         }
     }
 
-    /// <summary>What a <see cref="ComputeRaster"/> reads of one camera's draws.</summary>
+    /// <summary>The buffers that a <see cref="ComputeRaster"/> reads for one camera's draws.</summary>
     struct RasterBuffers
     {
         public GraphicsBuffer Nodes;
@@ -120,7 +124,7 @@ namespace FastPoints.Rendering
         public GraphicsBuffer NodeOfInstance;
         public GraphicsBuffer Palettes;
 
-        /// <summary>Null where there are none.</summary>
+        /// <summary>Null if there are none.</summary>
         public GraphicsBuffer ClipBoxes;
     }
 }

@@ -4,7 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Uploads where there are no compute shaders: the engine copies each node once more.</summary>
+    /// <summary>Uploads nodes where there are no compute shaders: the engine copies each node once more.</summary>
     internal sealed unsafe class DirectUpload : PoolUpload
     {
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Where one eye is and what it sees: a camera's, or one of the two of a headset.</summary>
+    /// <summary>Position and projection of one eye: a camera's, or one of a headset's two.</summary>
     internal struct EyeMatrices
     {
         /// <summary>World to camera, which looks along its negative Z.</summary>
@@ -11,8 +11,9 @@ namespace FastPoints.Rendering
         public Matrix4x4 Projection;
         public double3 PlaceWorld;
 
-        /// <summary>What is drawn at the moment: the camera itself, or, where a headset's eyes are drawn one after the other,
-        /// that eye.</summary>
+        /// <summary>
+        /// The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that eye.
+        /// </summary>
         public static EyeMatrices Of(Camera camera)
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)
@@ -36,7 +37,7 @@ namespace FastPoints.Rendering
             PlaceWorld = PlaceOf(view),
         };
 
-        /// <summary>Of a matrix that turns and moves, mirrors at most.</summary>
+        /// <summary>The position for a matrix that translates, rotates and at most mirrors.</summary>
         static double3 PlaceOf(in Matrix4x4 view)
         {
             double3 x = Row(view, 0), y = Row(view, 1), z = Row(view, 2);

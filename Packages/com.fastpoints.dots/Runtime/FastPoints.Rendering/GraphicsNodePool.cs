@@ -6,23 +6,26 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A pool in the memory of the graphics card: a buffer for each bank, which shaders draw from as it lies there.
-    /// Uploads go through mapped staging buffers and are copied into their pages by a compute shader.</summary>
+    /// <summary>
+    /// A pool in graphics memory: one buffer for each bank, which shaders read in place. Uploads go through mapped staging
+    /// buffers; a compute shader copies them into their pages.
+    /// </summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
-        /// <summary>On average half a bank lies empty: no more than 10 bytes are taken for a point from a million points
-        /// on.</summary>
+        /// <summary>
+        /// Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.
+        /// </summary>
         public const int DefaultBankBytes = 8 << 20;
 
         readonly PoolUpload m_upload;
         readonly List<GraphicsBuffer> m_buffers = new List<GraphicsBuffer>();
         long m_frame;
 
-        /// <param name="copyPages">The package's CopyPages.compute; null, or where there is no compute: the engine copies
-        /// nodes.</param>
-        /// <param name="limitBytes">Of the banks; what uploads go through (<see cref="UploadBytes"/>) comes to that.</param>
+        /// <param name="copyPages">The package's CopyPages.compute; if it is null, or the device has no compute shaders, the
+        /// engine copies nodes.</param>
+        /// <param name="limitBytes">Limit of the banks; upload buffers (<see cref="UploadBytes"/>) come on top.</param>
         /// <param name="bankBytes">No node may be larger.</param>
-        /// <param name="bytesPerUpload">What one frame uploads, usually.</param>
+        /// <param name="bytesPerUpload">The usual upload of one frame.</param>
         public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes, int bytesPerUpload = 4 << 20)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
@@ -33,10 +36,10 @@ namespace FastPoints.Rendering
 
         public int BankCount => m_buffers.Count;
 
-        /// <summary>Of the buffers that uploads go through.</summary>
+        /// <summary>Bytes of the buffers that uploads go through.</summary>
         public long UploadBytes => m_upload.AllocatedBytes;
 
-        /// <summary>Raw; null where a bank is not there.</summary>
+        /// <summary>The bank's raw buffer; null if the bank does not exist.</summary>
         public GraphicsBuffer BufferOf(int bank) => m_buffers[bank];
 
         public override void BeginFrame() => m_frame++;
@@ -67,19 +70,19 @@ namespace FastPoints.Rendering
         }
     }
 
-    /// <summary>How nodes get from jobs into a <see cref="GraphicsNodePool"/>: one upload at a time. Main thread.</summary>
+    /// <summary>Moves nodes from jobs into a <see cref="GraphicsNodePool"/>, one upload at a time. Main thread.</summary>
     internal abstract unsafe class PoolUpload : IDisposable
     {
-        /// <summary>Of its own memory.</summary>
+        /// <summary>Bytes of its own memory.</summary>
         public abstract long AllocatedBytes { get; }
 
-        /// <returns>Whether there is memory to write to in this frame.</returns>
+        /// <returns>Whether this frame has memory to write to.</returns>
         public abstract bool TryBegin(long frame);
 
         /// <summary>Room for one more node, or null. The first always has room.</summary>
         public abstract byte* Take(PoolRange run);
 
-        /// <summary>All is written: what is drawn from now on finds it in the pool.</summary>
+        /// <summary>Ends the upload after everything is written: later draws find it in the pool.</summary>
         public abstract void End(GraphicsNodePool pool, long frame);
 
         public abstract void Dispose();

@@ -7,23 +7,23 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A buffer that is written to anew whenever something is drawn, and grows as it must.</summary>
+    /// <summary>A buffer that is rewritten for each picture and grows when it must.</summary>
     internal sealed class GrowingBuffer : IDisposable
     {
         readonly GraphicsBuffer.Target m_target;
         readonly int m_strideBytes;
 
-        /// <param name="strideBytes">Of an element; 4 for raw buffers.</param>
+        /// <param name="strideBytes">Size of an element; 4 for raw buffers.</param>
         public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes)
         {
             m_target = target;
             m_strideBytes = strideBytes;
         }
 
-        /// <summary>Null before anything was written.</summary>
+        /// <summary>Null until something was written.</summary>
         public GraphicsBuffer Buffer { get; private set; }
 
-        /// <summary>Records that from here on the buffer has these values.</summary>
+        /// <summary>Records that the buffer has these values from here on.</summary>
         public void Write<T>(CommandBuffer commands, NativeArray<T> values) where T : unmanaged
         {
             if (values.Length == 0)

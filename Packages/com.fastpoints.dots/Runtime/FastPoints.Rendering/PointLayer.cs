@@ -4,12 +4,16 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A layer that holds points alone, for what looks at a point's neighbours: drawn first, then composed into the
-    /// camera's picture, with its depth. So it needs nothing of the picture's own targets.</summary>
+    /// <summary>
+    /// A layer that holds points alone, for styles that look at a point's neighbours: points are drawn into it first, then
+    /// composed into the camera's picture with their depth. It therefore needs nothing from the picture's own targets.
+    /// </summary>
     sealed class PointLayer
     {
-        /// <summary>Of floats where they can be added up: exact for 2,000 points a pixel. Of halves, colours are exact to a few
-        /// 255ths for some 20 points.</summary>
+        /// <summary>
+        /// Uses floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact to a few
+        /// 255ths for some 20 points.
+        /// </summary>
         static GraphicsFormat Sums =>
             SystemInfo.IsFormatSupported(GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Blend)
                 ? GraphicsFormat.R32G32B32A32_SFloat : GraphicsFormat.R16G16B16A16_SFloat;
@@ -17,7 +21,7 @@ namespace FastPoints.Rendering
         readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
         readonly RenderTargetIdentifier[] m_targets = { ShaderNames.LayerColor, ShaderNames.LayerDepth };
 
-        /// <summary>What is recorded from here on is drawn into the layer.</summary>
+        /// <summary>Draws whatever is recorded from here on into the layer.</summary>
         public void Begin(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerColor, Describe(view, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None));
@@ -27,7 +31,7 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(true, true, UnityEngine.Color.clear);
         }
 
-        /// <summary>What was drawn is drawn once more from here on, to be added up.</summary>
+        /// <summary>Begins the second drawing of the same points, which adds them up.</summary>
         public void BeginBlending(CommandBuffer commands, in RenderView view)
         {
             commands.GetTemporaryRT(ShaderNames.LayerSums, Describe(view, Sums, GraphicsFormat.None));
@@ -35,7 +39,7 @@ namespace FastPoints.Rendering
             commands.ClearRenderTarget(false, true, UnityEngine.Color.clear);
         }
 
-        /// <summary>Draws the layer into the camera's picture, and gives it back.</summary>
+        /// <summary>Draws the layer into the camera's picture and releases it.</summary>
         public void End(CommandBuffer commands, in RenderView view, Material compose)
         {
             Compose(commands, view, compose);
@@ -46,7 +50,7 @@ namespace FastPoints.Rendering
             commands.ReleaseTemporaryRT(ShaderNames.LayerDevice);
         }
 
-        /// <summary>Draws what a <see cref="ComputeRaster"/> made into the camera's picture.</summary>
+        /// <summary>Draws the result of a <see cref="ComputeRaster"/> into the camera's picture.</summary>
         public void Compose(CommandBuffer commands, in RenderView view, Material compose, ComputeRaster raster)
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
@@ -65,10 +69,10 @@ namespace FastPoints.Rendering
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
-        /// <summary>What is recorded from here on is drawn into the camera's picture.</summary>
+        /// <summary>Draws whatever is recorded from here on into the camera's picture.</summary>
         public static void SetTarget(CommandBuffer commands, in RenderView view)
         {
-            // -1: all slices.
+            // -1 stands for all slices.
             commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, (int)view.Eye - 1);
             commands.SetViewport(new Rect(0, 0, view.WidthPx, view.HeightPx));
         }

@@ -3,8 +3,10 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>A material for each variant that is drawn with: keywords are looked at when commands are executed, not when they
-    /// are recorded, so that one material could not draw two looks in a frame. Made when they are first needed.</summary>
+    /// <summary>
+    /// Keeps one material for each variant in use. Unity reads keywords when it executes commands, not when they are recorded,
+    /// so one material could not draw two looks in a frame. Materials are made on first use.
+    /// </summary>
     public sealed class PointMaterials : IDisposable
     {
         readonly Shader m_points;
@@ -27,9 +29,9 @@ namespace FastPoints.Rendering
         internal ComputeShader Raster { get; }
 
         /// <summary>Draws points of a style.</summary>
-        /// <param name="isClipped">There are clip boxes.</param>
-        /// <param name="isFiltered">Classes are hidden.</param>
-        /// <param name="isStereo">Both eyes at once.</param>
+        /// <param name="isClipped">Whether there are clip boxes.</param>
+        /// <param name="isFiltered">Whether classes are hidden.</param>
+        /// <param name="isStereo">Whether both eyes are drawn at once.</param>
         internal Material For(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             var variant = new PointVariant(style, isClipped, isFiltered, isStereo);
@@ -44,10 +46,10 @@ namespace FastPoints.Rendering
         /// <summary>Draws a layer of points into a camera's picture.</summary>
         internal Material ComposeLayer => m_composingLayer != null ? m_composingLayer : m_composingLayer = Make(m_compose);
 
-        /// <summary>Draws what a compute shader made into a camera's picture.</summary>
+        /// <summary>Draws a compute shader's result into a camera's picture.</summary>
         internal Material ComposePixels => Composing(ref m_composingPixels, ShaderNames.FromPixelsKeyword);
 
-        /// <summary>Draws a layer whose points were added up into a camera's picture.</summary>
+        /// <summary>Draws a layer of summed points into a camera's picture.</summary>
         internal Material ComposeSums => Composing(ref m_composingSums, ShaderNames.BlendedKeyword);
 
         Material Composing(ref Material material, string keyword)

@@ -10,16 +10,16 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>
-    /// Draws what is resident for one camera: <see cref="Prepare"/> after the stream's frame, then <see cref="Record"/> into any
-    /// pipeline's command buffer. One indirect draw for each bank of the pool; an instance is a block. Main thread, no
-    /// garbage.
+    /// Draws the resident nodes for one camera: call <see cref="Prepare"/> after the stream's frame, then <see cref="Record"/>
+    /// into any pipeline's command buffer. It records one indirect draw for each bank of the pool; an instance is a block. Main
+    /// thread, no garbage.
     /// </summary>
     public sealed class PointRenderer : IDisposable
     {
-        /// <summary>Vertices of a point: two triangles, or the point itself.</summary>
+        /// <summary>Vertices of a point that is drawn as two triangles; a point primitive has one.</summary>
         const int VerticesOfQuad = 6;
 
-        /// <summary>Of Points.shader.</summary>
+        /// <summary>A pass of Points.shader.</summary>
         const int BlendingPass = 1;
 
         readonly GraphicsNodePool m_pool;
@@ -39,9 +39,10 @@ namespace FastPoints.Rendering
         NativeArray<uint> m_colors;
         bool m_arePalettesWritten;
 
-        /// <param name="materials">As many renderers as there are cameras share them.</param>
-        /// <param name="pool">That the streams' clouds lie in; not this renderer's.</param>
-        /// <param name="sizes">Adaptive sizes, as many renderers as there are cameras share them; not this renderer's.</param>
+        /// <param name="materials">All cameras' renderers may share them.</param>
+        /// <param name="pool">The pool of the streams' clouds; this renderer does not dispose it.</param>
+        /// <param name="sizes">Adaptive sizes, which all cameras' renderers may share; this renderer does not dispose
+        /// them.</param>
         public PointRenderer(PointMaterials materials, GraphicsNodePool pool, SizeTree sizes)
         {
             List = new DrawList(sizes);
@@ -52,21 +53,21 @@ namespace FastPoints.Rendering
             m_colors = Picture.Palettes.CreateAll(Allocator.Persistent);
         }
 
-        /// <summary>What the last <see cref="Prepare"/> found to draw, and how clouds look.</summary>
+        /// <summary>What the last <see cref="Prepare"/> listed to draw, and how clouds look.</summary>
         public DrawList List { get; }
 
         /// <summary>Lists what a camera sees of the stream's last frame.</summary>
-        /// <param name="view">In the world that the stream's placements lead to.</param>
-        /// <param name="style">That is drawn with.</param>
+        /// <param name="view">A view in the world space of the stream's placements.</param>
+        /// <param name="style">The style to draw with.</param>
         public void Prepare(StreamContext stream, in StreamView view, in PointStyle style) =>
             List.Build(stream, view, style.IsAdaptive);
 
-        /// <summary>Lists what either of two eyes sees.</summary>
-        /// <param name="left">Places are relative to this one.</param>
+        /// <summary>Lists what either eye sees.</summary>
+        /// <param name="left">Positions are relative to this eye.</param>
         public void Prepare(StreamContext stream, in StreamView left, in StreamView right, in PointStyle style) =>
             List.Build(stream, left, style.IsAdaptive, right);
 
-        /// <summary>Records the draws, into the target that is set.</summary>
+        /// <summary>Records the draws into the current target.</summary>
         public void Record(CommandBuffer commands, in RenderView view)
         {
             if (List.Draws.Length == 0)
@@ -75,15 +76,17 @@ namespace FastPoints.Rendering
             RecordEye(commands, view);
         }
 
-        /// <summary>Records the draws for both eyes of a headset into the two slices of the target, all of which is set: at once
-        /// (single-pass instanced: each block is two instances), or one eye after the other where the style draws through a layer
-        /// or a compute shader, or where the device's vertex shaders cannot choose a slice.</summary>
+        /// <summary>
+        /// Records the draws for both eyes of a headset into the two slices of the target, all of which is set. Both are drawn
+        /// at once (single-pass instanced: each block is two instances), or one eye after the other if the style draws through
+        /// a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.
+        /// </summary>
         /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
         {
             if (List.Draws.Length == 0)
                 return;
-            // Where single-pass rendering is instanced, the engine multiplies the instances of plain draws.
+            // In instanced single-pass rendering the engine multiplies the instances of plain draws.
             bool isMultiplied = !SystemInfo.supportsMultiview;
             if (isMultiplied)
                 commands.SetInstanceMultiplier(1);
@@ -186,7 +189,7 @@ namespace FastPoints.Rendering
             m_properties.SetVector(ShaderNames.Size, new Vector4(size.IsConstant ? size.Value : 0, perGap,
                 view.IsOrthographic ? 1 : 0, 0));
             m_properties.SetVector(ShaderNames.SizeLimitsPx, new Vector4(size.LimitsPx.x, size.LimitsPx.y, 0, 0));
-            // A layer's colours become light when it is composed.
+            // A layer's colours become linear when it is composed.
             m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear && !view.Style.IsLayered ? 1 : 0);
         }
 

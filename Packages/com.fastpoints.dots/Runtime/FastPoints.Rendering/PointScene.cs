@@ -9,12 +9,12 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>
-    /// All clouds of a world, for every camera that draws them: what a pipeline's pass needs to know. A camera that is about to
-    /// be drawn is announced, so that the next frame selects for it, and then recorded. Main thread.
+    /// All clouds of a world, for every camera that draws them: the link between streaming and a pipeline's pass. A pass
+    /// announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main thread.
     /// </summary>
     internal sealed class PointScene : IDisposable
     {
-        /// <summary>A camera that was not drawn for so many frames gives its buffers back.</summary>
+        /// <summary>A camera that was not drawn for so many frames releases its buffers.</summary>
         const int FramesToForget = 120;
 
         readonly GraphicsNodePool m_pool;
@@ -32,18 +32,18 @@ namespace FastPoints.Rendering
             public PointRenderer Renderer;
             public int LastFrame;
 
-            /// <summary>-1 before the first.</summary>
+            /// <summary>-1 before the first announcement.</summary>
             public int AnnouncedFrame;
 
-            /// <summary>Of the views that the next frame selects for.</summary>
+            /// <summary>Index of its first view among those that the next frame selects for.</summary>
             public int FirstView;
             public int ViewCount;
         }
 
         /// <param name="points">The package's Points.shader.</param>
         /// <param name="compose">The package's Compose.shader.</param>
-        /// <param name="stream">Its pool is on the graphics card; not this scene's.</param>
-        /// <param name="raster">The package's RasterPoints.compute; null to do without.</param>
+        /// <param name="stream">Its pool is in graphics memory; the scene does not dispose it.</param>
+        /// <param name="raster">The package's RasterPoints.compute; null for none.</param>
         public PointScene(Shader points, Shader compose, StreamContext stream, ComputeShader raster = null)
         {
             Stream = stream;
@@ -52,19 +52,19 @@ namespace FastPoints.Rendering
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        /// <summary>What passes draw; null for nothing.</summary>
+        /// <summary>The scene that passes draw; null for none.</summary>
         public static PointScene Current { get; set; }
 
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;
 
-        /// <summary>Of the cameras that were announced since the last <see cref="BeginFrame"/>.</summary>
+        /// <summary>Views of the cameras that were announced since the last <see cref="BeginFrame"/>.</summary>
         public NativeArray<StreamView> NextViews => m_nextViews.AsArray();
 
-        /// <summary>How often a pipeline's pass has recorded the clouds: not at all where none draws.</summary>
+        /// <summary>How often a pipeline's pass has recorded the clouds; 0 if no pass draws them.</summary>
         public long RecordedPictures { get; private set; }
 
-        /// <summary>How a cloud of the stream is coloured.</summary>
+        /// <summary>Sets how a cloud of the stream is coloured.</summary>
         public void SetLook(int cloud, CloudLook look)
         {
             while (m_looks.Count <= cloud)
@@ -72,7 +72,7 @@ namespace FastPoints.Rendering
             m_looks[cloud] = look;
         }
 
-        /// <summary>The views were taken: cameras are announced anew.</summary>
+        /// <summary>Clears the views after they were taken: cameras are announced again.</summary>
         public void BeginFrame()
         {
             m_nextViews.Clear();
@@ -86,13 +86,15 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>Whether clouds are drawn for a camera: not in previews of assets, nor in reflections.</summary>
+        /// <summary>Whether clouds are drawn for a camera: previews of assets and reflections show none.</summary>
         public static bool IsDrawn(Camera camera) =>
             camera.cameraType != CameraType.Preview && camera.cameraType != CameraType.Reflection;
 
-        /// <summary>The next frame selects for this camera, too, as it was announced last: for both eyes of a headset, even if
-        /// they are drawn one after the other. Cameras are drawn any number of times before that frame comes, if it
-        /// comes.</summary>
+        /// <summary>
+        /// Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even if they
+        /// are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes at
+        /// all.
+        /// </summary>
         public void Announce(Camera camera)
         {
             var seen = Seen(camera);
@@ -114,7 +116,7 @@ namespace FastPoints.Rendering
                     CameraViews.StreamViewOf(EyeMatrices.Of(camera, (Camera.StereoscopicEye)eye), camera.pixelHeight);
         }
 
-        /// <summary>Records the clouds as a camera sees them, into the target that is set.</summary>
+        /// <summary>Records the clouds as a camera sees them, into the current target.</summary>
         public void Record(CommandBuffer commands, Camera camera, in CameraTarget target)
         {
             RecordedPictures++;

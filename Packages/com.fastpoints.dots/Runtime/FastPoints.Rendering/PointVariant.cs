@@ -5,18 +5,18 @@ namespace FastPoints.Rendering
     /// <summary>A variant of the package's Points.shader: the keywords that a draw needs.</summary>
     internal readonly struct PointVariant
     {
-        /// <summary>Numbers that variants have; no draw needs all of them.</summary>
+        /// <summary>Range of <see cref="Number"/>; no draw needs all of them.</summary>
         internal const int Count = Shapes << 5;
 
         const int Shapes = 1 + (int)PointShape.Paraboloid;
 
-        /// <summary>By shape; pixels have none.</summary>
+        /// <summary>Keyword of each shape; pixels have none.</summary>
         static readonly string[] s_shapes =
         {
             null, ShaderNames.SquaresKeyword, ShaderNames.DiscsKeyword, ShaderNames.ParaboloidsKeyword,
         };
 
-        /// <summary>Of the options, by bit.</summary>
+        /// <summary>Keyword of each option bit.</summary>
         static readonly string[] s_options =
         {
             ShaderNames.AdaptiveKeyword, ShaderNames.LayeredKeyword, ShaderNames.ClippedKeyword, ShaderNames.FilteredKeyword,
@@ -25,13 +25,14 @@ namespace FastPoints.Rendering
 
         readonly int m_shape;
 
-        /// <summary>Bits: places in <see cref="s_options"/>.</summary>
+        /// <summary>Each bit is an index in <see cref="s_options"/>.</summary>
         readonly int m_options;
 
         /// <param name="style">Splats are drawn as discs, into a layer.</param>
-        /// <param name="isClipped">There are clip boxes.</param>
-        /// <param name="isFiltered">Classes are hidden.</param>
-        /// <param name="isStereo">Both eyes at once; styles with a layer draw one after the other.</param>
+        /// <param name="isClipped">Whether there are clip boxes.</param>
+        /// <param name="isFiltered">Whether classes are hidden.</param>
+        /// <param name="isStereo">Whether both eyes are drawn at once; styles with a layer draw them one after the
+        /// other.</param>
         public PointVariant(in PointStyle style, bool isClipped, bool isFiltered, bool isStereo)
         {
             m_shape = (int)(style.IsBlended ? PointShape.Disc : style.Shape);
@@ -48,10 +49,10 @@ namespace FastPoints.Rendering
         /// <summary>From 0 to <see cref="Count"/> - 1.</summary>
         internal int Number => m_shape + Shapes * m_options;
 
-        /// <summary>What the pass that adds splats up needs of it.</summary>
+        /// <summary>The variant for the pass that sums splats.</summary>
         public PointVariant Blending => new PointVariant(0, m_options & ~2);
 
-        /// <summary>Those that are enabled.</summary>
+        /// <summary>The enabled keywords.</summary>
         public IEnumerable<string> Keywords
         {
             get
@@ -64,8 +65,10 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>The keyword of the package's Compose.shader that a style needs; null for its plain variant, or none of
-        /// it.</summary>
+        /// <summary>
+        /// The keyword of the package's Compose.shader that a style needs; null for its plain variant, and for styles that
+        /// compose nothing.
+        /// </summary>
         public static string ComposeKeyword(in PointStyle style) => style.IsBlended ? ShaderNames.BlendedKeyword
             : style.Shape == PointShape.Pixel && !style.IsLayered ? ShaderNames.FromPixelsKeyword
             : null;

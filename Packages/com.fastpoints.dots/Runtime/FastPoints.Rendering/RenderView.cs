@@ -6,12 +6,15 @@ namespace FastPoints.Rendering
     /// <summary>One camera, or one eye of a headset, as drawing sees it.</summary>
     public struct RenderView
     {
-        /// <summary>From places relative to the eye, along the world's axes, to the clip space of the graphics API (<see
-        /// cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>): the eye's own place is not in it.</summary>
+        /// <summary>
+        /// Maps positions relative to the eye, along the world's axes, to the clip space of the graphics API (<see
+        /// cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.
+        /// </summary>
         public Matrix4x4 ViewProjection;
 
-        /// <summary>From the place that the draws were listed for, along the world's axes: of the right eye from the left
-        /// one.</summary>
+        /// <summary>
+        /// Offset from the eye that the draws were listed for, along the world's axes: from the left eye to the right one.
+        /// </summary>
         public Vector3 EyeOffset;
         public int WidthPx;
         public int HeightPx;
@@ -23,18 +26,20 @@ namespace FastPoints.Rendering
         public float ScalePx;
         public bool IsOrthographic;
 
-        /// <summary>Colours are written as light (a project in linear colour space), and not as sRGB.</summary>
+        /// <summary>Whether colours are written as linear light (a project in linear colour space) instead of sRGB.</summary>
         public bool IsLinear;
 
-        /// <summary>What is drawn into. It is set already; a style that needs a layer of its own sets it again, the viewport
-        /// being the whole picture.</summary>
+        /// <summary>
+        /// The target, which is set already. A style that needs a layer of its own sets it again, with the whole picture as the
+        /// viewport.
+        /// </summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;
         public PointStyle Style;
     }
 
-    /// <summary>Which slice of a target is drawn into.</summary>
+    /// <summary>The slice of a target to draw into.</summary>
     internal enum TargetEye
     {
         /// <summary>The target as it is.</summary>

@@ -4,15 +4,15 @@ using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Views of a picture's camera, where there is no camera of the engine's. Depth is reversed: 1 near, 0
-    /// far.</summary>
+    /// <summary>Makes views of a picture's camera, where the engine has no camera. Depth is reversed: 1 near, 0 far.</summary>
     internal static class RenderViews
     {
-        /// <summary>Of the distance of which a perspective camera sees nothing: as near as floats tell depths apart at any
-        /// distance.</summary>
+        /// <summary>
+        /// Distance below which a perspective camera sees nothing: as near as floats still resolve depths at any distance.
+        /// </summary>
         public const double NearGeo = 1e-6;
 
-        /// <param name="depthGeo">What an orthographic camera sees before and behind its eye.</param>
+        /// <param name="depthGeo">How far an orthographic camera sees before and behind its eye.</param>
         public static RenderView Of(in Camera camera, int widthPx, int heightPx, double depthGeo)
         {
             double aspect = (double)widthPx / heightPx;

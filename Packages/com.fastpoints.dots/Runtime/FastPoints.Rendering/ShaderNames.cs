@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>What shaders call what they are given.</summary>
+    /// <summary>The names of shader properties.</summary>
     static class ShaderNames
     {
         public static readonly int Bank = Shader.PropertyToID("_FastPointsBank");

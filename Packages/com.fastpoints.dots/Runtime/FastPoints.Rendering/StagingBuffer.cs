@@ -8,12 +8,12 @@ using UnityEngine;
 namespace FastPoints.Rendering
 {
     /// <summary>
-    /// One upload on its way: mapped memory that jobs write nodes to, each from a page on, and which page goes where. Mapped
-    /// memory may not be cached: it is written front to back and never read.
+    /// One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages that
+    /// they go to. Mapped memory may be uncached: it is written front to back and never read.
     /// </summary>
     internal sealed unsafe class StagingBuffer : IDisposable
     {
-        /// <summary>Of one dispatch, on any GPU.</summary>
+        /// <summary>The most groups of one dispatch on any GPU.</summary>
         const int MostGroups = 65535;
         const int PageEntryBytes = 2 * sizeof(uint);
         const int WordsPerPage = NodePool.PageBytes / sizeof(uint);
@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
         GraphicsBuffer m_pages;
         NativeArray<uint> m_words;
 
-        /// <summary>Where each node goes, in the order in which they lie here.</summary>
+        /// <summary>Destination of each node, in the order in which they lie here.</summary>
         NativeList<PoolRange> m_runs;
         int m_pageCount;
 
@@ -59,7 +59,7 @@ namespace FastPoints.Rendering
             return at;
         }
 
-        /// <summary>All is written: copies it into the banks, after whatever was drawn before.</summary>
+        /// <summary>Copies the written pages into the banks, after earlier draws.</summary>
         /// <param name="endOfBank">Scratch.</param>
         public void CopyTo(GraphicsNodePool pool, ComputeShader copyPages, int kernel, NativeList<int> endOfBank)
         {
@@ -94,7 +94,7 @@ namespace FastPoints.Rendering
             m_runs.Dispose();
         }
 
-        /// <summary>By page: where it lies here, and where it goes; bank by bank.</summary>
+        /// <summary>Lists for each page where it lies here and where it goes, bank by bank.</summary>
         void ListPages(int bankCount, NativeList<int> endOfBank)
         {
             endOfBank.ResizeUninitialized(bankCount);

@@ -5,12 +5,16 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>Uploads through mapped buffers, one after the other, that a compute shader copies from: one is written to again
-    /// when the GPU is sure to have read it.</summary>
+    /// <summary>
+    /// Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU has
+    /// certainly read it.
+    /// </summary>
     internal sealed unsafe class StagingRing : PoolUpload
     {
-        /// <summary>Frames that the GPU is usually behind at most: an editor or player queues two, three where it is asked to.
-        /// Where it tells what it has done, it may be behind by more.</summary>
+        /// <summary>
+        /// The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where the
+        /// GPU reports its progress, it may lag further.
+        /// </summary>
         public const int FramesInFlight = 3;
 
         readonly ComputeShader m_copyPages;
@@ -24,7 +28,7 @@ namespace FastPoints.Rendering
         int m_next;
 
         /// <param name="copyPages">The package's CopyPages.compute.</param>
-        /// <param name="pages">Of each buffer, until a node is larger.</param>
+        /// <param name="pages">Size of each buffer; a larger node makes it grow.</param>
         public StagingRing(ComputeShader copyPages, int pages)
         {
             m_copyPages = copyPages;
@@ -76,8 +80,10 @@ namespace FastPoints.Rendering
             m_endOfBank.Dispose();
         }
 
-        /// <summary>Frames are drawn without updates, and updates come without frames: counting them is for cards that do not
-        /// tell.</summary>
+        /// <summary>
+        /// Frames can be drawn without updates, and updates can come without frames: counting them is only for GPUs without
+        /// fences.
+        /// </summary>
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

@@ -4,8 +4,10 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering.BuiltIn
 {
-    /// <summary>Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded anew
-    /// before each picture. Nothing has to be set up.</summary>
+    /// <summary>
+    /// Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded again before
+    /// each picture. It needs no setup.
+    /// </summary>
     internal static class BuiltInPass
     {
         const CameraEvent Place = CameraEvent.AfterForwardOpaque;
@@ -13,7 +15,7 @@ namespace FastPoints.Rendering.BuiltIn
         static readonly List<Camera> s_cameras = new List<Camera>();
         static readonly List<CommandBuffer> s_commands = new List<CommandBuffer>();
 
-        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
@@ -22,7 +24,7 @@ namespace FastPoints.Rendering.BuiltIn
             Camera.onPreCull += Draw;
         }
 
-        /// <summary>Takes the command buffers out of all cameras.</summary>
+        /// <summary>Removes the command buffers from all cameras.</summary>
         public static void End()
         {
             Camera.onPreCull -= Draw;

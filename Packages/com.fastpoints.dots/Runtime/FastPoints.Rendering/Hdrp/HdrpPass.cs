@@ -12,7 +12,7 @@ namespace FastPoints.Rendering.Hdrp
 
         static HdrpPass s_pass;
 
-        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()

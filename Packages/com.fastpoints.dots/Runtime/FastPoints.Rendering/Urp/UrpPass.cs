@@ -11,13 +11,13 @@ namespace FastPoints.Rendering.Urp
     {
         static UrpPass s_pass;
 
-        /// <summary>Whose pass is enqueued and not yet recorded.</summary>
+        /// <summary>The camera whose pass is enqueued but not yet recorded.</summary>
         Camera m_camera;
 
-        /// <summary>Made once: a delegate a frame would be garbage.</summary>
+        /// <summary>Created once: a new delegate in every frame would be garbage.</summary>
         static readonly BaseRenderFunc<PassData, UnsafeGraphContext> s_draw = Draw;
 
-        /// <summary>What the pass's function is given.</summary>
+        /// <summary>The data that the pass's function receives.</summary>
         sealed class PassData
         {
             public PointScene Scene;
@@ -28,7 +28,7 @@ namespace FastPoints.Rendering.Urp
 
         UrpPass() => renderPassEvent = RenderPassEvent.AfterRenderingOpaques;
 
-        /// <summary>Also with domain reload off: adding twice adds once.</summary>
+        /// <summary>Works with domain reload off, too: adding twice adds once.</summary>
         [BeginsPass]
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Begin()
@@ -41,7 +41,7 @@ namespace FastPoints.Rendering.Urp
 
         public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
         {
-            // A camera that cannot be culled leaves its pass to the renderer's next camera, which has one of its own.
+            // A camera that cannot be culled would leave its pass to the renderer's next camera, which has one of its own.
             var cameraData = frameData.Get<UniversalCameraData>();
             if (PointScene.Current == null || !ReferenceEquals(cameraData.camera, m_camera))
                 return;
@@ -66,13 +66,13 @@ namespace FastPoints.Rendering.Urp
             commands.SetRenderTarget(data.Color, data.Depth, 0, CubemapFace.Unknown, -1);
             var camera = data.CameraData;
             var size = camera.cameraTargetDescriptor;
-            // Both eyes of a headset are two slices.
+            // Both eyes of a headset are drawn into two slices.
             bool hasBothEyes = camera.camera.stereoEnabled && size.volumeDepth > 1;
             var target = CameraTarget.Of(camera.camera, data.Color, data.Depth, hasBothEyes);
             target.IsTexture = camera.IsRenderTargetProjectionMatrixFlipped(data.Color, data.Depth);
             target.WidthPx = size.width;
             target.HeightPx = size.height;
-            // With what temporal anti-aliasing moves it by.
+            // This includes the jitter of temporal anti-aliasing.
             target.Eye.Projection = camera.GetProjectionMatrix();
             if (hasBothEyes)
                 target.RightEye.Projection = camera.GetProjectionMatrix(1);

@@ -4,13 +4,14 @@ using Unity.Mathematics;
 namespace FastPoints.Base
 {
     /// <summary>
-    /// Numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the usual parsers give.
+    /// Parses the numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the usual
+    /// parsers give.
     /// </summary>
     /// <remarks>
-    /// The text must end in a byte up to 0x20 (a blank or a line end) that may be read: callers put one behind their buffer.
-    /// A number ends there too; anything else behind it makes it none. Accepted beside digits, point and exponent: nan and inf
-    /// as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any sign). Not hexadecimal.
-    /// On failure the pointer stays at the number's start.
+    /// The text must end in a byte up to 0x20 (a blank or a line end) that may be read: callers put one behind their buffer. A
+    /// number ends there too; anything else behind it makes the text invalid. Accepted besides digits, point and exponent: nan
+    /// and inf as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any sign).
+    /// Hexadecimal is not accepted. On failure the pointer stays at the number's start.
     /// </remarks>
     internal static unsafe class AsciiNumber
     {
@@ -39,7 +40,7 @@ namespace FastPoints.Base
         }
 
         /// <summary>The digits as they stand in the text.</summary>
-        /// <returns>False for no number, and for one that is not finite.</returns>
+        /// <returns>False if there is no number, or one that is not finite.</returns>
         public static bool TryDecimal(ref byte* p, out DecimalDigits number)
         {
             byte* start = p;
@@ -49,7 +50,7 @@ namespace FastPoints.Base
             return false;
         }
 
-        /// <summary>Steps over a number, of whatever size, or a word for one that is not finite.</summary>
+        /// <summary>Skips a number of any size, or a word for one that is not finite.</summary>
         public static bool TrySkip(ref byte* p) => Scan(ref p, out _) != Kind.None;
 
         public static bool TryDouble(ref byte* p, out double value)
@@ -93,8 +94,10 @@ namespace FastPoints.Base
             return kind != Kind.None;
         }
 
-        /// <summary>An integer: sign and magnitude. Fractions are dropped, what exceeds 64 bits is cut, nan is 0.</summary>
-        /// <param name="isExact">Whether the text says this integer and nothing else.</param>
+        /// <summary>
+        /// Reads an integer as sign and magnitude. Fractions are dropped, magnitudes beyond 64 bits are clamped, nan is 0.
+        /// </summary>
+        /// <param name="isExact">Whether the text is exactly this integer.</param>
         public static bool TryInteger(ref byte* p, out ulong magnitude, out bool isNegative, out bool isExact)
         {
             byte* q = p;
@@ -153,7 +156,7 @@ namespace FastPoints.Base
         }
 
         /// <summary>Integers from 10^19 to 2^64 - 1 have a digit more than the scan's mantissa.</summary>
-        /// <returns>Whether the text is digits, and perhaps a fraction, without an exponent.</returns>
+        /// <returns>Whether the text consists of digits and at most a fraction, without an exponent.</returns>
         static bool TryAllDigits(byte* p, byte* end, out ulong value, out bool isExact)
         {
             value = 0;
@@ -237,7 +240,7 @@ namespace FastPoints.Base
             return Kind.Finite;
         }
 
-        /// <summary>More digits than the mantissa holds: leading zeros do not count, the first 19 others do.</summary>
+        /// <summary>Takes the first 19 digits if there are more than the mantissa holds; leading zeros do not count.</summary>
         static void TakeFirstDigits(byte* p, byte* end, ref DecimalDigits number)
         {
             while (p < end && (*p == '0' || *p == '.'))
@@ -259,7 +262,7 @@ namespace FastPoints.Base
                 number.Exponent += digits - MaxExactDigits;
         }
 
-        /// <summary>What follows a number's digits: an exponent and the end of the text.</summary>
+        /// <summary>Reads what follows a number's digits: an exponent and the end of the text.</summary>
         static bool TryExponent(ref byte* p, out int exponent)
         {
             exponent = 0;
@@ -285,7 +288,7 @@ namespace FastPoints.Base
             return true;
         }
 
-        /// <summary>inf, nan and their relatives, up to the next blank.</summary>
+        /// <summary>Reads inf, nan and their relatives, up to the next blank.</summary>
         static Kind Word(ref byte* text, byte* p)
         {
             var kind = Kind.None;
@@ -304,7 +307,7 @@ namespace FastPoints.Base
             return kind;
         }
 
-        /// <summary>The next three bytes in lower case; 0 where the text ends before.</summary>
+        /// <summary>The next three bytes in lower case; 0 if the text ends before them.</summary>
         static uint Letters(byte* p)
         {
             uint letters = 0;
@@ -322,7 +325,7 @@ namespace FastPoints.Base
     /// where these are more than a mantissa holds.</summary>
     internal unsafe struct DecimalDigits
     {
-        /// <summary>The first 19 significant digits, or all where there are fewer.</summary>
+        /// <summary>The first 19 significant digits, or all if there are fewer.</summary>
         public ulong Mantissa;
 
         public int Exponent;
@@ -332,10 +335,10 @@ namespace FastPoints.Base
         /// <summary>Whether there are digits beyond the mantissa.</summary>
         public bool IsTruncated;
 
-        /// <summary>The first significant digit, where the mantissa is truncated.</summary>
+        /// <summary>The first significant digit, if the mantissa is truncated.</summary>
         public byte* FirstDigit;
 
-        /// <summary>Behind the last digit. There may be one point among them.</summary>
+        /// <summary>Points behind the last digit. There may be one decimal point among the digits.</summary>
         public byte* EndOfDigits;
     }
 }

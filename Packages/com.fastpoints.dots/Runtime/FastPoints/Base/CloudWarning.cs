@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace FastPoints.Base
 {
-    /// <summary>Something in the input that is not as it should be, though the points can be had all the same.</summary>
+    /// <summary>Something in the input that is not as it should be, although the points can still be read.</summary>
     public readonly struct CloudWarning
     {
         public readonly string Path;
@@ -10,7 +10,7 @@ namespace FastPoints.Base
         /// <summary>Byte offset in the file, or -1.</summary>
         public readonly long ByteOffset;
 
-        /// <summary>What is odd, and what was assumed in its place: one line without the path.</summary>
+        /// <summary>What is odd and what was assumed instead: one line without the path.</summary>
         public readonly string Text;
 
         public CloudWarning(string path, long byteOffset, string text)

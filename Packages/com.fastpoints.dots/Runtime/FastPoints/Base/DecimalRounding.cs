@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace FastPoints.Base
 {
     /// <summary>
-    /// Decimal numbers to the nearest binary one (ties to even), exactly, for any number of digits and any exponent. HPC#.
+    /// Converts decimal numbers to the nearest binary ones (ties to even), exactly, for any number of digits and any exponent.
+    /// HPC#.
     /// </summary>
     /// <remarks>
     /// mantissa * 10^q = mantissa * 5^q * 2^q. The integer is multiplied by 5^q, or shifted up and divided by 5^-q, one word of
@@ -13,10 +14,10 @@ namespace FastPoints.Base
     /// </remarks>
     internal static unsafe class DecimalRounding
     {
-        /// <summary>Significant digits that count; any beyond them only say "a little more". A double needs 767.</summary>
+        /// <summary>The significant digits that count; any beyond them only say "a little more". A double needs 767.</summary>
         const int MaxDigits = 800;
 
-        /// <summary>Outside these the result is zero or infinite in any of the two formats.</summary>
+        /// <summary>Outside these the result is zero or infinite in both formats.</summary>
         const int MinLeadingExponent = -345;
         const int MaxLeadingExponent = 310;
 
@@ -34,10 +35,10 @@ namespace FastPoints.Base
             7450580596923828125,
         };
 
-        /// <summary>Bits of the double nearest to the number (no sign).</summary>
+        /// <summary>Bits of the double that is nearest to the number (no sign).</summary>
         public static ulong ToDoubleBits(in DecimalDigits number) => Round(number, 53, -1074);
 
-        /// <summary>Bits of the float nearest to the number (no sign).</summary>
+        /// <summary>Bits of the float that is nearest to the number (no sign).</summary>
         public static uint ToFloatBits(in DecimalDigits number) => (uint)Round(number, 24, -149);
 
         static ulong Round(in DecimalDigits number, int mantissaBits, int minExponent)
@@ -166,8 +167,9 @@ namespace FastPoints.Base
             return remainder;
         }
 
-        /// <summary>128 by 64 bits, by two digits of 32 bits (Knuth, volume 2, 4.3.1, algorithm D). high must be below
-        /// divisor.</summary>
+        /// <summary>
+        /// Divides 128 by 64 bits with two digits of 32 bits (Knuth, volume 2, 4.3.1, algorithm D). high must be below divisor.
+        /// </summary>
         static ulong Divide(ulong high, ulong low, ulong divisor, out ulong remainder)
         {
             if (high == 0)
@@ -189,7 +191,7 @@ namespace FastPoints.Base
             return first << 32 | second;
         }
 
-        /// <summary>One digit of base 2^32: (high * 2^32 + next) / divisor, the divisor's top bit set.</summary>
+        /// <summary>Computes one digit of base 2^32: (high * 2^32 + next) / divisor, with the divisor's top bit set.</summary>
         static ulong Digit(ulong high, ulong next, ulong divisor, out ulong rest)
         {
             ulong divisorHigh = divisor >> 32, divisorLow = divisor & 0xFFFFFFFF;
@@ -206,8 +208,9 @@ namespace FastPoints.Base
             return digit;
         }
 
-        /// <summary>leading * 2^exponent (its top bit set), and perhaps a little more, to the nearest value of the
-        /// format.</summary>
+        /// <summary>
+        /// Rounds leading * 2^exponent (its top bit set), and perhaps a little more, to the nearest value of the format.
+        /// </summary>
         static ulong Assemble(ulong leading, int exponent, bool sticky, int mantissaBits, int minExponent)
         {
             int unit = math.max(exponent + 64 - mantissaBits, minExponent);

@@ -2,8 +2,10 @@ using System;
 
 namespace FastPoints.Base
 {
-    /// <summary>A struct that is written to disk as it lies in memory: its byte table stands in
-    /// <c>Documentation~/disk-format.md</c>, and a check holds the two together.</summary>
+    /// <summary>
+    /// Marks a struct that is written to disk as it lies in memory. Its byte table is in <c>Documentation~/disk-format.md</c>,
+    /// and a check keeps both equal.
+    /// </summary>
     [AttributeUsage(AttributeTargets.Struct)]
     internal sealed class DiskFormatAttribute : Attribute
     {

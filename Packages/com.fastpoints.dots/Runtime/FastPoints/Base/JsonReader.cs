@@ -6,11 +6,13 @@ using System.Text;
 namespace FastPoints.Base
 {
     /// <summary>
-    /// A strict reader of small JSON texts (RFC 8259): objects become dictionaries, arrays lists, numbers stay text until they
-    /// are asked for as a type, so that 64-bit counts are exact.
+    /// A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays become lists. Numbers stay text
+    /// until they are converted to a type, so that 64-bit counts are exact.
     /// </summary>
-    /// <remarks>Own code because the view side carries no JSON library into a player, and Unity's fills fields of a class without
-    /// telling what was missing or of the wrong type.</remarks>
+    /// <remarks>
+    /// The package has its own reader because players should carry no JSON library, and Unity's fills the fields of a class
+    /// without saying what was missing or had the wrong type.
+    /// </remarks>
     internal sealed class JsonReader
     {
         const int MaxDepth = 64;
@@ -34,7 +36,7 @@ namespace FastPoints.Base
         /// <param name="allowTrailingCommas">Whether a comma may stand behind the last item, as JavaScript lets it.</param>
         /// <returns>Dictionary, List, string, bool, null, or a number for <see cref="ToLong"/> and <see
         /// cref="ToDouble"/>.</returns>
-        /// <exception cref="FormatException">It is no JSON; the message tells where.</exception>
+        /// <exception cref="FormatException">The text is not JSON; the message says where.</exception>
         public static object Parse(string text, bool allowTrailingCommas = false)
         {
             var reader = new JsonReader(text, allowTrailingCommas);
@@ -229,7 +231,7 @@ namespace FastPoints.Base
             return true;
         }
 
-        /// <summary>Whether the comma just read was the last of its object or array, and may be.</summary>
+        /// <summary>Whether the comma just read ended its object or array, and may do so.</summary>
         bool IsTrailing(char end)
         {
             if (!m_allowsTrailingCommas)

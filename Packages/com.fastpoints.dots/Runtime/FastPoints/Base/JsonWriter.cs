@@ -3,8 +3,10 @@ using System.Text;
 
 namespace FastPoints.Base
 {
-    /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, doubles so that they read back the
-    /// same.</summary>
+    /// <summary>
+    /// Writes JSON for people: two spaces a level, arrays of numbers on one line, and doubles with enough digits to read back
+    /// the same.
+    /// </summary>
     internal sealed class JsonWriter
     {
         readonly StringBuilder m_text = new StringBuilder();
@@ -25,7 +27,7 @@ namespace FastPoints.Base
 
         public JsonWriter Add(string name, bool value) => Raw(name, value ? "true" : "false");
 
-        /// <summary>Null where it is not finite: JSON has no word for that.</summary>
+        /// <summary>Writes null if the value is not finite: JSON has no word for that.</summary>
         public JsonWriter Add(string name, double value) => Raw(name, Text(value));
 
         public JsonWriter Add(string name, double x, double y, double z) =>
@@ -34,7 +36,7 @@ namespace FastPoints.Base
         public JsonWriter Add(string name, long x, long y, long z) =>
             Raw(name, string.Format(CultureInfo.InvariantCulture, "[{0}, {1}, {2}]", x, y, z));
 
-        /// <summary>Sixteen hexadecimal digits in a string: readers that know doubles only do not round it.</summary>
+        /// <summary>Writes sixteen hexadecimal digits as a string, which readers that only know doubles do not round.</summary>
         public JsonWriter AddHex(string name, ulong value) => Add(name, value.ToString("x16", CultureInfo.InvariantCulture));
 
         public override string ToString() => m_text + "\n";

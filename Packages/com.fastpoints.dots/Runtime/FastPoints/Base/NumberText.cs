@@ -4,12 +4,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Base
 {
-    /// <summary>Numbers as text, the same whatever runs it: the fewest digits that read back as the same number, of these the
-    /// nearest to it; and the number nearest to a text.</summary>
+    /// <summary>
+    /// Writes numbers as the same text on every runtime: the fewest digits that read back as the same number, and of these the
+    /// nearest to it. Also reads the number nearest to a text.
+    /// </summary>
     /// <remarks>
-    /// By whole numbers alone. .NET's own text has these digits, too, but for some powers of two one too few (2^-25). Mono, which
-    /// Unity's editor runs, writes up to 17 ("848935.20000000007") and reads many a long text one unit in the last place too
-    /// low. After Steele and White, "How to print floating-point numbers accurately", 1990; slow and plain: files have few numbers.
+    /// It calculates with whole numbers alone. .NET's own text has these digits, too, but one too few for some powers of two
+    /// (2^-25). Mono, which Unity's editor runs, writes up to 17 ("848935.20000000007") and reads many long texts one unit in
+    /// the last place too low. After Steele and White, "How to print floating-point numbers accurately", 1990; this is slow and
+    /// plain, since files have few numbers.
     /// </remarks>
     internal static class NumberText
     {
@@ -25,11 +28,13 @@ namespace FastPoints.Base
             return Of(bits >> 31 != 0, (int)(bits >> 23) & 0xFF, bits & 0x7FFFFF, 23, -149, 9);
         }
 
-        /// <summary>With commas between.</summary>
+        /// <summary>The three numbers with commas between.</summary>
         public static string Of(double3 values) => Of(values.x) + ", " + Of(values.y) + ", " + Of(values.z);
 
-        /// <summary>A number as <see cref="AsciiNumber"/> takes it, and nothing around it. Infinite where it is beyond the
-        /// doubles.</summary>
+        /// <summary>
+        /// Reads a number as <see cref="AsciiNumber"/> takes it, with nothing around it. The value is infinite if it exceeds
+        /// the doubles.
+        /// </summary>
         public static unsafe bool TryRead(string text, out double value)
         {
             var bytes = new byte[text.Length + 1];
@@ -57,10 +62,12 @@ namespace FastPoints.Base
             return sign + Write(digits.ToString(CultureInfo.InvariantCulture), power, mostPlainDigits);
         }
 
-        /// <summary>What of the texts that read back as mantissa * 2^exponent has the fewest digits: digits * 10^power.</summary>
+        /// <summary>
+        /// Finds the text with the fewest digits that reads back as mantissa * 2^exponent: digits * 10^power.
+        /// </summary>
         static ulong Shortest(ulong mantissa, int exponent, bool isCloseBelow, out int power)
         {
-            // In quarters of the mantissa's unit the number and the ends of what is rounded to it are whole.
+            // In quarters of the mantissa's unit, the number and the ends of its rounding interval are whole.
             BigInteger number = new BigInteger(mantissa) * 4, unit = BigInteger.One;
             BigInteger low = number - (isCloseBelow ? 1 : 2), high = number + 2;
             int shift = exponent - 2;
@@ -77,7 +84,7 @@ namespace FastPoints.Base
             // The ends themselves are rounded to even mantissas.
             bool hasEnds = (mantissa & 1) == 0;
             int bits = 64 - math.lzcnt(mantissa) + exponent;
-            // 1233 / 4096 is the logarithm of two; the power to begin with is above the number.
+            // 1233 / 4096 approximates the logarithm of two; the first power is above the number.
             for (power = (bits * 1233 >> 12) + 1; ; power--)
             {
                 BigInteger ten = BigInteger.Pow(10, math.abs(power));
@@ -95,7 +102,7 @@ namespace FastPoints.Base
             }
         }
 
-        /// <summary>As .NET writes them: an exponent of at least two digits where there would be many zeros.</summary>
+        /// <summary>Writes them as .NET does: with an exponent of at least two digits instead of many zeros.</summary>
         static string Write(string digits, int power, int mostPlainDigits)
         {
             int whole = digits.Length + power;

@@ -4,8 +4,8 @@ using System.Globalization;
 namespace FastPoints.Base
 {
     /// <summary>
-    /// A failure at the boundary (a file, the public API), told in one line: which file, at which byte, what was wanted and
-    /// what was got.
+    /// A failure at the boundary (a file, the public API), described in one line: which file, at which byte, what was expected
+    /// and what was found.
     /// </summary>
     public sealed class PointCloudException : Exception
     {
@@ -37,7 +37,7 @@ namespace FastPoints.Base
                 string.Format(CultureInfo.InvariantCulture, "{0}: wanted {1}, got {2}", field, wanted, got));
         }
 
-        /// <summary>A failure as it is; any other exception as one that nobody foresaw.</summary>
+        /// <summary>Returns a PointCloudException as it is, and wraps any other exception as an unexpected one.</summary>
         /// <param name="path">The file or folder that was being worked on.</param>
         public static PointCloudException Of(string path, Exception failure)
         {
@@ -47,7 +47,9 @@ namespace FastPoints.Base
                 new PointCloudException(FailureCode.Unexpected, path, -1, failure.GetType().Name + ": " + failure.Message, failure);
         }
 
-        /// <summary>The message; of what nobody foresaw, with the places in the code that tell where to look.</summary>
+        /// <summary>
+        /// The message; for an unexpected failure, followed by the exception that was thrown, with its stack.
+        /// </summary>
         public string Story => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
 
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
@@ -66,16 +68,16 @@ namespace FastPoints.Base
         BadInput,
         /// <summary>The content ends before it should.</summary>
         Truncated,
-        /// <summary>The content is sound, but of a kind that is not read here.</summary>
+        /// <summary>The content is valid, but of a kind that this package does not read.</summary>
         Unsupported,
-        /// <summary>No such file or folder, or not a regular file.</summary>
+        /// <summary>There is no such file or folder, or it is not a regular file.</summary>
         NotFound,
         AccessDenied,
-        /// <summary>The disk failed or a read was cut short by the system.</summary>
+        /// <summary>The disk failed, or the system cut a read short.</summary>
         ReadFailed,
         WriteFailed,
         DiskFull,
-        /// <summary>Nobody foresaw it: a fault of this package, or of what it runs on.</summary>
+        /// <summary>An unexpected failure: a fault of this package, or of what it runs on.</summary>
         Unexpected,
     }
 }

@@ -5,21 +5,23 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Base
 {
-    /// <summary>Looks at files beside the main thread: opens them, asks for lengths, reads what AsyncReadManager has no use for.
-    /// Whoever takes what came of it meets no exception but a <see cref="PointCloudException"/>, whatever was thrown
-    /// there.</summary>
+    /// <summary>
+    /// Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not suit.
+    /// Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.
+    /// </summary>
     public static class PoolWork
     {
-        /// <summary>Begins work on a thread of the pool.</summary>
-        /// <param name="path">The file or folder that it is about, for messages.</param>
-        /// <param name="work">Uses nothing that anybody else changes: when nobody wants it any more, it goes on.</param>
-        /// <param name="unwanted">Frees what nobody took when the work was disposed, on whatever thread that is.</param>
+        /// <summary>Begins work on a thread of the thread pool.</summary>
+        /// <param name="path">The file or folder that it works on, for messages.</param>
+        /// <param name="work">Must not use anything that other code changes: it continues even when its result is no longer
+        /// wanted.</param>
+        /// <param name="unwanted">Frees a result that nobody took before the work was disposed, on any thread.</param>
         public static PoolWork<T> Begin<T>(string path, Func<T> work, Action<T> unwanted = null) =>
             new PoolWork<T>(path, work, unwanted);
 
-        /// <summary>The same as work for a pump; done where it is pumped, where that is a thread of the pool.</summary>
-        /// <param name="done">Takes what came of it, on the pump's thread.</param>
-        /// <param name="unwanted">Frees what came too late for that, on whatever thread that is.</param>
+        /// <summary>The same as work for a pump; it runs in place if the pump runs on a thread of the pool.</summary>
+        /// <param name="done">Takes the result, on the pump's thread.</param>
+        /// <param name="unwanted">Frees a result that came too late for that, on any thread.</param>
         public static IEnumerator<Work> Run<T>(string path, Func<T> work, Action<T> done, Action<T> unwanted = null)
         {
             if (Thread.CurrentThread.IsThreadPoolThread)
@@ -36,7 +38,7 @@ namespace FastPoints.Base
         }
     }
 
-    /// <summary>Work that goes on, or has ended, on a thread of the pool. For one thread, which takes what comes of it.</summary>
+    /// <summary>Work that runs, or has ended, on a thread of the pool. One thread owns it and takes its result.</summary>
     public sealed class PoolWork<T> : IDisposable
     {
         readonly string m_path;
@@ -53,9 +55,9 @@ namespace FastPoints.Base
 
         public bool IsDone => m_task.IsCompleted;
 
-        /// <summary>What came of it; the caller's from now on. Waits where it goes on.</summary>
-        /// <exception cref="PointCloudException">What was thrown; with <see cref="FailureCode.Unexpected"/> where that was another
-        /// exception.</exception>
+        /// <summary>Hands over the result, which the caller owns from now on. Waits while the work is running.</summary>
+        /// <exception cref="PointCloudException">What was thrown; any other exception becomes one with <see
+        /// cref="FailureCode.Unexpected"/>.</exception>
         public T Take()
         {
             m_isTaken = true;
@@ -69,7 +71,7 @@ namespace FastPoints.Base
             }
         }
 
-        /// <summary>The same for somebody who only wants to dispose it: nothing where it failed.</summary>
+        /// <summary>The same for callers that only dispose the result: the default if the work failed.</summary>
         public T TakeIfSound()
         {
             try
@@ -78,13 +80,14 @@ namespace FastPoints.Base
             }
             catch (PointCloudException)
             {
-                // Nobody asks for it any more.
+                // The result is no longer wanted.
                 return default;
             }
         }
 
-        /// <summary>Has what came of it freed, if nobody took it: now, or where it goes on, on its thread when it
-        /// ends.</summary>
+        /// <summary>
+        /// Frees the result if nobody took it: now, or, while the work is running, on its thread when it ends.
+        /// </summary>
         public void Dispose()
         {
             if (m_isTaken || m_unwanted == null)

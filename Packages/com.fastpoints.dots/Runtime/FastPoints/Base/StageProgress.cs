@@ -5,12 +5,12 @@ using System.Diagnostics;
 namespace FastPoints.Base
 {
     /// <summary>
-    /// Where a long piece of work stands: the stages it went through with their times, and how far the running one is.
-    /// Written by the thread that pumps the work, polled by whoever shows it; no thread but that one may touch it.
+    /// Progress of a long piece of work: its stages with their times, and the share of the running one that is done. The thread
+    /// that pumps the work writes it and may alone read it.
     /// </summary>
     public sealed class StageProgress
     {
-        /// <summary>What one stage took.</summary>
+        /// <summary>The name, time and amounts of one stage.</summary>
         public struct Stage
         {
             public string Name;
@@ -25,15 +25,15 @@ namespace FastPoints.Base
         long m_points;
         long m_bytes;
 
-        /// <summary>Raised on each <see cref="Report"/>, begin and end: listeners throttle themselves.</summary>
+        /// <summary>Raised by each <see cref="Report"/>, begin and end: listeners must throttle themselves.</summary>
         public event Action<StageProgress> Changed;
 
         public IReadOnlyList<Stage> Finished => m_finished;
 
-        /// <summary>What the stages that begin from now on are part of: goes before their names. Null for nothing.</summary>
+        /// <summary>A prefix for the names of all stages that begin from now on; null for none.</summary>
         public string Group { get; set; }
 
-        /// <summary>Name of the stage in progress, or null.</summary>
+        /// <summary>Name of the running stage, or null.</summary>
         public string Current => m_name;
 
         /// <summary>Share of the running stage that is done, 0 to 1.</summary>
@@ -59,7 +59,7 @@ namespace FastPoints.Base
             Changed?.Invoke(this);
         }
 
-        /// <summary>Total points and bytes of the running stage so far, and the share of it that is done.</summary>
+        /// <summary>Reports total points and bytes of the running stage so far, and the share of it that is done.</summary>
         public void Report(double share, long points, long bytes)
         {
             Share = Math.Max(0, Math.Min(1, share));

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Base
 {
-    /// <summary>One step of work: jobs that must be finished before the next step can run, or other work to do first.</summary>
+    /// <summary>One step of work: jobs that must finish before the next step can run, or other work to do first.</summary>
     public readonly struct Work
     {
         internal readonly JobHandle Jobs;
@@ -18,13 +18,16 @@ namespace FastPoints.Base
             Inner = inner;
         }
 
-        /// <summary>All steps of <paramref name="inner"/>; it is disposed when it ends, and when the work that yields it is.</summary>
+        /// <summary>
+        /// Runs all steps of <paramref name="inner"/>, which is disposed when it ends or when the work that yields it is
+        /// disposed.
+        /// </summary>
         public static Work Of(IEnumerator<Work> inner) => new Work(default, inner);
 
         public static implicit operator Work(JobHandle jobs) => new Work(jobs, null);
     }
 
-    /// <summary>The steps of work and of all that is nested in it, one after the other: each is the handle to await.</summary>
+    /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
     public sealed class WorkSteps : IEnumerator<JobHandle>
     {
         readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
@@ -38,7 +41,7 @@ namespace FastPoints.Base
 
         object IEnumerator.Current => Current;
 
-        /// <summary>Runs the next step; where it throws, everything is disposed, from the inside out.</summary>
+        /// <summary>Runs the next step. If it throws, everything is disposed from the inside out.</summary>
         public bool MoveNext()
         {
             bool isWhole = false;
@@ -97,9 +100,9 @@ namespace FastPoints.Base
     }
 
     /// <summary>
-    /// Drives work that is written as an iterator: each step schedules jobs and yields the handle that must be finished before
-    /// the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
-    /// converter calls <see cref="RunToEnd"/>, which waits.
+    /// Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete before the
+    /// next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the converter
+    /// calls <see cref="RunToEnd"/>, which waits.
     /// </summary>
     /// <remarks>
     /// Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when <see cref="Cancel"/>
@@ -131,7 +134,7 @@ namespace FastPoints.Base
             return IsDone;
         }
 
-        /// <summary>Ends the work: jobs in flight are awaited, what it allocated is freed.</summary>
+        /// <summary>Ends the work: awaits jobs in flight and frees what the work allocated.</summary>
         public void Cancel()
         {
             if (IsDone)

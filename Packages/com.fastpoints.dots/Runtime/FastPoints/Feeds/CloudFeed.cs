@@ -7,9 +7,9 @@ using FastPoints.Streaming;
 namespace FastPoints.Feeds
 {
     /// <summary>
-    /// The states of one cloud, each better than the one before, from a first preview to the whole: told of as they come, and
-    /// made a <see cref="NodeSource"/> when they are taken. Made on any thread; everything else on the main thread, and nothing
-    /// waits but <see cref="Dispose"/>.
+    /// The states of one cloud, each better than the one before, from a first preview to the whole cloud. A feed offers states
+    /// as they come and makes a <see cref="NodeSource"/> of those that are taken. It can be made on any thread; everything else
+    /// belongs to the main thread, and only <see cref="Dispose"/> waits.
     /// </summary>
     public abstract class CloudFeed : IDisposable
     {
@@ -19,25 +19,25 @@ namespace FastPoints.Feeds
         /// <summary>Whether nothing newer is expected.</summary>
         public abstract bool IsEnded { get; }
 
-        /// <summary>Whether what was taken of a build in progress is not to be shown any more: it was broken off.</summary>
+        /// <summary>Whether a build was broken off, so that the generations taken from it must no longer be shown.</summary>
         public virtual bool IsBuildGone => false;
 
-        /// <summary>Makes a source of <see cref="Newest"/>; the caller's from now on.</summary>
-        /// <param name="planes">Names of planes that are streamed beside the position; those that the cloud has not are left
+        /// <summary>Makes a source of <see cref="Newest"/>, which the caller owns from now on.</summary>
+        /// <param name="planes">Names of planes that are streamed besides the position; those that the cloud lacks are left
         /// out.</param>
-        /// <exception cref="PointCloudException">It cannot be streamed.</exception>
+        /// <exception cref="PointCloudException">The state cannot be streamed.</exception>
         public abstract NodeSource Take(params string[] planes);
 
-        /// <summary>Once a frame: goes on for about so long.</summary>
-        /// <exception cref="PointCloudException">The cloud cannot be read; what was taken stays as it is.</exception>
+        /// <summary>Works for about this long; called once a frame.</summary>
+        /// <exception cref="PointCloudException">The cloud cannot be read; states already taken stay valid.</exception>
         public abstract void Update(double budgetMs);
 
-        /// <summary>Somebody else makes better states: what takes a look through all of the source is left to him.</summary>
+        /// <summary>Skips work that takes a pass over the whole source, because a build will offer better states.</summary>
         public virtual void Hurry()
         {
         }
 
-        /// <summary>What is finished may be another now.</summary>
+        /// <summary>Looks at a finished cloud again: it may have been replaced.</summary>
         public virtual void Refresh()
         {
         }
@@ -45,21 +45,22 @@ namespace FastPoints.Feeds
         public abstract void Dispose();
     }
 
-    /// <summary>What a state of a cloud says of itself before it is streamed: enough to place and to colour it.</summary>
+    /// <summary>What is known of a cloud's state before it is streamed: enough to place and to colour it.</summary>
     public sealed class CloudFacts
     {
         public CloudStage Stage;
 
-        /// <summary>Georeferenced, CRS units: what its source claims where that claims something.</summary>
+        /// <summary>Georeferenced, CRS units: the bounds that the source claims, if it claims any.</summary>
         public BoundsGeo BoundsGeo;
 
-        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if the unit is an angle.</summary>
         public double MetresPerUnit;
 
         public DisplayRanges Ranges;
 
-        /// <summary>Whether the ranges are those of all values, strays included: of a manifest that knows no better, not of a
-        /// sample.</summary>
+        /// <summary>
+        /// Whether the ranges include all values, strays too: those of a manifest without better ones, not of a sample.
+        /// </summary>
         public bool RangesHaveStrays;
     }
 }

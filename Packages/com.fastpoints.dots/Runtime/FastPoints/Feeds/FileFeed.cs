@@ -5,8 +5,8 @@ using FastPoints.Streaming;
 namespace FastPoints.Feeds
 {
     /// <summary>
-    /// The states of a cloud that has files and, now or one day, a converted folder: what the files show until the folder is
-    /// there, which takes over as it is built. A build that is broken off leaves the cloud to its files again.
+    /// The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder exists,
+    /// which takes over as it is built. When a build is broken off, the files are shown again.
     /// </summary>
     internal sealed class FileFeed : CloudFeed
     {
@@ -18,10 +18,10 @@ namespace FastPoints.Feeds
         bool m_isSourceWhole;
         bool m_isBuildGone;
 
-        /// <param name="folder">The converted cloud's, which may not be there.</param>
-        /// <param name="files">What it is made of; none where nobody knows.</param>
-        /// <param name="source">Of the files, or null; becomes this feed's.</param>
-        /// <param name="converted">Of the folder; becomes this feed's.</param>
+        /// <param name="folder">The converted cloud's folder, which may not exist.</param>
+        /// <param name="files">The files that it is made of; empty if unknown.</param>
+        /// <param name="source">The feed of the files, or null; this feed owns it.</param>
+        /// <param name="converted">The feed of the folder; this feed owns it.</param>
         public FileFeed(string folder, IReadOnlyList<string> files, CloudFeed source, FolderFeed converted)
         {
             m_folder = folder;
@@ -53,7 +53,7 @@ namespace FastPoints.Feeds
         public override void Update(double budgetMs)
         {
             m_converted.Update(budgetMs);
-            // A source that is streamed as it is shows all that a build in progress does.
+            // A source that is streamed directly shows all that a build in progress does.
             if (m_isSourceWhole && m_converted.Newest?.Stage == CloudStage.Building)
                 m_converted.Skip();
             if (m_converted.IsBuildGone && m_converted.IsThere)
@@ -82,7 +82,7 @@ namespace FastPoints.Feeds
             }
             catch (PointCloudException) when (m_converted.IsThere)
             {
-                // What the build shows does without the preview.
+                // The build's states are shown without the preview.
                 EndSource();
             }
         }

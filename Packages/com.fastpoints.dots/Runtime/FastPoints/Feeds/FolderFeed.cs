@@ -4,14 +4,14 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Feeds
 {
-    /// <summary>The states of a converted cloud: what was built, or the generations of a build in progress.</summary>
+    /// <summary>The states of a converted cloud: the finished one, or the generations of a build in progress.</summary>
     internal sealed class FolderFeed : CloudFeed
     {
         readonly FolderGenerations m_generations;
         CloudFacts m_facts;
         CloudFolder m_described;
 
-        /// <param name="generations">Become this feed's.</param>
+        /// <param name="generations">This feed owns them.</param>
         public FolderFeed(FolderGenerations generations)
         {
             m_generations = generations;
@@ -30,7 +30,7 @@ namespace FastPoints.Feeds
             }
         }
 
-        /// <summary>Whether there was a state, and is one.</summary>
+        /// <summary>Whether a state was found and still exists.</summary>
         public bool IsThere => m_generations.IsFound;
 
         public override bool IsEnded => !m_generations.IsBuilding && m_generations.IsIdle;
@@ -38,7 +38,7 @@ namespace FastPoints.Feeds
 
         public override NodeSource Take(params string[] planes) => new FolderSource(m_generations.Take(), planes);
 
-        /// <summary>Does without the newest state.</summary>
+        /// <summary>Discards the newest state.</summary>
         public void Skip() => m_generations.Take()?.Dispose();
 
         public override void Update(double budgetMs) => m_generations.Update();

@@ -8,26 +8,27 @@ using Unity.Mathematics;
 namespace FastPoints.Gpu
 {
     /// <summary>
-    /// From nodes to draw to a <see cref="SizeTree"/>. Where a node is several levels below its parent, as none between had
-    /// points, the levels between get nodes of the parent's gap. A node of its parent's own cube takes no place below it.
+    /// Builds a <see cref="SizeTree"/> from the nodes to draw. If a node is several levels below its parent because those
+    /// between had no points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes no
+    /// place below it.
     /// </summary>
     [BurstCompile]
     internal unsafe struct BuildSizeTreeJob : IJob
     {
-        /// <summary>Parents before children.</summary>
+        /// <summary>Parents come before children.</summary>
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
-        /// <summary>By number of the cloud.</summary>
+        /// <summary>Indexed by cloud number.</summary>
         [ReadOnly] public NativeArray<SizeTreeCloud> Clouds;
 
-        /// <summary>Scratch; the first stands for nothing.</summary>
+        /// <summary>Scratch; the first entry stands for nothing.</summary>
         public NativeList<SizeTreeLink> Links;
 
         /// <summary>Scratch: links in the order of their nodes.</summary>
         public NativeList<int> Order;
         public NativeList<GpuSizeNode> Nodes;
 
-        /// <summary>While the job works, the link.</summary>
+        /// <summary>Holds the links while the job works.</summary>
         public NativeList<int> NodeOfDrawn;
 
         public void Execute()
@@ -42,7 +43,7 @@ namespace FastPoints.Gpu
                 NodeOfDrawn[i] = Links[NodeOfDrawn[i]].Node;
         }
 
-        /// <summary>Finds, or makes, the place of a node below its parent's.</summary>
+        /// <summary>Finds or makes the place of a node below its parent's.</summary>
         int Link(int i)
         {
             var drawn = Drawn[i];
@@ -88,7 +89,7 @@ namespace FastPoints.Gpu
             return Links.Length - 1;
         }
 
-        /// <summary>In breadth, so that the children of a node follow one another.</summary>
+        /// <summary>Numbers the nodes in breadth-first order, so that the children of a node follow one another.</summary>
         void Number()
         {
             Order.Clear();
@@ -120,8 +121,11 @@ namespace FastPoints.Gpu
             return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node]) * cloud->WorldPerUnit;
         }
 
-        /// <summary>A node with others below it has one point in each cell. The last one of its place has all that is left, most
-        /// often on a surface, or on a line: as many points as there are, over its largest side.</summary>
+        /// <summary>
+        /// The gap between a node's points. A node with others below it has one point in each cell. The last node at its place
+        /// has all remaining points, most often on a surface or a line; the gap is then the larger of what the largest face and
+        /// the longest edge of its box give for that many points.
+        /// </summary>
         static float GapOf(in StreamNode node)
         {
             if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)

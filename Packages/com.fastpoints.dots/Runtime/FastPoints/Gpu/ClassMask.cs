@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>Some of the 256 classes that points can have; none unless they are added. Blittable.</summary>
+    /// <summary>A set of the 256 classes that points can have; empty by default. Blittable.</summary>
     public struct ClassMask : IEquatable<ClassMask>
     {
         /// <summary>Classes 0 to 127, 32 each, and 128 to 255.</summary>
@@ -13,7 +13,7 @@ namespace FastPoints.Gpu
 
         public readonly bool IsEmpty => math.all((Low | High) == 0);
 
-        /// <param name="classes">0 to 255 each; there are no others, and they are left out.</param>
+        /// <param name="classes">Numbers from 0 to 255; others do not exist and are ignored.</param>
         public static ClassMask Of(params int[] classes)
         {
             var mask = new ClassMask();
@@ -36,7 +36,7 @@ namespace FastPoints.Gpu
 
         public readonly bool Equals(ClassMask other) => math.all(Low == other.Low & High == other.High);
 
-        /// <summary>All others.</summary>
+        /// <summary>The complement.</summary>
         public readonly ClassMask Inverse => new ClassMask { Low = ~Low, High = ~High };
     }
 }

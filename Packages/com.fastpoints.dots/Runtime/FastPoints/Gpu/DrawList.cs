@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>What one camera's draws read, from frame to frame in the same memory. Main thread.</summary>
+    /// <summary>What one camera's draws read, in memory that is reused from frame to frame. Main thread.</summary>
     public sealed unsafe class DrawList : IDisposable
     {
         readonly List<CloudLook> m_looks = new List<CloudLook>();
@@ -21,7 +21,7 @@ namespace FastPoints.Gpu
         NativeList<int> m_seen;
         NativeReference<long> m_points;
 
-        /// <param name="sizes">Of all cameras; not this list's.</param>
+        /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
         public DrawList(SizeTree sizes)
         {
             m_sizes = sizes;
@@ -38,41 +38,42 @@ namespace FastPoints.Gpu
 
         public bool IsCreated => m_nodes.IsCreated;
 
-        /// <summary>By number of the cloud.</summary>
+        /// <summary>Indexed by cloud number.</summary>
         internal NativeArray<GpuCloud> Clouds => m_clouds.AsArray();
         internal NativeArray<GpuNode> Nodes => m_nodes.AsArray();
 
-        /// <summary>By block: index in <see cref="Nodes"/>.</summary>
+        /// <summary>Index in <see cref="Nodes"/> of each block's node.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
 
-        /// <summary>One for each bank that something is drawn from.</summary>
+        /// <summary>One draw for each bank that has something to draw.</summary>
         internal NativeArray<BankDraw> Draws => m_draws.AsArray();
 
-        /// <summary>What points are clipped by.</summary>
+        /// <summary>The boxes that points are clipped by.</summary>
         internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 
         /// <summary>Whether any cloud hides points by their class.</summary>
         public bool HidesClasses { get; private set; }
 
-        /// <summary>What adaptive sizes are looked up in; empty where none are.</summary>
+        /// <summary>The nodes in which adaptive sizes are looked up; empty if no size is adaptive.</summary>
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
 
-        /// <summary>Of the nodes that the camera sees.</summary>
+        /// <summary>Points of the nodes that the camera sees.</summary>
         public long Points => m_points.Value;
 
-        /// <summary>How a cloud is coloured from now on. A cloud that never had a look is not drawn.</summary>
+        /// <summary>Sets how a cloud is coloured from now on. A cloud without a look is not drawn.</summary>
         public void SetLook(int cloud, CloudLook look)
         {
-            // A plane of -1: not drawn.
+            // A plane of -1 is not drawn.
             while (m_looks.Count <= cloud)
                 m_looks.Add(new CloudLook { Plane = -1 });
             m_looks[cloud] = look;
         }
 
-        /// <summary>Fills the list with what the stream's last frame listed.</summary>
-        /// <param name="view">Places are relative to its eye.</param>
-        /// <param name="isAdaptive">Sizes are: without, <see cref="SizeNodes"/> is empty.</param>
-        /// <param name="rightEye">Of a headset, <paramref name="view"/> being the left one: what either sees is listed.</param>
+        /// <summary>Fills the list from the stream's last frame.</summary>
+        /// <param name="view">Positions are relative to its eye.</param>
+        /// <param name="isAdaptive">Whether sizes are adaptive; if not, <see cref="SizeNodes"/> is empty.</param>
+        /// <param name="rightEye">A headset's right eye, where <paramref name="view"/> is the left one: everything that either
+        /// eye sees is listed.</param>
         public void Build(StreamContext stream, in StreamView view, bool isAdaptive = false, StreamView? rightEye = null)
         {
             if (isAdaptive)
@@ -142,7 +143,7 @@ namespace FastPoints.Gpu
         }
     }
 
-    /// <summary>The blocks of one bank of the pool: one draw.</summary>
+    /// <summary>The blocks of one bank of the pool, which are one draw.</summary>
     internal struct BankDraw
     {
         public int Bank;

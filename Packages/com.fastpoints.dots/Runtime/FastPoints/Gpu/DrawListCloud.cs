@@ -5,13 +5,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>One cloud, before one camera, as a <see cref="ListBlocksJob"/> sees it. Blittable.</summary>
+    /// <summary>One cloud as a <see cref="ListBlocksJob"/> sees it for one camera. Blittable.</summary>
     internal unsafe struct DrawListCloud
     {
         public HierarchyPage* Pages;
         public CloudView View;
 
-        /// <summary>Of a headset's right eye, with which nodes are drawn that only it sees.</summary>
+        /// <summary>A headset's right eye: nodes that it alone sees are drawn, too.</summary>
         public CloudView RightView;
         public bool HasBothEyes;
         public CloudPlacement Placement;
@@ -20,14 +20,14 @@ namespace FastPoints.Gpu
         public double3 Step;
         public double3 EyeWorld;
 
-        /// <summary>Planes that are streamed.</summary>
+        /// <summary>Number of streamed planes.</summary>
         public int PlaneCount;
 
         public readonly bool Sees(double3 center, double3 half) =>
             View.Sees(center, half) || (HasBothEyes && RightView.Sees(center, half));
 
-        /// <summary>The node's record, but for its first instance, tint and place in the size tree.</summary>
-        /// <param name="firstWord">Of the node's planes, in its bank.</param>
+        /// <summary>The node's record without its first instance, tint and place in the size tree.</summary>
+        /// <param name="firstWord">First word of the node's planes in its bank.</param>
         public readonly GpuNode Place(int cloud, int page, int node, uint firstWord)
         {
             var from = Pages + page;
@@ -63,10 +63,10 @@ namespace FastPoints.Gpu
             return firstWord;
         }
 
-        /// <summary>The cloud's record.</summary>
-        /// <param name="layout">Of the cloud.</param>
-        /// <param name="plane">That points are coloured by, in the layout.</param>
-        /// <param name="classPlane">Their classes, in the layout: looked at where some are hidden.</param>
+        /// <summary>Makes the cloud's record.</summary>
+        /// <param name="layout">The cloud's layout.</param>
+        /// <param name="plane">Index in the layout of the plane that points are coloured by.</param>
+        /// <param name="classPlane">Index in the layout of the plane of classes, used if some are hidden.</param>
         public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
         {
             var linear = Placement.Linear;
@@ -97,7 +97,9 @@ namespace FastPoints.Gpu
             return cloud;
         }
 
-        /// <summary>The place in the node's box that is nearest to the camera, in grid steps from the node's corner.</summary>
+        /// <summary>
+        /// The position in the node's box that is nearest to the camera, in grid steps from the node's corner.
+        /// </summary>
         readonly Grid3 AnchorOf(in StreamNode node, double3 corner, bool isWide)
         {
             double largest = isWide ? 1L << 60 : uint.MaxValue;

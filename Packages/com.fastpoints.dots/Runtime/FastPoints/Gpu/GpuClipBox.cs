@@ -5,8 +5,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>A <see cref="ClipBox"/> as shaders see it, for one view: a row's x, y, z times the vector from the camera, plus
-    /// its w, is a coordinate in the box, from -0.5 to 0.5.</summary>
+    /// <summary>
+    /// A <see cref="ClipBox"/> as shaders see it for one view: the dot product of a row's x, y, z with the vector from the
+    /// camera, plus its w, is a coordinate in the box, from -0.5 to 0.5.
+    /// </summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuClipBox
@@ -17,7 +19,7 @@ namespace FastPoints.Gpu
 
         public uint3 Reserved;
 
-        /// <summary>1: takes away what is in it.</summary>
+        /// <summary>1 if the box removes what lies inside it.</summary>
         public uint Cuts;
 
         public GpuClipBox(in ClipBox box, double3 eyeWorld)

@@ -12,7 +12,7 @@ namespace FastPoints.Gpu
         /// <summary>World vector of one grid step along the cloud's X.</summary>
         public float3 StepX;
 
-        /// <summary>What <see cref="CloudLook.Source"/> is.</summary>
+        /// <summary>The value of <see cref="CloudLook.Source"/>.</summary>
         public uint ColorSource;
         public float3 StepY;
 
@@ -23,19 +23,21 @@ namespace FastPoints.Gpu
         /// <summary>Bits 0-7: columns of the colour plane; bit 8 + c: column c is of 64 bits.</summary>
         public uint Columns;
 
-        /// <summary>Entries of the palette for one grid step.</summary>
+        /// <summary>Palette entries for one grid step.</summary>
         public float3 ValuePerStep;
 
-        /// <summary>Added to a value times its column's scale.</summary>
+        /// <summary>Added to the product of a value and its column's scale.</summary>
         public float Bias;
 
-        /// <summary>By column of the colour plane: entries of the palette, or 255ths of a channel, for one stored unit.</summary>
+        /// <summary>
+        /// For each column of the colour plane: palette entries, or 255ths of a channel, for one stored unit.
+        /// </summary>
         public float3 Scale;
 
-        /// <summary>A class for one stored unit.</summary>
+        /// <summary>Multiplies stored units to give classes.</summary>
         public uint ClassDivisor;
 
-        /// <summary>See <see cref="ClassMask"/>: points that are not drawn.</summary>
+        /// <summary>The <see cref="ClassMask"/> of points that are not drawn.</summary>
         public uint4 HiddenLow;
         public uint4 HiddenHigh;
     }

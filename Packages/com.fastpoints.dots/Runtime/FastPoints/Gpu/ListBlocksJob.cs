@@ -6,24 +6,23 @@ using Unity.Jobs;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>From nodes to draw to what one camera's draws read: nodes that it sees, and which node each block is of, bank by
-    /// bank.</summary>
+    /// <summary>Lists what one camera's draws read: the nodes that it sees, and each block's node, bank by bank.</summary>
     [BurstCompile]
     internal unsafe struct ListBlocksJob : IJob
     {
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
-        /// <summary>By number of the cloud; those without pages are not drawn.</summary>
+        /// <summary>Indexed by cloud number; clouds without pages are not drawn.</summary>
         [ReadOnly] public NativeArray<DrawListCloud> Clouds;
 
-        /// <summary>Of drawn nodes; empty where no size is adaptive.</summary>
+        /// <summary>Size nodes of the drawn nodes; empty if no size is adaptive.</summary>
         [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
 
         public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;
         public NativeList<BankDraw> Draws;
 
-        /// <summary>Scratch: by bank, then by node that is seen.</summary>
+        /// <summary>Scratch: indexed by bank, then by visible node.</summary>
         public NativeList<int> InstanceOfBank;
         public NativeList<int> Seen;
         public NativeReference<long> Points;

@@ -3,15 +3,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>Edge of a point's square, diameter of its disc. Blittable, for jobs.</summary>
+    /// <summary>Edge of a point's square or diameter of its disc. Blittable, for jobs.</summary>
     public struct PointSize
     {
         public PointSizeMode Mode;
 
-        /// <summary>Pixels; world units; or, adaptive, of the distance between points.</summary>
+        /// <summary>In pixels, in world units, or, if adaptive, as a multiple of the distance between points.</summary>
         public float Value;
 
-        /// <summary>No point is smaller or larger, in pixels.</summary>
+        /// <summary>No point is smaller or larger than these, in pixels.</summary>
         public float MinPx;
         public float MaxPx;
 
@@ -19,7 +19,7 @@ namespace FastPoints.Gpu
         /// Documentation~/error-against-time.md.</summary>
         public const float DefaultGaps = 1.5f;
 
-        /// <summary>What a point takes at most where nothing else is said, but for sizes in pixels.</summary>
+        /// <summary>The largest size in pixels unless another is set; sizes in pixels have no limit.</summary>
         public const float DefaultMaxPx = 32;
 
         public static PointSize Pixels(float px) =>
@@ -31,15 +31,15 @@ namespace FastPoints.Gpu
         public static PointSize Adaptive(float gaps = DefaultGaps) =>
             new PointSize { Mode = PointSizeMode.Adaptive, Value = gaps, MinPx = 1, MaxPx = DefaultMaxPx };
 
-        /// <summary>The same for all points of a picture, whatever their distance.</summary>
+        /// <summary>Whether all points of a picture have the same size, whatever their distance.</summary>
         public readonly bool IsConstant => Mode == PointSizeMode.Pixels;
 
-        /// <summary>Least and most pixels, with what is wrong about them put right.</summary>
+        /// <summary>The smallest and largest size in pixels, with invalid limits corrected.</summary>
         public readonly float2 LimitsPx => new float2(math.max(1, MinPx), math.max(math.max(1, MinPx), MaxPx));
 
         /// <summary>The size in pixels.</summary>
-        /// <param name="gap">Between points at that place, world units: looked at where the size is adaptive.</param>
-        /// <param name="pixelsPerUnit">Of a world unit at the point's depth.</param>
+        /// <param name="gap">Distance between points at that place in world units, used if the size is adaptive.</param>
+        /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly float ToPx(float gap, float pixelsPerUnit)
         {
@@ -50,16 +50,16 @@ namespace FastPoints.Gpu
         }
     }
 
-    /// <summary>How large points are drawn.</summary>
+    /// <summary>How point sizes are measured.</summary>
     public enum PointSizeMode
     {
-        /// <summary>So many pixels, near and far.</summary>
+        /// <summary>In pixels, near and far.</summary>
         Pixels,
 
-        /// <summary>A length in the world: smaller farther away.</summary>
+        /// <summary>As a length in the world: points farther away are smaller.</summary>
         World,
 
-        /// <summary>As far apart as points are at that place, of all that is drawn there: surfaces close, detail stays.</summary>
+        /// <summary>By the distance between all points drawn at that place: surfaces close, detail stays.</summary>
         Adaptive,
     }
 }

@@ -10,13 +10,13 @@ using Unity.Mathematics;
 namespace FastPoints.Gpu
 {
     /// <summary>
-    /// How far apart points are at any place, of all that a frame draws: a node's points are as far apart as those of the deepest
-    /// node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers", 2016, ch. 4.3.3).
-    /// Main thread.
+    /// Tells how far apart points are at any place, across all that a frame draws: a node's points are as far apart as those of
+    /// the deepest node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers", 2016,
+    /// ch. 4.3.3). Main thread.
     /// </summary>
     public sealed unsafe class SizeTree : IDisposable
     {
-        /// <summary>Levels below a node that are looked through: a float tells no more apart.</summary>
+        /// <summary>The most levels below a node that are searched: a float cannot resolve more.</summary>
         public const int MostLevels = 22;
 
         NativeList<SizeTreeCloud> m_clouds;
@@ -38,10 +38,10 @@ namespace FastPoints.Gpu
 
         internal NativeArray<GpuSizeNode> Nodes => m_nodes.AsArray();
 
-        /// <summary>By node of the stream's list of what to draw.</summary>
+        /// <summary>Indexed by node in the stream's list of what to draw.</summary>
         public NativeArray<int> NodeOfDrawn => m_nodeOfDrawn.AsArray();
 
-        /// <summary>Takes what the stream's last frame listed: once, whoever asks.</summary>
+        /// <summary>Takes what the stream's last frame listed; calling it again for that frame does nothing.</summary>
         public void Build(StreamContext stream)
         {
             if (m_stream == stream && m_frame == stream.Selector.Frame)
@@ -73,7 +73,7 @@ namespace FastPoints.Gpu
             }.Run();
         }
 
-        /// <summary>Forgets what was built: nothing is adaptive.</summary>
+        /// <summary>Forgets what was built, so that nothing is adaptive.</summary>
         public void Clear()
         {
             m_stream = null;
@@ -82,8 +82,8 @@ namespace FastPoints.Gpu
         }
 
         /// <summary>The distance between points at a place.</summary>
-        /// <param name="node">Of what the point is drawn with.</param>
-        /// <param name="place">Of the point in the node's cube: from 0 to 1 along each axis.</param>
+        /// <param name="node">The node that the point is drawn with.</param>
+        /// <param name="place">Position of the point in the node's cube: from 0 to 1 along each axis.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static float GapAt(GpuSizeNode* nodes, int node, float3 place)
         {
@@ -122,23 +122,23 @@ namespace FastPoints.Gpu
         public HierarchyPage* Pages;
         public NodeCubes Cubes;
 
-        /// <summary>World units of one CRS unit, along the axis that is stretched most.</summary>
+        /// <summary>World units of one CRS unit along the axis that is stretched most.</summary>
         public float WorldPerUnit;
     }
 
     /// <summary>A node of a <see cref="SizeTree"/> while a <see cref="BuildSizeTreeJob"/> works.</summary>
     internal unsafe struct SizeTreeLink
     {
-        /// <summary>By octant: the link below; 0 for none, as no link is below the first.</summary>
+        /// <summary>The link below for each octant; 0 for none, since no link is below the first.</summary>
         public fixed int Children[8];
 
-        /// <summary>Between points, in world units.</summary>
+        /// <summary>Distance between points in world units.</summary>
         public float Gap;
 
-        /// <summary>Stands for a node that is drawn, and not only for a level between two of these.</summary>
+        /// <summary>Whether it stands for a node that is drawn, and not only for a level between two of these.</summary>
         public bool IsDrawn;
 
-        /// <summary>Nothing is above it.</summary>
+        /// <summary>Whether nothing is above it.</summary>
         public bool IsRoot;
 
         /// <summary>Its place in the tree.</summary>
@@ -154,7 +154,7 @@ namespace FastPoints.Gpu
         /// order of the octants.</summary>
         public uint Children;
 
-        /// <summary>Between points where no deeper node is drawn, in world units.</summary>
+        /// <summary>Distance in world units between points where no deeper node is drawn.</summary>
         public float Gap;
     }
 }

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>What lies between two picked points.</summary>
+    /// <summary>The distance between two picked points.</summary>
     public readonly struct Measurement
     {
         public Measurement(StreamPick from, StreamPick to)
@@ -21,25 +21,25 @@ namespace FastPoints.Picking
             Up = from.Up;
         }
 
-        /// <summary>In Unity's units, as the clouds stood.</summary>
+        /// <summary>Distance in Unity's units, as the clouds stood.</summary>
         public double WorldLength { get; }
 
-        /// <summary>Both are in one coordinate system, so that differences of coordinates mean something.</summary>
+        /// <summary>Whether both are in one coordinate system, so that differences of coordinates are meaningful.</summary>
         public bool IsGeo { get; }
 
-        /// <summary>From the first to the second, in CRS units; NaN where it means nothing.</summary>
+        /// <summary>Vector from the first to the second in CRS units; NaN if it is meaningless.</summary>
         public double3 DeltaGeo { get; }
 
-        /// <summary>NaN where nobody knows, or the units are angles.</summary>
+        /// <summary>NaN if it is unknown, or if the units are angles.</summary>
         public double MetresPerUnit { get; }
 
         /// <summary>The axis that points up.</summary>
         public UpAxis Up { get; }
 
-        /// <summary>In CRS units.</summary>
+        /// <summary>Length in CRS units.</summary>
         public double LengthGeo => math.length(DeltaGeo);
 
-        /// <summary>On the map, without the difference in height; in CRS units.</summary>
+        /// <summary>Distance on the map in CRS units, without the difference in height.</summary>
         public double HorizontalGeo
         {
             get
@@ -50,7 +50,7 @@ namespace FastPoints.Picking
             }
         }
 
-        /// <summary>NaN where <see cref="MetresPerUnit"/> is. Heights count in the horizontal unit.</summary>
+        /// <summary>Length in metres; NaN if <see cref="MetresPerUnit"/> is. Heights count in the horizontal unit.</summary>
         public double LengthMetres => LengthGeo * MetresPerUnit;
     }
 }

@@ -10,8 +10,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>Reads all that a cloud has of one point: each plane of its node but the position's, at once; or has these
-    /// made.</summary>
+    /// <summary>
+    /// Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these made.
+    /// </summary>
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -22,7 +23,7 @@ namespace FastPoints.Picking
 
         sealed class Plane
         {
-            /// <summary>Counted among the planes that are streamed, or made.</summary>
+            /// <summary>Index among the planes that are streamed or made.</summary>
             public int Number;
             public StoreLayout.Plane Of;
             public StoreRead Read = new StoreRead();
@@ -44,7 +45,7 @@ namespace FastPoints.Picking
                 });
         }
 
-        /// <summary>What is called next is called after this.</summary>
+        /// <summary>The handle to await before the next call.</summary>
         public JobHandle Done { get; private set; }
 
         NodeSource Source => m_cloud.Source;
@@ -69,7 +70,7 @@ namespace FastPoints.Picking
             }
         }
 
-        /// <summary>Goes on with what was made, where that is so. Then, after <see cref="Done"/>, it can be ended.</summary>
+        /// <summary>Continues with the planes that were made, if any. After <see cref="Done"/> it can then be ended.</summary>
         /// <exception cref="PointCloudException">The node cannot be read, or is damaged.</exception>
         public void GoOn()
         {
@@ -82,7 +83,7 @@ namespace FastPoints.Picking
                 Schedule(plane, m_maker.PlaneOf(plane.Number), 0, default);
         }
 
-        /// <returns>In the order of the source's attributes.</returns>
+        /// <returns>The values in the order of the source's attributes.</returns>
         /// <exception cref="PointCloudException">A plane cannot be read, or is damaged.</exception>
         public PickedAttribute[] End()
         {
@@ -106,7 +107,7 @@ namespace FastPoints.Picking
             return attributes;
         }
 
-        /// <summary>Awaits what is under way, which nobody wants any more.</summary>
+        /// <summary>Awaits unfinished work whose result is no longer wanted.</summary>
         public void Abandon()
         {
             Done.Complete();
@@ -145,7 +146,7 @@ namespace FastPoints.Picking
             }.Schedule(inputDeps));
     }
 
-    /// <summary>What one plane of a node says of one point.</summary>
+    /// <summary>Reads one point's values from one plane of a node.</summary>
     [BurstCompile]
     internal unsafe struct ReadPointJob : IJob
     {
@@ -153,15 +154,15 @@ namespace FastPoints.Picking
         public PlaneShape Shape;
         public ulong Hash;
 
-        /// <summary>The plane was made in memory: there is no hash.</summary>
+        /// <summary>Whether the plane was made in memory, so that there is no hash.</summary>
         public bool IsMade;
         public int BlockCount;
         public int Block;
 
-        /// <summary>In its block.</summary>
+        /// <summary>Index in its block.</summary>
         public int Index;
 
-        /// <summary>By column, as they are packed.</summary>
+        /// <summary>The packed value of each column.</summary>
         public NativeArray<ulong> Values;
         public NativeReference<bool> IsDamaged;
 

@@ -2,10 +2,10 @@ using FastPoints.Points;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The point that a search has found, and where it lies in the cloud. Blittable.</summary>
+    /// <summary>The point that a search has found, and its position in the cloud. Blittable.</summary>
     public struct PickHit
     {
-        /// <summary>World units along the ray; infinity where nothing was found.</summary>
+        /// <summary>World units along the ray; infinity if nothing was found.</summary>
         public double Distance;
 
         /// <summary>Squared distance from the ray.</summary>
@@ -15,19 +15,21 @@ namespace FastPoints.Picking
         public Grid3 Place;
         public int Page;
 
-        /// <summary>In whose planes it lies.</summary>
+        /// <summary>The node whose planes hold the point.</summary>
         public int Node;
         public int Block;
 
-        /// <summary>In its block.</summary>
+        /// <summary>Index in its block.</summary>
         public int Index;
 
         public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
 
         public readonly bool IsFound => Distance < double.PositiveInfinity;
 
-        /// <summary>Nearer to the camera; or else to the ray; or else, so that no order of reading decides, by place. Of several
-        /// points at one place, the one that lies first.</summary>
+        /// <summary>
+        /// Whether it is nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position, so that
+        /// no reading order matters; of several points at one position, the first one wins.
+        /// </summary>
         public readonly bool IsBefore(in PickHit other)
         {
             if (Distance != other.Distance)

@@ -10,25 +10,26 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The first hit of a ray among the points of one node and its guests: at most a few times 50,000, block by block.
-    /// What
-    /// was read is checked before it is unpacked.</summary>
+    /// <summary>
+    /// Finds the first hit of a ray among the points of one node and its guests, at most a few times 50,000, block by block. It
+    /// checks what was read before unpacking it.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {
-        /// <summary>The plane of the positions.</summary>
+        /// <summary>Shape of the position plane.</summary>
         [ReadOnly] public NativeArray<byte> Positions;
         public PlaneShape PositionShape;
         public ulong PositionHash;
 
-        /// <summary>The plane of the classes, where some are <see cref="Hidden"/>; else anything.</summary>
+        /// <summary>Shape of the plane of classes, if some are <see cref="Hidden"/>; otherwise anything.</summary>
         [ReadOnly] public NativeArray<byte> Classes;
         public PlaneShape ClassShape;
         public ulong ClassHash;
         public ClassMask Hidden;
         public int BlockCount;
 
-        /// <summary>The planes were made in memory: there are no hashes.</summary>
+        /// <summary>Whether the planes were made in memory, so that there are no hashes.</summary>
         public bool IsMade;
 
         public PickSpace Space;
@@ -41,7 +42,7 @@ namespace FastPoints.Picking
         public int Page;
         public int Node;
 
-        /// <summary>In: what is nearer than anything that is looked for. Out: the first hit, or what was there.</summary>
+        /// <summary>In: the limit that a hit must beat. Out: the first hit, or the unchanged limit.</summary>
         public NativeReference<PickHit> Best;
         public NativeReference<bool> IsDamaged;
 
@@ -69,7 +70,7 @@ namespace FastPoints.Picking
             return new PlaneView(start, shape, BlockCount);
         }
 
-        /// <returns>The centre of what its columns' minima and widths leave room for, in CRS units from the root's
+        /// <returns>The centre of the box that the columns' minima and widths allow, in CRS units from the root's
         /// corner.</returns>
         double3 BoxOf(in PlaneView positions, int block, out double3 half)
         {
@@ -87,7 +88,8 @@ namespace FastPoints.Picking
                 positions.UnpackWide(block, axis, values + axis * stride);
             ulong minX = positions.MinimumOf(block, 0), minY = positions.MinimumOf(block, 1), minZ = positions.MinimumOf(block, 2);
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
-            // Corners in full, what counts from them in the cloud's own units: nothing is lost far from the origin.
+            // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
+            // the origin.
             var corner = Place.Corner + new Grid3((long)minX, (long)minY, (long)minZ);
             var cornerLocal = ToDouble(corner) * Step;
             var fromRay = Space.FromRay(cornerLocal);

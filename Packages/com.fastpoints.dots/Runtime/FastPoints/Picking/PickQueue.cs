@@ -2,14 +2,14 @@ using System.Collections.Generic;
 
 namespace FastPoints.Picking
 {
-    /// <summary>The candidates of a search, the nearest first: a binary heap that keeps its room.</summary>
+    /// <summary>The candidates of a search, nearest first: a binary heap that keeps its memory.</summary>
     sealed class PickQueue
     {
         readonly List<PickCandidate> m_items = new List<PickCandidate>();
 
         public int Count => m_items.Count;
 
-        /// <summary>The nearest.</summary>
+        /// <summary>The nearest candidate.</summary>
         public PickCandidate Next => m_items[0];
 
         public void Clear() => m_items.Clear();
@@ -44,18 +44,18 @@ namespace FastPoints.Picking
         }
     }
 
-    /// <summary>A node, or a page that is not loaded, that a ray might hit something in.</summary>
+    /// <summary>A node, or a page that is not loaded, in which a ray might hit something.</summary>
     struct PickCandidate
     {
-        /// <summary>In place of <see cref="Node"/>.</summary>
+        /// <summary>Takes the place of a <see cref="Node"/>.</summary>
         public const int WholePage = -1;
 
-        /// <summary>Along the ray: no hit in it, or below it, is nearer.</summary>
+        /// <summary>Distance along the ray: no hit in it or below it is nearer.</summary>
         public double Distance;
         public int Page;
         public int Node;
 
-        /// <summary>Of the points above it, in CRS units.</summary>
+        /// <summary>Spacing of the points above it in CRS units.</summary>
         public double SpacingAbove;
 
         public readonly bool IsPage => Node == WholePage;

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace FastPoints.Picking
 {
     /// <summary>
-    /// What a pointer on a screen points along, in world space and in double: a ray with a width. It hits the points that are no
-    /// farther from it than <see cref="RadiusAt"/> where they are nearest to it. Blittable.
+    /// The ray of a pointer on a screen, in world space and in double, with a width. It hits the points that are no farther
+    /// from it than <see cref="RadiusAt"/> at their nearest place on the ray. Blittable.
     /// </summary>
     public struct PickRay
     {
@@ -13,22 +13,23 @@ namespace FastPoints.Picking
         /// <summary>A unit vector.</summary>
         public double3 DirectionWorld;
 
-        /// <summary>World units, at the origin.</summary>
+        /// <summary>Radius at the origin in world units.</summary>
         public double Radius;
 
-        /// <summary>World units more for each unit along the ray.</summary>
+        /// <summary>World units that the radius gains for each unit along the ray.</summary>
         public double RadiusPerUnit;
 
-        /// <summary>Distances along the ray, in world units, that hits lie between: a camera's clip planes, for
-        /// example.</summary>
+        /// <summary>
+        /// Hits lie between these distances along the ray in world units: a camera's clip planes, for example.
+        /// </summary>
         public double From;
         public double To;
 
-        /// <summary>Of a perspective camera.</summary>
-        /// <param name="direction">Of any length.</param>
-        /// <param name="scalePx">Pixels of one unit at a distance of one unit
-        /// (<see cref="Streaming.StreamView.ScalePx"/>).</param>
-        /// <param name="radiusPx">Above 0: a ray without width hits nothing.</param>
+        /// <summary>Makes the ray of a perspective camera.</summary>
+        /// <param name="direction">A vector of any length.</param>
+        /// <param name="scalePx">Pixels of one unit at a distance of one unit (<see
+        /// cref="Streaming.StreamView.ScalePx"/>).</param>
+        /// <param name="radiusPx">Must be above 0: a ray without width hits nothing.</param>
         public static PickRay FromEye(double3 eyeWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
         {
             OriginWorld = eyeWorld,
@@ -37,7 +38,7 @@ namespace FastPoints.Picking
             To = double.PositiveInfinity,
         };
 
-        /// <summary>Of an orthographic camera.</summary>
+        /// <summary>Makes the ray of an orthographic camera.</summary>
         /// <param name="originWorld">Where the pixel's line crosses the camera's plane.</param>
         /// <param name="scalePx">Pixels of one unit.</param>
         public static PickRay Parallel(double3 originWorld, double3 direction, double scalePx, double radiusPx) => new PickRay
@@ -48,7 +49,7 @@ namespace FastPoints.Picking
             To = double.PositiveInfinity,
         };
 
-        /// <summary>World units.</summary>
+        /// <summary>Radius at a distance, in world units.</summary>
         public double RadiusAt(double distance) => Radius + RadiusPerUnit * distance;
     }
 }

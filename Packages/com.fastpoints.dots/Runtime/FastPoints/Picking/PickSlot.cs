@@ -8,8 +8,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>One candidate of a search at a time: reads a page's table or a node's planes, or has these made, has a job look
-    /// at them, and takes what that found. Its memory is used again.</summary>
+    /// <summary>
+    /// Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made, searches them
+    /// in a job and takes the result. Its memory is reused.
+    /// </summary>
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -23,7 +25,7 @@ namespace FastPoints.Picking
         NodeMaker m_maker;
         bool m_isMaking;
 
-        /// <summary>What looks at the node that is being made.</summary>
+        /// <summary>The search of the node that is being made.</summary>
         PickNodeJob m_job;
         int m_classPlane;
 
@@ -36,16 +38,16 @@ namespace FastPoints.Picking
             m_isDamaged = new NativeReference<bool>(Allocator.Persistent);
         }
 
-        /// <summary>What is called next is called after this.</summary>
+        /// <summary>The handle to await before the next call.</summary>
         public JobHandle Done { get; private set; }
 
         NodeSource Source => m_cloud.Source;
 
-        /// <summary>Of what was begun last.</summary>
+        /// <summary>Bytes of what was begun last.</summary>
         public long Bytes { get; private set; }
 
         /// <summary>Takes a candidate over.</summary>
-        /// <returns>False where it is a node to be made, and enough are made already: never so where none is.</returns>
+        /// <returns>False if the node would have to be made while enough are being made already; true if none is.</returns>
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
@@ -55,7 +57,7 @@ namespace FastPoints.Picking
             return m_maker != null;
         }
 
-        /// <summary>Begins with a page.</summary>
+        /// <summary>Begins to read a page.</summary>
         public void BeginPage()
         {
             Bytes = 0;
@@ -67,8 +69,9 @@ namespace FastPoints.Picking
             Done = m_first.Done;
         }
 
-        /// <summary>Goes on with what was read or made, where there is more to do. Then, after <see cref="Done"/>, it can be
-        /// ended.</summary>
+        /// <summary>
+        /// Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be ended.
+        /// </summary>
         /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
         public void GoOn()
         {
@@ -89,8 +92,8 @@ namespace FastPoints.Picking
             m_built.Value = default;
         }
 
-        /// <summary>Begins with a node.</summary>
-        /// <param name="classPlane">Counted among the planes that are streamed; looked at where classes are hidden.</param>
+        /// <summary>Begins to search a node.</summary>
+        /// <param name="classPlane">Index among the streamed planes; used if classes are hidden.</param>
         public unsafe void BeginNode(in PickSpace space, NativeArray<LocalClip> clips, in ClassMask hidden, int classPlane,
             in PickHit best)
         {
@@ -120,7 +123,7 @@ namespace FastPoints.Picking
                 BeginReading();
         }
 
-        /// <summary>The node's first hit, or the one that it was begun with.</summary>
+        /// <summary>Returns the node's first hit, or the one that the search began with.</summary>
         /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
         public PickHit EndNode()
         {
@@ -135,7 +138,7 @@ namespace FastPoints.Picking
             return m_best.Value;
         }
 
-        /// <summary>Awaits what is under way, which nobody wants any more.</summary>
+        /// <summary>Awaits unfinished work whose result is no longer wanted.</summary>
         public unsafe void Abandon()
         {
             Done.Complete();

@@ -3,17 +3,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>A ray beside one cloud, which may be moved, turned, scaled and sheared: lengths are the world's. Blittable, for
-    /// jobs.</summary>
+    /// <summary>
+    /// A ray relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units. Blittable, for
+    /// jobs.
+    /// </summary>
     internal struct PickSpace
     {
-        /// <summary>Boxes are taken larger by so much of their coordinates, so that roundings lose no point.</summary>
+        /// <summary>Boxes are enlarged by this share of their coordinates, so that rounding loses no point.</summary>
         const double Slack = 1e-14;
 
         PickRay m_ray;
         double3x3 m_linear;
 
-        /// <summary>From the ray's origin to the corner of the cloud's root cube, in the world.</summary>
+        /// <summary>Vector in the world from the ray's origin to the corner of the cloud's root cube.</summary>
         double3 m_fromOrigin;
         double3 m_originLocal;
         double3 m_directionLocal;
@@ -33,27 +35,29 @@ namespace FastPoints.Picking
             m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
         }
 
-        /// <summary>A place of the cloud (CRS units from the corner of its root cube), as the world has it, from the ray's
-        /// origin.</summary>
+        /// <summary>
+        /// Transforms a position of the cloud (CRS units from the corner of its root cube) to the world, relative to the ray's
+        /// origin.
+        /// </summary>
         public double3 FromRay(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         /// <summary>The same for a difference of places.</summary>
         public double3 Turned(double3 local) => math.mul(m_linear, local);
 
-        /// <summary>Whether a place is hit.</summary>
+        /// <summary>Whether a position is hit.</summary>
         /// <param name="fromRay">See <see cref="FromRay"/>.</param>
-        /// <param name="distance">Along the ray.</param>
+        /// <param name="distance">Distance along the ray.</param>
         /// <param name="besideSq">Squared distance from the ray.</param>
         public bool Hits(double3 fromRay, out double distance, out double besideSq)
         {
             distance = math.dot(fromRay, m_ray.DirectionWorld);
-            // Not by Pythagoras: the difference of two squares would lose half of the digits.
+            // Pythagoras would lose half of the digits in the difference of two squares.
             besideSq = math.lengthsq(fromRay - distance * m_ray.DirectionWorld);
             double radius = m_ray.RadiusAt(distance);
             return distance >= m_ray.From && distance <= m_ray.To && radius >= 0 && besideSq <= radius * radius;
         }
 
-        /// <summary>Whether a place within a box might be hit. For a box that none of is, the answer may be yes.</summary>
+        /// <summary>Whether the ray might hit a position within a box. It may be true for a box without hits.</summary>
         /// <param name="center">CRS units from the corner of the root cube.</param>
         /// <param name="distance">No hit in the box is nearer.</param>
         public bool Meets(double3 center, double3 half, out double distance)
@@ -68,7 +72,7 @@ namespace FastPoints.Picking
             double end = math.min(m_ray.To, along + extent);
             if (!(distance <= end))
                 return false;
-            // A hit's foot on the ray is no farther from it than the radius at its farthest: slabs as much thicker.
+            // A hit's foot on the ray is no farther from it than the largest radius: the slabs are thicker by that much.
             var from = center - m_originLocal;
             var reach = half + math.max(0, m_ray.RadiusAt(end)) * m_reachLocal +
                 Slack * (math.abs(center) + math.abs(m_originLocal));

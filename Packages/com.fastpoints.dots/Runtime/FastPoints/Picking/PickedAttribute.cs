@@ -11,7 +11,7 @@ namespace FastPoints.Picking
     {
         readonly ulong m_bits;
 
-        /// <param name="packed">As it lies in a plane.</param>
+        /// <param name="packed">The value as it lies in a plane.</param>
         /// <param name="column">What the plane's numbers mean.</param>
         public unsafe PickedAttribute(PointAttribute attribute, ulong packed, in StoredColumn column)
         {
@@ -24,8 +24,10 @@ namespace FastPoints.Picking
 
         public PointAttribute Attribute { get; }
 
-        /// <summary>What the attribute's numbers stand for: scaled and offset as it says. Rounded where a 64-bit whole number has
-        /// more than 53 bits.</summary>
+        /// <summary>
+        /// The meaning of the stored number: scaled and offset as the attribute says. It is rounded if a 64-bit whole number
+        /// has more than 53 bits.
+        /// </summary>
         public double Value => Stored * Attribute.Scale + Attribute.Offset;
 
         double Stored

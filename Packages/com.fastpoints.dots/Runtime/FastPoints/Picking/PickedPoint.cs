@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>A point of a cloud that somebody has pointed at: all that the cloud knows of it.</summary>
+    /// <summary>A point of a cloud that a user has picked, with all that the cloud knows of it.</summary>
     public sealed class PickedPoint
     {
         internal PickedPoint(Grid3 place, CloudGrid grid, double3 world, double distance,
@@ -17,33 +17,36 @@ namespace FastPoints.Picking
             Attributes = attributes;
         }
 
-        /// <summary>In whole steps of <see cref="Grid"/>: exact.</summary>
+        /// <summary>Exact position in whole steps of <see cref="Grid"/>.</summary>
         public Grid3 Place { get; }
 
-        /// <summary>Of the point's cloud.</summary>
+        /// <summary>The grid of the point's cloud.</summary>
         public CloudGrid Grid { get; }
 
-        /// <summary>Georeferenced, in CRS units: the exact place, rounded as every use of the file's own numbers rounds
-        /// it.</summary>
+        /// <summary>
+        /// Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds it.
+        /// </summary>
         public double3 PlaceGeo => Grid.ToGeo(Place);
 
-        /// <summary>As the cloud stood when it was picked.</summary>
+        /// <summary>Position in the world as the cloud stood when it was picked.</summary>
         public double3 PlaceWorld { get; }
 
-        /// <summary>Along the ray, in world units.</summary>
+        /// <summary>Distance along the ray in world units.</summary>
         public double Distance { get; }
 
-        /// <summary>All that the cloud has but the position, in the order of its source.</summary>
+        /// <summary>All attributes of the point except its position, in the order of the source.</summary>
         public IReadOnlyList<PickedAttribute> Attributes { get; }
     }
 
-    /// <summary>What a search has come to.</summary>
+    /// <summary>The result of a search.</summary>
     internal sealed class PickResult
     {
-        /// <summary>Null where nothing was hit.</summary>
+        /// <summary>Null if nothing was hit.</summary>
         public PickedPoint Point { get; internal set; }
 
-        /// <summary>The search ended at <see cref="PickOptions.MostBytes"/>: there may be a nearer point.</summary>
+        /// <summary>
+        /// Whether the search ended at <see cref="PickOptions.MostBytes"/>, so that there may be a nearer point.
+        /// </summary>
         public bool IsPartial { get; internal set; }
 
         public int NodesRead { get; internal set; }

@@ -11,16 +11,16 @@ using Unity.Mathematics;
 namespace FastPoints.Picking
 {
     /// <summary>
-    /// Finds the first point of a cloud that a ray hits, among all that are on disk and not only those that are shown: nodes are
-    /// read, or made, from the nearest on, until none that is left can have a nearer hit. Main thread; waits only where it is
-    /// disposed, or a search is broken off.
+    /// Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads
+    /// or makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
+    /// disposed or a search is broken off.
     /// </summary>
     internal sealed class PointPicker : IDisposable
     {
-        /// <summary>Nodes and tables that are read at once.</summary>
+        /// <summary>Nodes and tables that are read at the same time.</summary>
         const int SlotCount = 8;
 
-        /// <summary>Tables of chunks are kept from search to search up to here.</summary>
+        /// <summary>Tables of chunks are kept between searches up to this size.</summary>
         const long MostHierarchyBytes = 64 << 20;
 
         readonly StreamedCloud m_cloud;
@@ -29,10 +29,10 @@ namespace FastPoints.Picking
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
 
-        /// <summary>Counted among the planes that are streamed; -1 where there are no classes.</summary>
+        /// <summary>Index among the streamed planes; -1 if there are no classes.</summary>
         readonly int m_classPlane = -1;
 
-        // Of the search that goes on.
+        // State of the search in progress.
         bool m_isSearching;
         PickRay m_ray;
         PickSpace m_space;
@@ -41,7 +41,8 @@ namespace FastPoints.Picking
         PickResult m_result;
         PickHit m_best;
 
-        /// <param name="source">Becomes the picker's: with what <see cref="NodeSource.OpenForPicking"/> says.</param>
+        /// <param name="source">The picker owns it; it has the planes that <see cref="NodeSource.OpenForPicking"/>
+        /// promises.</param>
         public PointPicker(NodeSource source)
         {
             m_cloud = new StreamedCloud(source, default);
@@ -55,10 +56,10 @@ namespace FastPoints.Picking
 
         public NodeSource Source => m_cloud.Source;
 
-        /// <summary>Work for a pump, one at a time.</summary>
-        /// <param name="placement">Where the cloud stands; nothing is hit of one without volume.</param>
-        /// <param name="options">Null for what they are by themselves; left alone until the work is done.</param>
-        /// <param name="result">What the work comes to: a fresh one.</param>
+        /// <summary>Searches as work for a pump, one search at a time.</summary>
+        /// <param name="placement">Where the cloud stands; one without volume is never hit.</param>
+        /// <param name="options">Null for the defaults; must not change until the work is done.</param>
+        /// <param name="result">A new object that receives the result.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or is damaged.</exception>
         public IEnumerator<Work> Find(PickRay ray, CloudPlacement placement, PickOptions options, PickResult result)
         {
@@ -116,7 +117,7 @@ namespace FastPoints.Picking
             }
         }
 
-        /// <summary>Awaits what is under way. A search that was not ended is ended first, by its pump.</summary>
+        /// <summary>Awaits unfinished work. A search in progress must be ended by its pump first.</summary>
         public void Dispose()
         {
             foreach (var slot in m_slots)
@@ -125,7 +126,7 @@ namespace FastPoints.Picking
             m_cloud.Dispose();
         }
 
-        /// <returns>Whether there is something that might have a nearer hit.</returns>
+        /// <returns>Whether a candidate remains that might have a nearer hit.</returns>
         bool TakeNearest()
         {
             m_taken.Clear();
@@ -143,7 +144,7 @@ namespace FastPoints.Picking
             return m_taken.Count > 0;
         }
 
-        /// <summary>Whether all pages that were taken can be built; if not, the source goes on reading them.</summary>
+        /// <summary>Whether all pages that were taken can be built; if not, the source continues to read them.</summary>
         /// <exception cref="PointCloudException">The source's hierarchy cannot be read.</exception>
         bool ArePagesKnown()
         {
@@ -155,7 +156,7 @@ namespace FastPoints.Picking
             return areKnown;
         }
 
-        /// <returns>Whether there is more to do with what was begun before it can be ended.</returns>
+        /// <returns>Whether there is more to do before it can be ended.</returns>
         bool Begin(NativeArray<LocalClip> clips)
         {
             bool goesOn = Source.MakesNodes;
@@ -228,14 +229,14 @@ namespace FastPoints.Picking
             // A guest's points are searched with its host's.
             if (node.PointCount == 0)
                 return;
-            // A node that only holds others together.
+            // The node only holds others together.
             if (node.BlockCount == 0)
                 PushBelow(page, index);
             else
                 Push(page, index, node.Center, node.Half, spacingAbove);
         }
 
-        /// <param name="spacingAbove">Of the points above, in CRS units.</param>
+        /// <param name="spacingAbove">Spacing of the points above, in CRS units.</param>
         void Push(int page, int node, double3 center, double3 half, double spacingAbove)
         {
             if (!m_space.Meets(center, half, out double distance) || distance > m_best.Distance ||
@@ -266,21 +267,22 @@ namespace FastPoints.Picking
         }
     }
 
-    /// <summary>What a ray may hit of a cloud, and what a search may take.</summary>
+    /// <summary>Options of a search: what a ray may hit, and how much may be read.</summary>
     public sealed class PickOptions
     {
-        /// <summary>What the cloud is clipped by: what is not shown is not hit.</summary>
+        /// <summary>The boxes that the cloud is clipped by: what is not shown is not hit.</summary>
         public List<ClipBox> ClipBoxes = new List<ClipBox>();
 
-        /// <summary>Classes whose points are not shown. Nothing where the cloud has no classes.</summary>
+        /// <summary>Classes whose points are not shown. Ignored if the cloud has no classes.</summary>
         public ClassMask HiddenClasses;
 
-        /// <summary>Of a node whose points lie nearer to each other than this share of the ray's radius, nothing below is
-        /// looked at:
-        /// a screen shows no more. 0 looks at every point.</summary>
+        /// <summary>
+        /// Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a
+        /// screen shows no more. 0 searches every point.
+        /// </summary>
         public double FinestSpacing = 0.1;
 
-        /// <summary>A search that has read so much ends with what it has found.</summary>
+        /// <summary>A search that has read this many bytes ends with what it has found.</summary>
         public long MostBytes = 256 << 20;
     }
 }

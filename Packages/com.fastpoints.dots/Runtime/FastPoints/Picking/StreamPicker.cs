@@ -8,8 +8,8 @@ using FastPoints.Streaming;
 namespace FastPoints.Picking
 {
     /// <summary>
-    /// Finds the first point that a ray hits of all clouds of a stream, beside its frames: <see cref="Begin"/>, then
-    /// <see cref="Update"/> once a frame until that says it is done. Main thread; waits only where a search is broken off.
+    /// Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>, then
+    /// <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken off.
     /// </summary>
     internal sealed class StreamPicker : IDisposable
     {
@@ -17,13 +17,13 @@ namespace FastPoints.Picking
         {
             public int Cloud;
 
-            /// <summary>The stream's, and perhaps disposed since.</summary>
+            /// <summary>The stream's source, which may have been disposed since.</summary>
             public NodeSource Source;
             public CloudPlacement Placement;
             public ClassMask HiddenClasses;
         }
 
-        /// <summary>By what is streamed.</summary>
+        /// <summary>The picker of each streamed source.</summary>
         readonly Dictionary<NodeSource, PointPicker> m_pickers = new Dictionary<NodeSource, PointPicker>();
         readonly List<Target> m_targets = new List<Target>();
         readonly PickOptions m_options = new PickOptions();
@@ -34,13 +34,13 @@ namespace FastPoints.Picking
         PickResult m_found;
         PickRay m_ray;
 
-        /// <summary>Of the search that was begun last; whole when that is done.</summary>
+        /// <summary>Result of the search that was begun last; complete when that is done.</summary>
         public StreamPick Pick { get; private set; } = new StreamPick();
 
         public bool IsSearching { get; private set; }
 
-        /// <summary>Looks at the clouds as they are now; a search that goes on is broken off.</summary>
-        /// <param name="hiddenOf">By number of a cloud, classes whose points are not shown; null for none.</param>
+        /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
+        /// <param name="hiddenOf">Gives for a cloud's number the classes whose points are not shown; null for none.</param>
         public void Begin(StreamContext stream, PickRay ray, Func<int, ClassMask> hiddenOf = null)
         {
             BreakOff();
@@ -74,8 +74,8 @@ namespace FastPoints.Picking
             IsSearching = true;
         }
 
-        /// <summary>Once a frame.</summary>
-        /// <param name="budgetMs">Of the main thread.</param>
+        /// <summary>Continues the search; called once a frame.</summary>
+        /// <param name="budgetMs">Time on the main thread.</param>
         /// <returns>Whether the search is done, and <see cref="Pick"/> its result.</returns>
         public bool Update(double budgetMs = 1)
         {
@@ -117,7 +117,7 @@ namespace FastPoints.Picking
             {
                 if (!TryOpen(target.Source, budgetMs))
                     return false;
-                // Gone while others were searched.
+                // It left while others were searched.
                 if (m_opened == null)
                     return true;
                 picker = new PointPicker(m_opened);
@@ -140,7 +140,7 @@ namespace FastPoints.Picking
             return true;
         }
 
-        /// <returns>Whether <see cref="m_opened"/> is there, or will never be.</returns>
+        /// <returns>Whether <see cref="m_opened"/> is ready, or will never be.</returns>
         bool TryOpen(NodeSource streamed, double budgetMs)
         {
             m_opening ??= new WorkPump(streamed.OpenForPicking(opened => m_opened = opened));
@@ -158,7 +158,7 @@ namespace FastPoints.Picking
             Pick.Crs = source.Crs;
             Pick.MetresPerUnit = source.Crs.MetresPerUnit;
             Pick.IsPreview = !source.HasAllPoints;
-            // What comes after it has to be nearer.
+            // Later hits have to be nearer.
             m_ray.To = m_found.Point.Distance;
         }
 

@@ -16,23 +16,27 @@ namespace FastPoints.Picture
     {
         public const int WordsPerPixel = 2;
 
-        /// <summary>Of a point in its middle; 1 at its rim.</summary>
+        /// <summary>Weight of a point in its middle; 1 at its rim.</summary>
         public const int LargestWeight = 32;
 
-        /// <summary>Of a pixel: 255 times as much fits 32 bits. What comes after half a million points is left out.</summary>
+        /// <summary>
+        /// The largest sum of weights in a pixel: 255 times it fits 32 bits. Points after the first half a million are left
+        /// out.
+        /// </summary>
         const uint MostWeights = (1u << 24) - 1024;
 
-        /// <summary>How far behind the nearest point others are blended with it: a point's diameter, in world
-        /// units.</summary>
-        /// <param name="pixelsPerUnit">At the point's depth.</param>
+        /// <summary>
+        /// How far behind the nearest point others are still blended with it: a point's diameter, in world units.
+        /// </summary>
+        /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
         public static double WindowOf(float sizePx, double pixelsPerUnit) => sizePx / pixelsPerUnit;
 
-        /// <param name="distanceSq">From the middle, 1 at the rim, squared.</param>
+        /// <param name="distanceSq">Squared distance from the middle, 1 at the rim.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint WeightOf(double distanceSq) =>
             (uint)math.max(1, (int)math.floor(LargestWeight * (1 - distanceSq) + 0.5));
 
-        /// <summary>Adds a point, whatever other threads do.</summary>
+        /// <summary>Adds a point; any number of threads may do so at the same time.</summary>
         /// <param name="pixel">Two words.</param>
         public static unsafe void Add(ulong* pixel, uint color, uint weight)
         {
@@ -43,7 +47,7 @@ namespace FastPoints.Picture
             Interlocked.Add(ref *(long*)(pixel + 1), (long)((ulong)weight << 32 | blue * weight));
         }
 
-        /// <summary>The mean colour, rounded; that of the nearest point where none was added.</summary>
+        /// <summary>The mean colour, rounded; that of the nearest point if none was added.</summary>
         public static uint ColorOf(ulong word0, ulong word1, uint nearest)
         {
             ulong weights = word1 >> 32, half = weights / 2;

@@ -5,16 +5,18 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// Where a picture is taken from: a place and three axes in georeferenced space, perspective or orthographic. There is no
-    /// near and no far plane; a perspective camera sees what lies in front of it, an orthographic one what lies along its
+    /// Where a picture is taken from: a position and three axes in georeferenced space, perspective or orthographic. There is
+    /// no near or far plane: a perspective camera sees everything in front of it, an orthographic one everything along its
     /// axis, behind it too.
     /// </summary>
     public struct Camera
     {
         public double3 EyeGeo;
 
-        /// <summary>Right, up and forward are those of the picture (forward goes into it): unit vectors, or, where a CRS unit
-        /// is not the same length along every axis, such vectors times these lengths.</summary>
+        /// <summary>
+        /// Right, up and forward of the picture (forward goes into it). They are unit vectors, or, if a CRS unit does not have
+        /// the same length along every axis, such vectors times these lengths.
+        /// </summary>
         public double3 Right;
         public double3 Up;
         public double3 Forward;
@@ -24,7 +26,7 @@ namespace FastPoints.Picture
         /// <summary>Vertical field of view of a perspective camera, in radians.</summary>
         public double FovRadians;
 
-        /// <summary>Height of what an orthographic camera sees, in CRS units.</summary>
+        /// <summary>Height in CRS units of what an orthographic camera sees.</summary>
         public double HeightGeo;
 
         /// <param name="fovDegrees">Vertical field of view, more than 0 and less than 180 degrees.</param>
@@ -38,7 +40,7 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <param name="heightGeo">Height of what the picture shows, in CRS units; more than 0.</param>
+        /// <param name="heightGeo">Height in CRS units of what the picture shows; more than 0.</param>
         public static Camera Orthographic(double3 eyeGeo, double3 targetGeo, double3 up, double heightGeo)
         {
             if (!(heightGeo > 0))
@@ -49,7 +51,10 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>A direction without length becomes +Y; an up along the line of sight, the axis farthest from it.</summary>
+        /// <summary>
+        /// Makes a camera. A direction without length becomes +Y; an up vector along the line of sight becomes the axis
+        /// farthest from it.
+        /// </summary>
         static Camera Looking(double3 eyeGeo, double3 direction, double3 up)
         {
             var forward = Unit(direction, new double3(0, 1, 0));
@@ -65,21 +70,21 @@ namespace FastPoints.Picture
             return new Camera { EyeGeo = eyeGeo, Right = right, Up = math.cross(right, forward), Forward = forward };
         }
 
-        /// <summary>Divided by its largest component first: lengths near the largest double do not overflow.</summary>
+        /// <summary>Divides by the largest component first, so that lengths near the largest double do not overflow.</summary>
         static double3 Unit(double3 direction, double3 instead)
         {
             double largest = math.cmax(math.abs(direction));
             return largest > 0 && largest <= double.MaxValue ? math.normalize(direction / largest) : instead;
         }
 
-        /// <summary>Right, up and forward of the eye, in CRS units.</summary>
+        /// <summary>Right, up and forward coordinates relative to the eye, in CRS units.</summary>
         public double3 ToView(double3 geo)
         {
             var fromEye = geo - EyeGeo;
             return new double3(math.dot(fromEye, Right), math.dot(fromEye, Up), math.dot(fromEye, Forward));
         }
 
-        /// <summary>The same camera for choosing nodes; the world is the cloud's georeferenced space.</summary>
+        /// <summary>The same camera for choosing nodes, where the world is the cloud's georeferenced space.</summary>
         public StreamView ToStreamView(int widthPx, int heightPx) => IsOrthographic
             ? StreamView.Orthographic(EyeGeo, Right, Up, HeightGeo, widthPx, heightPx)
             : StreamView.Perspective(EyeGeo, Right, Up, Forward, FovRadians, widthPx, heightPx);

@@ -4,33 +4,34 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Cameras that show the whole of a cloud, as large as the picture allows.</summary>
+    /// <summary>Makes cameras that show the whole of a cloud, as large as the picture allows.</summary>
     public static class CameraFraming
     {
-        /// <summary>Share of the picture's width and height that is left free on each side.</summary>
+        /// <summary>Share of the picture's width and height that stays free on each side.</summary>
         const double Margin = 0.03;
 
-        /// <summary>Of the outline, this share at each side may lie outside ...</summary>
+        /// <summary>This share of the outline on each side may lie outside ...</summary>
         const double StrayShare = 0.005;
 
-        /// <summary>... if what is left is then nearer than this share of the distance from which all is seen.</summary>
+        /// <summary>... if the rest is then nearer than this share of the distance that shows everything.</summary>
         const double WorthTrimming = 0.9;
 
-        /// <summary>Shifts towards the middle: each leaves a half or less of what is left.</summary>
+        /// <summary>Shifts towards the middle: each leaves half the error or less.</summary>
         const int Rounds = 10;
 
         public const double DefaultFovDegrees = 45;
 
-        /// <summary>A camera for a standard view; an empty box is taken for a point at 0, a point for a box of one
-        /// unit.</summary>
-        /// <param name="outline">Some positions in the box, which the camera frames; null, or fewer than eight, for the box's
+        /// <summary>
+        /// Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one unit.
+        /// </summary>
+        /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
         /// corners.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
             UpAxis upAxis, double fovDegrees = DefaultFovDegrees) =>
             Frame(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees, new double3(1, 1, 1));
 
-        /// <param name="lengthsPerUnit">What a CRS unit along each axis is to be taken for: a cloud in degrees has others across
-        /// than upwards.</param>
+        /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
+        /// vertical ones differ.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx, UpAxis upAxis,
             double fovDegrees, double3 lengthsPerUnit)
         {
@@ -81,8 +82,10 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>As large as shows all of the outline, or, where its few farthest points cost much of the picture, all but
-        /// those.</summary>
+        /// <summary>
+        /// As large as possible with all of the outline in view, or, if its few farthest points cost much of the picture, all
+        /// but those.
+        /// </summary>
         static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
             int heightPx)
         {
@@ -107,8 +110,10 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>As near as shows all of the outline, or, where its few farthest points cost much of the picture, all but
-        /// those.</summary>
+        /// <summary>
+        /// As near as possible with all of the outline in view, or, if its few farthest points cost much of the picture, all
+        /// but those.
+        /// </summary>
         static Camera FramePerspective(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
             int heightPx,
             double fovDegrees)
@@ -123,10 +128,10 @@ namespace FastPoints.Picture
         }
 
         /// <summary>
-        /// Moves a camera to the closest place on its line of sight from which the outline, but for some strays, is in the
-        /// picture, with the line shifted until the outline's extent is centred.
+        /// Moves a camera to the closest place on its line of sight from which the outline, except some strays, is in the
+        /// picture, and shifts the line until the outline's extent is centred.
         /// </summary>
-        /// <returns>Distance to the middle of the outline.</returns>
+        /// <returns>The distance to the middle of the outline.</returns>
         static double FramePerspective(ref Camera camera, BoundsGeo bounds, double3[] outline, int strays, double tanX,
             double tanY)
         {
@@ -150,8 +155,10 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>Of the outline in the picture, but for so many strays on each side: in units, or in tangents of the angle
-        /// from the axis.</summary>
+        /// <summary>
+        /// Extent of the outline in the picture, without the given number of strays on each side: in units, or in tangents of
+        /// the angle from the axis.
+        /// </summary>
         static void Extent(in Camera camera, double3[] outline, int strays, bool divide, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
@@ -167,11 +174,13 @@ namespace FastPoints.Picture
             max = new double2(LargestBut(strays, x, 1), LargestBut(strays, y, 1));
         }
 
-        /// <summary>The largest but for so many that are larger: those are few, and need no sorting of all.</summary>
+        /// <summary>
+        /// The largest value after leaving out the given number of larger ones. They are few, so not all values need sorting.
+        /// </summary>
         /// <param name="sign">1, or -1 for the values' negatives.</param>
         static double LargestBut(int strays, double[] values, double sign)
         {
-            // The largest so far, rising.
+            // Holds the largest values so far, in rising order.
             var kept = new double[strays + 1];
             for (int i = 0; i < kept.Length; i++)
                 kept[i] = double.NegativeInfinity;
@@ -203,8 +212,10 @@ namespace FastPoints.Picture
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
 
-        /// <summary>At least a millionth as thick in every direction as it is long, and as long as doubles can resolve
-        /// there.</summary>
+        /// <summary>
+        /// Makes the box at least a millionth as thick in every direction as it is long, and as long as doubles can resolve
+        /// there.
+        /// </summary>
         static BoundsGeo Solid(BoundsGeo bounds)
         {
             if (bounds.IsEmpty || !bounds.IsFinite)
@@ -221,7 +232,9 @@ namespace FastPoints.Picture
     /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
     public enum ViewDirection
     {
-        /// <summary>What shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a wall.</summary>
+        /// <summary>
+        /// The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a wall.
+        /// </summary>
         Auto,
         /// <summary>Orthographic, from above, north at the top.</summary>
         Top,

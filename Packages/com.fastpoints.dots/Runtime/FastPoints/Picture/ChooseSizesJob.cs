@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Chooses the size of points in each tile, from a picture drawn with points of one pixel.</summary>
+    /// <summary>Chooses the point size in each tile from a picture drawn with points of one pixel.</summary>
     [BurstCompile]
     internal struct ChooseSizesJob : IJob
     {
@@ -15,13 +15,13 @@ namespace FastPoints.Picture
         public int WidthPx;
         public int HeightPx;
 
-        /// <summary>How many times as many points the final picture has.</summary>
+        /// <summary>The final picture has this many times as many points.</summary>
         public double PointsPerPointDrawn;
 
         /// <summary>Row by row from the top.</summary>
         public NativeArray<float> SizeOfTile;
 
-        /// <summary>The size of the middle one of the tiles that points were drawn to.</summary>
+        /// <summary>The size of the median tile among those with points.</summary>
         public NativeReference<float> Typical;
 
         public void Execute()
@@ -55,7 +55,7 @@ namespace FastPoints.Picture
             return count;
         }
 
-        /// <summary>Pixels drawn in the middle one of the tiles with any; a full tile's where there is none.</summary>
+        /// <summary>Pixels drawn in the median tile among those with any; those of a full tile if there is none.</summary>
         static int MiddleOf(NativeArray<int> tilesByPixels)
         {
             int occupied = 0;
@@ -71,7 +71,7 @@ namespace FastPoints.Picture
             return PointSizing.PixelsPerTile;
         }
 
-        /// <summary>Over a tile and the eight around it, of those that points were drawn to: sizes change gently.</summary>
+        /// <summary>Mean over those of a tile and its eight neighbours that have points, so that sizes change gently.</summary>
         static double MeanDensity(NativeArray<int> drawn, int tileX, int tileY, int across, int down)
         {
             double sum = 0;

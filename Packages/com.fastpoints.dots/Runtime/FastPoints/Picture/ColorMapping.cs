@@ -3,33 +3,34 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>From a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
+    /// <summary>Maps a point's stored values to its colour, for one batch layout. Blittable, for jobs.</summary>
     internal struct ColorMapping
     {
-        /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
+        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
         public ColorMode Mode;
 
-        /// <summary>Rgb: the three columns. Modes of one attribute: the first is its.</summary>
+        /// <summary>The three columns for RGB; for modes of one attribute, the first one is its column.</summary>
         public PointColumn First;
         public PointColumn Second;
         public PointColumn Third;
 
-        /// <summary>The first entry of its table among all (<see cref="Palettes.CreateAll"/>); of no meaning for RGB.</summary>
+        /// <summary>The first entry of its table among all (<see cref="Palettes.CreateAll"/>); meaningless for RGB.</summary>
         public int FirstEntry;
 
-        /// <summary>Entries of the palette are used again and again: what is beyond 255 counts from 0 anew.</summary>
+        /// <summary>Whether the palette repeats: entries beyond 255 count from 0 again.</summary>
         public bool Wraps;
 
-        /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), kept within 0 and 255.</summary>
+        /// <summary>Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.</summary>
         public double Scale;
         public double Bias;
 
-        /// <summary>Elevation: weights of the stored x, y and z in the value; the others are 0.</summary>
+        /// <summary>For elevation: weights of the stored x, y and z in the value; otherwise 0.</summary>
         public double3 PositionWeights;
 
-        /// <summary>The mapping for a mode that the batch has the columns for (see <see
-        /// cref="DisplayRanges.Resolve"/>).</summary>
-        /// <param name="gradient">Of amounts.</param>
+        /// <summary>
+        /// The mapping for a mode that the batch has the columns for (see <see cref="DisplayRanges.Resolve"/>).
+        /// </summary>
+        /// <param name="gradient">The gradient for amounts.</param>
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
@@ -51,7 +52,7 @@ namespace FastPoints.Picture
         }
 
         /// <summary>The mapping for a mode, without columns.</summary>
-        /// <param name="gradient">Of amounts.</param>
+        /// <param name="gradient">The gradient for amounts.</param>
         public static ColorMapping Of(ColorMode mode, DisplayRanges ranges, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)
         {
@@ -85,7 +86,7 @@ namespace FastPoints.Picture
             return mapping;
         }
 
-        /// <summary>Low becomes entry 0 and high entry 255; one value alone becomes the middle.</summary>
+        /// <summary>Maps low to entry 0 and high to entry 255; a single value maps to the middle.</summary>
         void SetRange(double low, double high)
         {
             double extent = high - low;

@@ -3,10 +3,10 @@ using FastPoints.Points;
 
 namespace FastPoints.Picture
 {
-    /// <summary>What each mode is taken from.</summary>
+    /// <summary>The attributes that each mode needs.</summary>
     internal static class ColorModes
     {
-        /// <summary>Modes of values that are names rather than amounts: there is nothing to measure of them.</summary>
+        /// <summary>Modes whose values are names rather than amounts: there is nothing to measure.</summary>
         public static readonly IReadOnlyList<ColorMode> Categories = new[]
         {
             ColorMode.Classification, ColorMode.ReturnNumber, ColorMode.PointSource,
@@ -30,8 +30,10 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>What must be read before it is known which mode will do: colour, intensity, classes, and what the mode that
-        /// is asked for wants beside.</summary>
+        /// <summary>
+        /// The attributes to read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted mode
+        /// needs.
+        /// </summary>
         public static string[] AttributesToMeasure(ColorMode wanted)
         {
             var names = new List<string>
@@ -44,29 +46,29 @@ namespace FastPoints.Picture
         }
     }
 
-    /// <summary>What the colour of a point says.</summary>
+    /// <summary>What the colour of a point shows.</summary>
     public enum ColorMode
     {
-        /// <summary>RGB where it is there and not black, else intensity where it varies, else elevation.</summary>
+        /// <summary>RGB if there is any and it is not all black, else intensity if it varies, else elevation.</summary>
         Auto,
-        /// <summary>The point's own colour: its sRGB values as they are, the upper eight of sixteen bits.</summary>
+        /// <summary>The point's own colour: its sRGB values as they are, or the upper eight of sixteen bits.</summary>
         Rgb,
-        /// <summary>Height along the up axis, on a ramp even to the eye.</summary>
+        /// <summary>Height along the up axis, on a perceptually even ramp.</summary>
         Elevation,
-        /// <summary>Grey; light in proportion to the stored intensity.</summary>
+        /// <summary>Grey, with light in proportion to the stored intensity.</summary>
         Intensity,
         /// <summary>One colour for each class.</summary>
         Classification,
-        /// <summary>One colour for each number: the first return, the second and so on. Of converted clouds.</summary>
+        /// <summary>One colour for each number: the first return, the second and so on. Only for converted clouds.</summary>
         ReturnNumber,
-        /// <summary>One colour for each flight line or scanner: 256, used again and again. Of converted clouds.</summary>
+        /// <summary>One colour for each flight line or scanner: 256 colours that repeat. Only for converted clouds.</summary>
         PointSource,
     }
 
-    /// <summary>How a cloud's colour values are to be read: decided once, from all of a sample.</summary>
+    /// <summary>How a cloud's colour values are scaled: decided once, from a whole sample.</summary>
     public enum ColorDepth
     {
-        /// <summary>No colour, or nothing but black.</summary>
+        /// <summary>There is no colour, or nothing but black.</summary>
         None,
         /// <summary>0 to 255, whatever the type.</summary>
         Bits8,

@@ -10,46 +10,49 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Draws packed blocks as they lie in memory; index i is the i-th node. A block is unpacked on the stack, as a batch
-    /// of one block's points.</summary>
+    /// <summary>
+    /// Draws packed blocks from the memory where they lie; index i is the i-th node. A block is unpacked on the stack as a
+    /// batch of its own.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct DrawBlocksJob : IJobFor
     {
-        /// <summary>Nine columns of eight bytes and more.</summary>
+        /// <summary>Room for nine columns of eight bytes, and more.</summary>
         public const int MaxBatchBytes = 16 << 10;
 
         [ReadOnly] public NativeArray<NodeBlocks> Runs;
 
-        /// <summary>By node times planes, plus plane: position first.</summary>
+        /// <summary>Indexed by node times planes, plus plane; position comes first.</summary>
         [ReadOnly] public NativeArray<PlaneView> Planes;
         public int PlaneCount;
 
-        /// <summary>By column of all planes but the position.</summary>
+        /// <summary>The columns of all planes except the position.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>By column: where its values go in the batch.</summary>
+        /// <summary>Where each column's values go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
         [ReadOnly] public NativeArray<uint> Palettes;
         [ReadOnly] public NativeArray<float> SizeOfTile;
 
-        /// <summary>Of a <see cref="SizeTree"/>; empty where no size is adaptive.</summary>
+        /// <summary>Nodes of a <see cref="SizeTree"/>; empty if no size is adaptive.</summary>
         [ReadOnly] public NativeArray<GpuSizeNode> SizeNodes;
 
-        /// <summary>In grid steps from the corner of the cloud's root cube.</summary>
+        /// <summary>Positions in grid steps from the corner of the cloud's root cube.</summary>
         [ReadOnly] public NativeArray<LocalClip> Clips;
 
-        /// <summary>Where classes are hidden: where they are in the batch.</summary>
+        /// <summary>The column of classes in the batch, if some are hidden.</summary>
         public PointColumn Classes;
         public ClassMask HiddenClasses;
 
-        /// <summary>Of a batch of one block, positions as doubles.</summary>
+        /// <summary>Draws a batch of one block, with positions as doubles.</summary>
         public PointDrawing Drawing;
 
         /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
-        /// <summary>Empty to draw; to blend what was drawn, see <see cref="BlendedPixels"/>. Written by atomic
-        /// addition.</summary>
+        /// <summary>
+        /// Empty to draw. To blend what was drawn, see <see cref="BlendedPixels"/>; written by atomic addition.
+        /// </summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
 
         public void Execute(int index)
@@ -80,7 +83,7 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>What has no place is not drawn.</summary>
+        /// <summary>Moves hidden points to an invalid position, where nothing is drawn.</summary>
         void Hide(byte* batch, int count)
         {
             var x = (double*)(batch + Drawing.Positions.X.OffsetBytes);

@@ -2,7 +2,7 @@ using System;
 
 namespace FastPoints.Picture
 {
-    /// <summary>How far a picture is from a reference of the same size.</summary>
+    /// <summary>How much a picture differs from a reference of the same size.</summary>
     internal struct ImageError
     {
         /// <summary>Peak signal-to-noise ratio over red, green and blue, in dB of the 8-bit sRGB values; infinite for equal
@@ -12,8 +12,10 @@ namespace FastPoints.Picture
         /// <summary>Mean structural similarity of the luma: 1 for equal pictures.</summary>
         public double Ssim;
 
-        /// <summary>Of the pixels that the reference covers (those not of the background colour), the share that the picture
-        /// leaves uncovered; 0 where the reference covers none.</summary>
+        /// <summary>
+        /// The share of the pixels that the reference covers (those not of the background colour) that the picture leaves
+        /// uncovered; 0 if the reference covers none.
+        /// </summary>
         public double Uncovered;
 
         const int Window = 8;
@@ -63,8 +65,8 @@ namespace FastPoints.Picture
         }
 
         /// <summary>
-        /// Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment", 2004, eq. 13, over windows of 8 by 8 pixels at every
-        /// second pixel with even weights, on Rec. 709 luma of the encoded values.
+        /// Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment", 2004, eq. 13, computed over windows of 8 by 8 pixels at
+        /// every second pixel, with even weights, on Rec. 709 luma of the encoded values.
         /// </summary>
         static double SsimOf(RgbaImage a, RgbaImage b)
         {
@@ -110,9 +112,9 @@ namespace FastPoints.Picture
             return luma;
         }
 
-        /// <summary>Of the pixels that either of two pictures of a size covers, the share that is not the same in both.</summary>
-        /// <param name="mostPerChannel">Colours that differ by no more, in 255ths, are the same.</param>
-        /// <param name="covered">How many pixels these are.</param>
+        /// <summary>The share of differing pixels among those that either of two pictures of one size covers.</summary>
+        /// <param name="mostPerChannel">Colours that differ by no more than this, in 255ths, count as equal.</param>
+        /// <param name="covered">The number of pixels that either picture covers.</param>
         public static double ShareThatDiffers(in RgbaImage image, in RgbaImage other, uint background, out int covered,
             int mostPerChannel = 0)
         {

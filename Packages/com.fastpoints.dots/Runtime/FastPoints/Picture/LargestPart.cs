@@ -4,25 +4,28 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Which of a cloud's parts to look at, where they lie so far apart that all of them together are a few
-    /// pixels.</summary>
+    /// <summary>
+    /// Chooses which of a cloud's parts to look at if they lie so far apart that all of them together cover a few pixels.
+    /// </summary>
     static class LargestPart
     {
-        /// <summary>All are so many times as long as the part: each is a few hundredths of a picture of all.</summary>
+        /// <summary>
+        /// The whole is at least this many times as long as the part: each part is a few hundredths of a picture of all.
+        /// </summary>
         const double FarInSizes = 25;
 
-        /// <summary>Of the length of all: gaps between parts.</summary>
+        /// <summary>The smallest gap between parts, as a share of the whole length.</summary>
         const double LeastGap = 1.0 / 16;
 
-        /// <summary>Fewer points are no parts.</summary>
+        /// <summary>Fewer points do not make a part.</summary>
         const int LeastPoints = 100;
 
-        /// <summary>Parts within parts.</summary>
+        /// <summary>The deepest nesting of parts.</summary>
         const int MostSplits = 16;
 
-        /// <param name="points">Evenly chosen, in the file's order.</param>
-        /// <returns>Those of the part with most points (of equal ones, the first in the file); all where no parts are far
-        /// apart.</returns>
+        /// <param name="points">Evenly chosen points, in the file's order.</param>
+        /// <returns>The points of the part that has most of them (of equal parts, the first in the file); all points if no
+        /// parts are far apart.</returns>
         public static double3[] Of(double3[] points)
         {
             for (int split = 0; split < MostSplits; split++)
@@ -37,7 +40,7 @@ namespace FastPoints.Picture
             return points;
         }
 
-        /// <summary>The largest of the parts between wide gaps along an axis, or null where these are not small.</summary>
+        /// <summary>The largest of the parts between wide gaps along an axis, or null if these are not small.</summary>
         static double3[] Split(double3[] points, int axis)
         {
             var values = new double[points.Length];
@@ -51,7 +54,7 @@ namespace FastPoints.Picture
                     begins.Add(values[i]);
             if (begins.Count == 1)
                 return null;
-            // In the order of their first points.
+            // Parts are in the order of their first points.
             var parts = new List<List<double3>>();
             var numbers = new int[begins.Count];
             foreach (var point in points)

@@ -8,15 +8,16 @@ namespace FastPoints.Picture
     {
         public const int Length = 256;
 
-        /// <summary>Tables that there are: three ramps, three of categories.</summary>
+        /// <summary>The number of tables: three ramps, three of categories.</summary>
         public const int Count = 6;
 
-        /// <summary>Where ramps start: what is darker would be lost against a dark background.</summary>
+        /// <summary>Where ramps start: darker values would be lost against a dark background.</summary>
         const double DarkestShare = 0.12, DarkestLight = 0.03;
 
-        /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
-        /// none.</summary>
-        /// <param name="gradient">Of amounts; categories have colours of their own.</param>
+        /// <summary>
+        /// The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs none.
+        /// </summary>
+        /// <param name="gradient">The gradient for amounts; categories have colours of their own.</param>
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
             gradient = Resolve(mode, gradient);
@@ -33,7 +34,7 @@ namespace FastPoints.Picture
                         palette[i] = Hue(0.1 + 0.13 * i, 0.75, 0.95);
                         break;
                     case ColorMode.PointSource:
-                        // Steps of the golden ratio: neighbours differ, and none comes twice.
+                        // Steps of the golden ratio make neighbours differ, and no hue comes twice.
                         palette[i] = Hue(i * 0.6180339887, 0.45 + 0.4 * (i % 3) / 2, 0.95 - 0.3 * (i % 2));
                         break;
                     default:
@@ -44,7 +45,7 @@ namespace FastPoints.Picture
             return palette;
         }
 
-        /// <summary>Which of <see cref="CreateAll"/> a mode looks its colours up in.</summary>
+        /// <summary>Index in <see cref="CreateAll"/> of the table that a mode looks its colours up in.</summary>
         public static int IndexOf(ColorMode mode, Gradient gradient = Gradient.Auto)
         {
             switch (mode)
@@ -93,10 +94,10 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>A colour of the circle (Smith, "Color gamut transform pairs", 1978).</summary>
+        /// <summary>A colour of the hue circle (Smith, "Color gamut transform pairs", 1978).</summary>
         /// <param name="turns">Around the circle: red, green at a third, blue at two.</param>
         /// <param name="saturation">0 for grey, to 1.</param>
-        /// <param name="value">Of the brightest channel, sRGB.</param>
+        /// <param name="value">The value of the brightest channel, sRGB.</param>
         static uint Hue(double turns, double saturation, double value)
         {
             byte Channel(double shift)
@@ -111,7 +112,7 @@ namespace FastPoints.Picture
         public static uint Pack(byte red, byte green, byte blue, byte alpha = 255) =>
             red | (uint)green << 8 | (uint)blue << 16 | (uint)alpha << 24;
 
-        /// <summary>Grey of a share of white's light: linear in light, then encoded as sRGB (IEC 61966-2-1).</summary>
+        /// <summary>Grey with a share of white's light: linear in light, then encoded as sRGB (IEC 61966-2-1).</summary>
         public static uint Gray(double light)
         {
             double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.Pow(light, 1 / 2.4) - 0.055;
@@ -148,8 +149,10 @@ namespace FastPoints.Picture
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
-        /// <summary>By ASPRS class number (LAS 1.4 R15, table 17), colours as viewers usually have them; the last one is for all
-        /// that are reserved or the user's.</summary>
+        /// <summary>
+        /// Colours as viewers usually have them, indexed by ASPRS class number (LAS 1.4 R15, table 17); the last one is for all
+        /// classes that are reserved or the user's.
+        /// </summary>
         static readonly uint[] s_classes =
         {
             Pack(160, 160, 160), // 0 created, never classified
@@ -185,13 +188,13 @@ namespace FastPoints.Picture
         /// <summary>Viridis for elevation, grey for intensity.</summary>
         Auto,
 
-        /// <summary>Even to the eye, and to those who do not see all colours.</summary>
+        /// <summary>Perceptually even, also for people with colour vision deficiency.</summary>
         Viridis,
 
-        /// <summary>The rainbow's colours: tells more values apart, less evenly.</summary>
+        /// <summary>The rainbow's colours: distinguishes more values, less evenly.</summary>
         Turbo,
 
-        /// <summary>Light in proportion to the value.</summary>
+        /// <summary>Light is in proportion to the value.</summary>
         Gray,
     }
 }

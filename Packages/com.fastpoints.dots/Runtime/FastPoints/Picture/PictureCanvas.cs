@@ -8,10 +8,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. Owned by whoever made it; main thread.</summary>
+    /// <summary>
+    /// A picture while it is drawn: 12 bytes a pixel of native memory. The caller that makes it owns it; main thread.
+    /// </summary>
     internal sealed class PictureCanvas : IDisposable
     {
-        /// <summary>Both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
+        /// <summary>Limit of both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
         public const int MaxEdgePx = 16384;
         const long MaxPixels = 1L << 27;
 
@@ -44,20 +46,21 @@ namespace FastPoints.Picture
         public int WidthPx { get; }
         public int HeightPx { get; }
 
-        /// <summary>Depth and colour: see <see cref="PointDrawing"/>.</summary>
+        /// <summary>Depth and colour of each pixel: see <see cref="PointDrawing"/>.</summary>
         public NativeArray<ulong> Pixels => m_pixels;
 
-        /// <summary>Of points that are blended: see <see cref="BlendedPixels"/>. Empty before <see
-        /// cref="BeginBlending"/>.</summary>
+        /// <summary>
+        /// Sums of blended points: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.
+        /// </summary>
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
-        /// <summary>256 colours that values are looked up in.</summary>
+        /// <summary>Tables of 256 colours in which values are looked up.</summary>
         public NativeArray<uint> Palettes => m_palettes;
 
         /// <summary>Size of points in each tile, row by row from the top: see <see cref="PointSizing"/>.</summary>
         public NativeArray<float> SizeOfTile => m_sizeOfTile;
 
-        /// <summary>Size of points in the middle tile.</summary>
+        /// <summary>Size of points in the median tile.</summary>
         public float TypicalSizePx => m_typicalSizePx.Value;
 
         /// <summary>The largest size that a tile may have.</summary>
@@ -72,15 +75,17 @@ namespace FastPoints.Picture
             LargestPx = sizePx;
         }
 
-        /// <summary>Takes away all points. No drawing may be in flight.</summary>
+        /// <summary>Removes all points. No drawing may be in flight.</summary>
         public unsafe void Clear()
         {
             UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
             m_isBlending = false;
         }
 
-        /// <summary>What was drawn shows how far away each pixel's nearest point is: the same points, drawn again, are blended
-        /// with it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
+        /// <summary>
+        /// Begins to blend. The picture so far shows how far away each pixel's nearest point is: drawing the same points again
+        /// blends them with it, at 16 more bytes a pixel. No drawing may be in flight.
+        /// </summary>
         public unsafe void BeginBlending()
         {
             if (!m_sums.IsCreated)
@@ -90,7 +95,7 @@ namespace FastPoints.Picture
             m_isBlending = true;
         }
 
-        /// <summary>Draws some of a batch's points; any number of these may be in flight.</summary>
+        /// <summary>Draws some of a batch's points; any number of draws may be in flight.</summary>
         public JobHandle ScheduleDraw(PointBatch points, int first, int count, PointDrawing drawing, JobHandle inputDeps)
         {
             return new RasterizePointsJob
@@ -105,8 +110,8 @@ namespace FastPoints.Picture
             }.ScheduleParallel(RasterizePointsJob.PieceCount(count), 1, inputDeps);
         }
 
-        /// <summary>Chooses sizes from what was drawn with <see cref="UseSize"/> of 1; after all drawing.</summary>
-        /// <param name="pointsPerPointDrawn">How many times as many points the final picture has.</param>
+        /// <summary>Chooses sizes from what was drawn with <see cref="UseSize"/> of 1. Call it after all drawing.</summary>
+        /// <param name="pointsPerPointDrawn">The final picture has this many times as many points.</param>
         public JobHandle ScheduleChooseSizes(double pointsPerPointDrawn, JobHandle inputDeps)
         {
             LargestPx = PointSizing.MaxPx;
@@ -121,7 +126,7 @@ namespace FastPoints.Picture
             }.Schedule(inputDeps);
         }
 
-        /// <summary>Makes the colours that <see cref="ToImage"/> takes; after all drawing.</summary>
+        /// <summary>Makes the colours that <see cref="ToImage"/> takes. Call it after all drawing.</summary>
         /// <param name="background">Red, green, blue, alpha from the lowest byte.</param>
         /// <param name="edlStrength">0 for no eye-dome lighting; 0.25 is usual.</param>
         /// <param name="fillsHoles">See <see cref="ResolvePictureJob.FillsHoles"/>.</param>

@@ -8,24 +8,27 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Picture
 {
-    /// <summary>What a picture should be.</summary>
+    /// <summary>Options of a picture.</summary>
     public sealed class PictureOptions
     {
-        /// <summary>Eye-dome lighting where it is on, and strong enough to read shapes by, not so strong that noise
-        /// shows.</summary>
+        /// <summary>
+        /// Default strength of eye-dome lighting: strong enough to read shapes by, not so strong that noise shows.
+        /// </summary>
         public const float DefaultEdlStrength = 0.25f;
 
         public int WidthPx = 1280;
         public int HeightPx = 720;
 
-        /// <summary>Used where <see cref="Camera"/> is null.</summary>
+        /// <summary>Used if <see cref="Camera"/> is null.</summary>
         public ViewDirection View = ViewDirection.Auto;
 
-        /// <summary>In place of a standard view.</summary>
+        /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>Points of <see cref="DisplayRanges.Outline"/> that a standard view is framed by, at most: all of them take an
-        /// editor's main thread ten milliseconds.</summary>
+        /// <summary>
+        /// The most points of <see cref="DisplayRanges.Outline"/> that a standard view frames: all of them take ten
+        /// milliseconds on an editor's main thread.
+        /// </summary>
         public int OutlinePoints = int.MaxValue;
 
         public double FovDegrees = CameraFraming.DefaultFovDegrees;
@@ -33,30 +36,31 @@ namespace FastPoints.Picture
         public ColorMode Color = ColorMode.Auto;
         public Gradient Gradient = Gradient.Auto;
 
-        /// <summary>In pixels; 0: as large as it takes for surfaces to look closed.</summary>
+        /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
         public float PointSizePx;
 
-        /// <summary>In place of <see cref="PointSizePx"/>: a length in the world, or adaptive, which only clouds that are
-        /// streamed are; to others that is 0.</summary>
+        /// <summary>
+        /// Replaces <see cref="PointSizePx"/> with a length in the world, or an adaptive size. Only streamed clouds can be
+        /// adaptive; for others that means 0.
+        /// </summary>
         public PointSize? SizeInWorld;
 
-        /// <summary>Whether sizes are chosen from what a picture of the points shows.</summary>
+        /// <summary>Whether sizes are chosen from a first picture of the points.</summary>
         public bool IsAutoSize => PointSizePx < 1 && SizeInWorld?.Mode != PointSizeMode.World;
 
-        /// <summary>Points of these classes are not drawn, of streamed clouds.</summary>
+        /// <summary>Streamed clouds do not draw points of these classes.</summary>
         public ClassMask HiddenClasses;
 
-        /// <summary>What streamed clouds are clipped by, georeferenced.</summary>
+        /// <summary>The boxes that streamed clouds are clipped by, georeferenced.</summary>
         public readonly List<ClipBox> ClipBoxes = new List<ClipBox>();
 
-        /// <summary>Whether not all points are drawn.</summary>
+        /// <summary>Whether some points are not drawn.</summary>
         public bool IsFiltered => ClipBoxes.Count > 0 || !HiddenClasses.IsEmpty;
 
-        /// <summary>Discs in place of squares.</summary>
+        /// <summary>Draws discs instead of squares.</summary>
         public bool RoundPoints;
 
-        /// <summary>Discs that are blended where they lie behind one another, of streamed clouds: see <see
-        /// cref="BlendedPixels"/>.</summary>
+        /// <summary>Blends discs that lie behind one another, for streamed clouds: see <see cref="BlendedPixels"/>.</summary>
         public bool BlendedPoints;
 
         /// <summary>See <see cref="PointDrawing.IsDomed"/>.</summary>
@@ -65,7 +69,9 @@ namespace FastPoints.Picture
         /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
         public uint Background = Palettes.Pack(24, 26, 30);
 
-        /// <summary>Strength of the eye-dome lighting: 0 for none; negative: 0 for RGB, the default for the others.</summary>
+        /// <summary>
+        /// Strength of the eye-dome lighting: 0 for none; a negative value means 0 for RGB and the default for the other modes.
+        /// </summary>
         public float EdlStrength = -1;
 
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>

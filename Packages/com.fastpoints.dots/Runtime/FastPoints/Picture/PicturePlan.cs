@@ -6,8 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>What a picture's options come to for one cloud: decided before a point is drawn, from the ranges of a
-    /// sample.</summary>
+    /// <summary>A picture's options resolved for one cloud, from the ranges of a sample, before a point is drawn.</summary>
     internal sealed class PicturePlan
     {
         readonly PictureOptions m_options;
@@ -34,29 +33,29 @@ namespace FastPoints.Picture
 
         public Camera Camera { get; }
 
-        /// <summary>Never <see cref="ColorMode.Auto"/>.</summary>
+        /// <summary>The mode, which is never <see cref="ColorMode.Auto"/>.</summary>
         public ColorMode Mode { get; }
 
         public float EdlStrength { get; }
         public bool FillsHoles => m_options.FillsHoles;
         public Gradient Gradient => m_options.Gradient;
 
-        /// <summary>Of a streamed cloud.</summary>
+        /// <summary>Hidden classes of a streamed cloud.</summary>
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
-        /// <summary>Size of a point in pixels; where it is chosen, that of the middle tile.</summary>
+        /// <summary>Size of a point in pixels; if sizes are chosen, that of the median tile.</summary>
         public float SizePx { get; set; }
 
         /// <summary>Whether <see cref="SizePx"/> is still to be found from a picture of the sample.</summary>
         public bool WantsAutoSize => m_options.IsAutoSize;
 
-        /// <summary>What was assumed for want of better: a line for people each.</summary>
+        /// <summary>What was assumed for lack of better data: one line for people each.</summary>
         public List<string> Assumptions { get; }
 
-        /// <summary>From values to colours, whatever columns these are in.</summary>
+        /// <summary>The mapping from values to colours, whatever columns these are in.</summary>
         public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, Gradient);
 
-        /// <summary>The drawing, on a canvas with its sizes set, of points that lie in batches like this one.</summary>
+        /// <summary>The drawing of points that lie in batches like this one, on a canvas whose sizes are set.</summary>
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var world = m_options.SizeInWorld.GetValueOrDefault();

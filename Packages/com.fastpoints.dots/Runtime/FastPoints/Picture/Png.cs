@@ -6,8 +6,8 @@ using FastPoints.Base;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// Pictures as PNG files: 8-bit RGB (RGBA where not opaque), marked as sRGB. Reads those and 8-bit grey ones as well; any
-    /// other kind is refused with its reason.
+    /// Reads and writes pictures as PNG files: 8-bit RGB (RGBA if not opaque), marked as sRGB. Also reads 8-bit grey ones; any
+    /// other kind is refused with a reason.
     /// </summary>
     public static class Png
     {
@@ -16,11 +16,11 @@ namespace FastPoints.Picture
         const int ColorGray = 0, ColorRgb = 2, ColorGrayAlpha = 4, ColorRgba = 6;
         const int ChunkOverheadBytes = 12;
 
-        /// <summary>Deflate makes at most 1,032 bytes of one: a small file cannot claim a large picture.</summary>
+        /// <summary>Deflate expands one byte to 1,032 at most: a small file cannot claim a large picture.</summary>
         const long MaxInflation = 1032;
 
-        /// <summary>A whole file, complete or absent: written beside and renamed.</summary>
-        /// <exception cref="PointCloudException">It cannot be written.</exception>
+        /// <summary>Writes a file that is either complete or absent: it is written under another name, then renamed.</summary>
+        /// <exception cref="PointCloudException">The file cannot be written.</exception>
         public static void Write(string path, RgbaImage image)
         {
             string partial = path + ".partial";
@@ -54,7 +54,7 @@ namespace FastPoints.Picture
             return file.ToArray();
         }
 
-        /// <summary>The signature, and what comes before the pixels.</summary>
+        /// <summary>Writes the signature and the chunks before the pixels.</summary>
         internal static void WriteHeader(Stream file, int width, int height, bool opaque)
         {
             file.Write(s_signature, 0, s_signature.Length);
@@ -67,11 +67,12 @@ namespace FastPoints.Picture
             WriteChunk(file, "sRGB", new byte[] { 0 });
         }
 
-        /// <summary>The pixels of a picture without its transparency, as IDAT has them.</summary>
+        /// <summary>The pixels of a picture without its transparency, compressed for IDAT.</summary>
         internal static byte[] CompressOpaque(RgbaImage image) =>
             Zlib(FilteredRows(WithoutAlpha(image.Rgba), image.Width * 3, image.Height, 3));
 
-        /// <exception cref="PointCloudException">Not there, no sound PNG, or of a kind that is not read here.</exception>
+        /// <exception cref="PointCloudException">The file does not exist, is not a valid PNG, or is of a kind that is not
+        /// supported.</exception>
         public static RgbaImage Read(string path)
         {
             byte[] file;
@@ -89,7 +90,7 @@ namespace FastPoints.Picture
             return Decode(file, path);
         }
 
-        /// <param name="path">Of messages.</param>
+        /// <param name="path">The path for messages.</param>
         public static RgbaImage Decode(byte[] file, string path)
         {
             for (int i = 0; i < s_signature.Length; i++)

@@ -2,7 +2,7 @@ using System;
 
 namespace FastPoints.Picture
 {
-    /// <summary>PNG's row filters (PNG 3rd edition, section 9): bytes as differences from those before.</summary>
+    /// <summary>PNG's row filters (PNG 3rd edition, section 9), which store bytes as differences from earlier ones.</summary>
     static class PngFilters
     {
         public const int None = 0;
@@ -11,8 +11,10 @@ namespace FastPoints.Picture
         public const int Average = 3;
         public const int Paeth = 4;
 
-        /// <summary>Writes the filter byte and a row behind it: of none, Sub and Up the one with the least sum of differences
-        /// (section 12.7's rule of thumb).</summary>
+        /// <summary>
+        /// Writes the filter byte and a row behind it, using the one of none, Sub and Up with the least sum of differences
+        /// (section 12.7's rule of thumb).
+        /// </summary>
         public static void Encode(byte[] pixels, int row, int rowBytes, int pixelBytes, byte[] to, int at)
         {
             int start = row * rowBytes;
@@ -38,8 +40,8 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Undoes a row's filter in place.</summary>
-        /// <param name="rows">Rows of a filter byte and their bytes each; the rows above are decoded.</param>
-        /// <returns>Whether there is such a filter.</returns>
+        /// <param name="rows">Rows, each with its filter byte first; the rows above are decoded.</param>
+        /// <returns>Whether the filter exists.</returns>
         public static bool Decode(byte[] rows, int row, int rowBytes, int pixelBytes)
         {
             int start = row * (rowBytes + 1) + 1;

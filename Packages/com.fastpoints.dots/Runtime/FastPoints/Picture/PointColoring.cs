@@ -2,12 +2,12 @@ using FastPoints.Points;
 
 namespace FastPoints.Picture
 {
-    /// <summary>The colours of a run of points.</summary>
+    /// <summary>Computes the colours of some consecutive points.</summary>
     internal static unsafe class PointColoring
     {
         /// <param name="bytes">The batch's memory.</param>
         /// <param name="count">At most <see cref="ColumnValues.RunLength"/>.</param>
-        /// <param name="x">The run's stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
+        /// <param name="x">The points' stored coordinates, as are <paramref name="y"/> and <paramref name="z"/>.</param>
         /// <param name="palettes">See <see cref="Palettes.CreateAll"/>.</param>
         public static void ColorRun(byte* bytes, in ColorMapping mapping, uint* palettes, int first, int count, double* x,
             double* y, double* z, uint* colors)
@@ -52,7 +52,7 @@ namespace FastPoints.Picture
                 colors[i] |= (uint)ToIndex(values[i] * mapping.Scale + mapping.Bias) << shift;
         }
 
-        /// <summary>NaN becomes 0.</summary>
+        /// <summary>The palette index; NaN becomes 0.</summary>
         static int ToIndex(double value) => !(value > 0) ? 0 : value < 255 ? (int)value : 255;
     }
 }

@@ -18,7 +18,7 @@ namespace FastPoints.Picture
     /// </summary>
     internal struct PointDrawing
     {
-        /// <summary>What no point was drawn to.</summary>
+        /// <summary>A pixel without a point.</summary>
         public const ulong EmptyPixel = ulong.MaxValue;
 
         public const float MaxSizePx = 64;
@@ -27,26 +27,29 @@ namespace FastPoints.Picture
         public PointProjection Projection;
         public ColorMapping Colors;
 
-        /// <summary>Largest size of any point; 1 is drawn faster.</summary>
+        /// <summary>The largest size of any point; a size of 1 is drawn faster.</summary>
         public float LargestPx;
 
-        /// <summary>The size of points is <see cref="Size"/>, whatever their tiles' is.</summary>
+        /// <summary>Whether the size of points is <see cref="Size"/>, whatever their tiles' size is.</summary>
         public bool HasOwnSize;
         public PointSize Size;
 
-        /// <summary>Discs in place of squares.</summary>
+        /// <summary>Draws discs instead of squares.</summary>
         public bool IsRound;
 
-        /// <summary>Discs that bulge towards the camera: a paraboloid, whose rim is its radius farther away than its middle,
-        /// which has the point's own depth. So points share a pixel by which of them is nearer to its centre.</summary>
+        /// <summary>
+        /// Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle,
+        /// which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.
+        /// </summary>
         public bool IsDomed;
 
-        /// <summary>Draws points <paramref name="first"/> and on. Any number of threads may draw at once.</summary>
+        /// <summary>Draws the points from <paramref name="first"/> on. Any number of threads may draw at once.</summary>
         /// <param name="bytes">The batch's memory.</param>
-        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of
-        /// <see cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
-        /// <param name="pixels">Width times height of them, row by row from the top.</param>
-        /// <param name="gaps">By point of those drawn: see <see cref="PointSize.ToPx"/>. Null where no size is adaptive.</param>
+        /// <param name="sizeOfTile">Edge of a point's square, or diameter of its disc, for the points in each tile of <see
+        /// cref="PointSizing.TileEdgePx"/> pixels: the pixels whose centres lie in it are drawn. At least 1.</param>
+        /// <param name="pixels">The picture's pixels, row by row from the top.</param>
+        /// <param name="gaps">The gap of each drawn point: see <see cref="PointSize.ToPx"/>. Null if no size is
+        /// adaptive.</param>
         /// <param name="sums">Null to draw. Once all is drawn, the points are added up here: see <see
         /// cref="BlendedPixels"/>.</param>
         public readonly unsafe void Draw(byte* bytes, uint* palettes, float* sizeOfTile, int first, int count,
@@ -108,12 +111,12 @@ namespace FastPoints.Picture
                 double half = size * 0.5;
                 uint radiusPx = PointSizing.RadiusOf(size);
                 ulong key = KeyOf(depth, radiusPx, colors[i]);
-                // The radius in world units at the rim, the square of its pixels away.
+                // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
                 double behindPerSq = IsDomed ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
                 float nearest = sums == null ? 0
                     : (float)(depth - BlendedPixels.WindowOf(size, Projection.PixelsPerUnitAt(depth)));
 
-                // The pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
+                // Selects the pixels whose centres, at a half, lie within half a size: more than c - half, at most c + half.
                 int left = math.max(0, (int)math.floor(xPx - half - 0.5) + 1);
                 int right = math.min(width - 1, (int)math.floor(xPx + half - 0.5));
                 int top = math.max(0, (int)math.floor(yPx - half - 0.5) + 1);
@@ -143,13 +146,15 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>A pixel that a point was drawn to.</summary>
+        /// <summary>The pixel value of a point.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
             (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
-        /// <summary>The smaller of two stays, whatever other threads do. Pixels only ever fall, so a value read too early costs
-        /// one more round; the plain read is whole on 64-bit processors.</summary>
+        /// <summary>
+        /// Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs
+        /// one more round; the plain read is atomic on 64-bit processors.
+        /// </summary>
         static unsafe void Lower(ulong* pixel, ulong key)
         {
             ulong seen = *pixel;

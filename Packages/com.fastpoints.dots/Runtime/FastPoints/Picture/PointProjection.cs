@@ -5,12 +5,12 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// From stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in double, then
-    /// the division. Blittable, for jobs.
+    /// Maps stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in double,
+    /// then the division. Blittable, for jobs.
     /// </summary>
     /// <remarks>
-    /// The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees them
-    /// to 2 nm; the depth becomes a float only afterwards.
+    /// The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees them to 2
+    /// nm; the depth becomes a float only afterwards.
     /// </remarks>
     internal struct PointProjection
     {
@@ -55,11 +55,11 @@ namespace FastPoints.Picture
             return (IsOrthographic || forward > 0) & depth - depth == 0;
         }
 
-        /// <summary>Of a unit at a depth, in pixels.</summary>
+        /// <summary>Pixels of a unit at a depth.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double PixelsPerUnitAt(float depth) => IsOrthographic ? ScalePx : ScalePx / depth;
 
-        /// <summary>Float bits that order as the floats do, for either sign: smaller is nearer.</summary>
+        /// <summary>Float bits that order as the floats do, for either sign: smaller means nearer.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint DepthToBits(float depth)
         {

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// The point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: where points are dense they
-    /// stay sharp, where they are thin they grow.
+    /// Chooses the point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: dense points stay
+    /// sharp, sparse ones grow.
     /// </summary>
     internal static class PointSizing
     {
@@ -13,30 +13,32 @@ namespace FastPoints.Picture
         public const float MinPx = 1;
         public const float MaxPx = 6;
 
-        /// <summary>Points that should cover a pixel, on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
+        /// <summary>How many points should cover a pixel on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
         const double PointsPerPixel = 3.5;
 
-        /// <summary>A tile's points grow to so many times those of the middle tile: beyond, strays would turn to
-        /// blocks.</summary>
+        /// <summary>
+        /// A tile's points grow to at most this many times those of the median tile: beyond that, strays would turn into
+        /// blocks.
+        /// </summary>
         const float MostOfTypical = 1.5f;
 
         public static int TilesAlong(int edgePx) => (edgePx + TileEdgePx - 1) / TileEdgePx;
 
         /// <summary>
-        /// The size for a density, from 1 to 6 pixels: squares of size s on points with a density of d a pixel have one of d *
-        /// s^2.
+        /// The size for a density, from 1 to 6 pixels: squares of size s, at a density of d points a pixel, cover each pixel
+        /// d * s^2 times.
         /// </summary>
         public static float SizeFor(double density) =>
             (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
 
         /// <summary>
-        /// Points a pixel, hidden ones included, of a tile with so many pixels drawn: random points with a density of d cover 1 -
-        /// exp(-d) of them. A full tile is taken for one with half a pixel missing.
+        /// Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of d cover
+        /// 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.
         /// </summary>
         public static double DensityOf(int pixelsDrawn) =>
             -math.log(1 - math.min(pixelsDrawn, PixelsPerTile - 0.5) / PixelsPerTile);
 
-        /// <summary>How far eye-dome lighting looks around a point of a size, in whole pixels.</summary>
+        /// <summary>How far eye-dome lighting looks around a point of this size, in whole pixels.</summary>
         public static uint RadiusOf(float sizePx) => (uint)math.max(1, (int)(sizePx * 0.5f + 0.5f));
 
         /// <summary>A tile's size within its bounds.</summary>

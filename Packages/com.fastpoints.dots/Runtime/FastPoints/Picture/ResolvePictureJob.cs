@@ -7,39 +7,42 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>
-    /// From depth and colour to the picture's colours; index i is row i. Where asked for, with eye-dome lighting (Boucheny,
+    /// Turns depth and colour into the picture's colours; index i is row i. Optionally applies eye-dome lighting (Boucheny,
     /// "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the eight pixels
     /// around it lie before it.
     /// </summary>
     /// <remarks>
     /// Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the same
-    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. It multiplies the encoded sRGB
-    /// values, which is light to the power of 2.2.
+    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. The shading multiplies the
+    /// encoded sRGB values, so light falls with its power of 2.2.
     /// </remarks>
     [BurstCompile]
     internal struct ResolvePictureJob : IJobFor
     {
-        /// <summary>A neighbour farther in front than this counts as this far: an outline is dark, not black.</summary>
+        /// <summary>A neighbour farther in front counts as this far, so that an outline is dark, not black.</summary>
         const float MaxDifferencePx = 12;
 
         [ReadOnly] public NativeArray<ulong> Pixels;
 
-        /// <summary>Colours come from here: see <see cref="BlendedPixels"/>. None where points were not blended.</summary>
+        /// <summary>Source of the colours: see <see cref="BlendedPixels"/>. Empty if points were not blended.</summary>
         [ReadOnly, NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
         public PointProjection Projection;
 
         /// <summary>Colour of pixels without a point: bytes red, green, blue, alpha from the lowest.</summary>
         public uint Background;
 
-        /// <summary>0: no eye-dome lighting.</summary>
+        /// <summary>0 turns eye-dome lighting off.</summary>
         public float EdlStrength;
 
-        /// <summary>A pixel without a point, most of whose neighbours have one, gets their mean: a gap in a surface, not what
-        /// lies beside its edge.</summary>
+        /// <summary>
+        /// Fills a pixel without a point, most of whose neighbours have one, with their mean: it is a gap in a surface, not the
+        /// background beside its edge.
+        /// </summary>
         public bool FillsHoles;
 
-        /// <summary>Of the eight around a hole, so many have points at least: at the edge of a surface there are three to
-        /// five.</summary>
+        /// <summary>
+        /// A hole has at least this many points among its eight neighbours: at the edge of a surface there are three to five.
+        /// </summary>
         public const int LeastAroundHole = 6;
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
@@ -71,7 +74,7 @@ namespace FastPoints.Picture
             return pixel & ~0xFFFFFFul | BlendedPixels.ColorOf(Sums[index], Sums[index + 1], (uint)pixel & 0xFFFFFF);
         }
 
-        /// <summary>A pixel as if drawn with a point of one pixel, or an empty one.</summary>
+        /// <summary>Fills a hole as a point of one pixel would, or leaves the pixel empty.</summary>
         ulong Fill(int x, int y)
         {
             int count = 0;

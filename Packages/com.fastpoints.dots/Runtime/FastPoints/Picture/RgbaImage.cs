@@ -20,7 +20,7 @@ namespace FastPoints.Picture
             Rgba = new byte[width * height * 4];
         }
 
-        /// <summary>A pixel as <see cref="Palettes.Pack"/> has it.</summary>
+        /// <summary>A pixel in the format of <see cref="Palettes.Pack"/>.</summary>
         public uint this[int x, int y]
         {
             get

@@ -10,7 +10,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>What is resident of one streamed cloud, drawn into a canvas from the pool's memory itself. Main thread.</summary>
+    /// <summary>
+    /// Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main thread.
+    /// </summary>
     public sealed unsafe class StreamedBlocks : IDisposable
     {
         readonly StreamContext m_stream;
@@ -25,9 +27,9 @@ namespace FastPoints.Picture
         NativeArray<StoredColumn> m_columns;
         NativeArray<PointColumn> m_targets;
 
-        /// <param name="cloud">Number in the stream, whose source streams the planes that the plan's colours need, and
-        /// whose pool is a <see cref="MemoryNodePool"/>.</param>
-        /// <param name="plan">Colours; its camera is not looked at.</param>
+        /// <param name="cloud">Number of a cloud in the stream. Its source streams the planes that the plan's colours need, and
+        /// its pool is a <see cref="MemoryNodePool"/>.</param>
+        /// <param name="plan">Supplies the colours; its camera is ignored.</param>
         internal StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
             m_stream = stream;
@@ -72,10 +74,10 @@ namespace FastPoints.Picture
 
         public StreamContext Stream => m_stream;
 
-        /// <summary>Their points are not drawn; the source streams the classification.</summary>
+        /// <summary>Classes whose points are not drawn; the source must stream the classification.</summary>
         public ClassMask HiddenClasses { get; }
 
-        /// <summary>How the cloud's points are drawn for a camera in the world that the stream's placements lead to.</summary>
+        /// <summary>How the cloud's points are drawn for a camera in the world space of the stream's placements.</summary>
         internal PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
         {
             var cloud = m_stream.Clouds[m_cloud];
@@ -92,8 +94,8 @@ namespace FastPoints.Picture
             return drawing;
         }
 
-        /// <summary>Draws what the last frame listed. The stream must not run until the job is complete.</summary>
-        /// <param name="sizes">Of that frame; looked at where sizes are adaptive.</param>
+        /// <summary>Draws what the last frame listed. The stream must not run before the job is complete.</summary>
+        /// <param name="sizes">The tree of that frame, used if sizes are adaptive.</param>
         internal JobHandle ScheduleDraw(in Camera camera, PictureCanvas canvas, SizeTree sizes, JobHandle inputDeps)
         {
             var cloud = m_stream.Clouds[m_cloud];
@@ -178,17 +180,17 @@ namespace FastPoints.Picture
     /// <summary>A node's blocks as a drawing job sees them; its planes are listed beside.</summary>
     internal struct NodeBlocks
     {
-        /// <summary>Positions are offsets from here, in grid steps from the corner of the cloud's root cube.</summary>
+        /// <summary>Positions are offsets from this corner, in grid steps from the corner of the cloud's root cube.</summary>
         public Grid3 Corner;
         public int BlockCount;
 
-        /// <summary>In the <see cref="SizeTree"/>, where sizes are adaptive.</summary>
+        /// <summary>Index in the <see cref="SizeTree"/>, if sizes are adaptive.</summary>
         public int SizeNode;
 
-        /// <summary>Of the node's cube, in grid steps from the corner of the cloud's root cube.</summary>
+        /// <summary>Corner of the node's cube, in grid steps from the corner of the cloud's root cube.</summary>
         public double3 CubeCorner;
 
-        /// <summary>Edges of the cube in one grid step.</summary>
+        /// <summary>One grid step as a fraction of the cube's edge.</summary>
         public double3 CubesPerStep;
     }
 }

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>Software pictures of all clouds that are streamed. Main thread; waits for its jobs.</summary>
+    /// <summary>Makes software pictures of all streamed clouds. Main thread; waits for its jobs.</summary>
     public sealed class StreamedPicture : IDisposable
     {
         readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
@@ -23,16 +23,16 @@ namespace FastPoints.Picture
             m_canvas = new PictureCanvas(options.WidthPx, options.HeightPx, Allocator.Persistent);
         }
 
-        /// <summary>One more cloud.</summary>
-        /// <param name="blocks">Becomes this picture's.</param>
-        /// <param name="mode">Not <see cref="ColorMode.Auto"/>.</param>
+        /// <summary>Adds a cloud.</summary>
+        /// <param name="blocks">The blocks, which this picture owns.</param>
+        /// <param name="mode">Any mode except <see cref="ColorMode.Auto"/>.</param>
         public void Add(StreamedBlocks blocks, ColorMode mode)
         {
             m_clouds.Add(blocks);
             m_edlStrength = math.max(m_edlStrength, m_options.EdlFor(mode));
         }
 
-        /// <summary>What the stream's last frame listed, as a camera sees it.</summary>
+        /// <summary>Draws what the stream's last frame listed, as a camera sees it.</summary>
         public RgbaImage Draw(in Camera camera)
         {
             m_canvas.Clear();

@@ -42,7 +42,7 @@ namespace FastPoints.Points
         public static bool IsSigned(this AttributeType type) => type == AttributeType.Int8 || type == AttributeType.Int16 ||
             type == AttributeType.Int32 || type == AttributeType.Int64 || type.IsFloat();
 
-        /// <summary>The narrowest type that holds the values of both; floats of 64 bits where none does.</summary>
+        /// <summary>The narrowest type that holds the values of both; 64-bit floats if none does.</summary>
         public static AttributeType Common(AttributeType a, AttributeType b)
         {
             if (a == b)

@@ -1,6 +1,6 @@
 namespace FastPoints.Points
 {
-    /// <summary>What the numbers of <see cref="AttributeNames.Classification"/> mean: ASPRS, LAS 1.4 R15, table 17.</summary>
+    /// <summary>The names of <see cref="AttributeNames.Classification"/> numbers: ASPRS, LAS 1.4 R15, table 17.</summary>
     internal static class ClassNames
     {
         static readonly string[] s_names =
@@ -11,10 +11,10 @@ namespace FastPoints.Points
             "ignored ground", "snow", "temporal exclusion",
         };
 
-        /// <summary>The first class that users may give a meaning of their own.</summary>
+        /// <summary>The first class that users may define.</summary>
         public const int FirstOfUsers = 64;
 
-        /// <returns>Null for numbers that are reserved, or the user's own.</returns>
+        /// <returns>Null for numbers that are reserved or defined by the user.</returns>
         public static string Of(int classification) =>
             classification >= 0 && classification < s_names.Length ? s_names[classification] : null;
     }

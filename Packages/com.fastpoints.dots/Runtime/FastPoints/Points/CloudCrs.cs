@@ -1,9 +1,9 @@
 namespace FastPoints.Points
 {
-    /// <summary>What a cloud says of its coordinates, as far as it says something.</summary>
+    /// <summary>What a cloud says of its coordinate system, as far as it says anything.</summary>
     public sealed class CloudCrs
     {
-        /// <summary>For people: one line, or null.</summary>
+        /// <summary>A name for people: one line, or null.</summary>
         public string Name;
 
         /// <summary>OGC well-known text, or null.</summary>
@@ -13,10 +13,10 @@ namespace FastPoints.Points
         public int Epsg;
         public int VerticalEpsg;
 
-        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Whether both are known to be one system.</summary>
+        /// <summary>Whether both are known to be the same system.</summary>
         public bool IsSameAs(CloudCrs other) =>
             Epsg != 0 && Epsg == other.Epsg && VerticalEpsg == other.VerticalEpsg ||
             !string.IsNullOrEmpty(Wkt) && Wkt == other.Wkt;

@@ -2,10 +2,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>Range of a column's finite values, and the values that given shares of them lie below.</summary>
+    /// <summary>The range of a column's finite values, and the values below which given shares of them lie.</summary>
     /// <remarks>
-    /// The quantiles are those of at most 65,536 values taken at even distances: the share below one is then right within
-    /// 0.2 % of all values (4 sigma of a binomial at a half), whatever the outliers.
+    /// They come from at most 65,536 values taken at even distances: the share below each is right within 0.2 % of all values
+    /// (4 sigma of a binomial at a half), whatever the outliers.
     /// </remarks>
     internal struct ColumnQuantiles
     {
@@ -13,20 +13,20 @@ namespace FastPoints.Points
 
         public ColumnRange Range;
 
-        /// <summary>Values of the column themselves (nearest rank); NaN where it has no finite value.</summary>
+        /// <summary>Values of the column itself (nearest rank); NaN if it has no finite value.</summary>
         public double Low;
         public double High;
 
-        /// <summary>A quarter of the values lies below the one, a quarter above the other.</summary>
+        /// <summary>A quarter of the values lies below the first, a quarter above the second.</summary>
         public double LowQuarter;
         public double HighQuarter;
 
-        /// <summary>Values that are sorted for a column of this length: the length of the scratch memory.</summary>
+        /// <summary>Number of values sorted for a column of this length, which is the length of the scratch memory.</summary>
         public static int ValuesTaken(int count) => count == 0 ? 0 : (count - 1) / Step(count) + 1;
 
         static int Step(int count) => (count - 1) / MaxValuesTaken + 1;
 
-        /// <summary>Before any value was looked at.</summary>
+        /// <summary>The result before any value was examined.</summary>
         public static ColumnQuantiles Empty => new ColumnQuantiles { Range = ColumnRange.Empty };
 
         /// <param name="stored">Range of the column.</param>

@@ -6,8 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>Smallest and largest finite value of a column, as doubles; how many values were finite and how many
-    /// not.</summary>
+    /// <summary>
+    /// The smallest and largest finite value of a column, as doubles, and how many values were finite and how many were not.
+    /// </summary>
     public struct ColumnRange
     {
         public double Min;
@@ -27,7 +28,7 @@ namespace FastPoints.Points
             NonFinite += other.NonFinite;
         }
 
-        /// <summary>The range of values <paramref name="first"/> and on of one column.</summary>
+        /// <summary>The range of one column's values from <paramref name="first"/> on.</summary>
         public static unsafe ColumnRange Measure(byte* column, AttributeType type, int first, int count)
         {
             double* values = stackalloc double[ColumnValues.RunLength];
@@ -53,7 +54,7 @@ namespace FastPoints.Points
         }
     }
 
-    /// <summary>Range of some values of a column, as they are stored, for <see cref="MeasureColumnJob"/>.</summary>
+    /// <summary>Finds the range of some stored values of a column, for <see cref="MeasureColumnJob"/>.</summary>
     [BurstCompile]
     internal struct MeasureRangeJob : IJob
     {
@@ -62,7 +63,7 @@ namespace FastPoints.Points
         public int First;
         public int Count;
 
-        /// <summary>Whose range takes them in.</summary>
+        /// <summary>Its range is extended by these values.</summary>
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()

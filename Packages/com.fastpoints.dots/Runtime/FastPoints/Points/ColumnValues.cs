@@ -3,16 +3,18 @@ using Unity.Mathematics;
 namespace FastPoints.Points
 {
     /// <summary>
-    /// Columns of any type, widened a run at a time: the type is looked at once a run, and the loops over values have no
-    /// branches.
+    /// Widens columns of any type, some values at a time: the type is examined once for these, and the loops over values have
+    /// no branches.
     /// </summary>
     internal static unsafe class ColumnValues
     {
-        /// <summary>Values that callers widen at once, on the stack: three runs of doubles stay in the first-level
-        /// cache.</summary>
+        /// <summary>
+        /// The number of values that callers widen at once, on the stack: three arrays of doubles this long stay in the
+        /// first-level cache.
+        /// </summary>
         public const int RunLength = 256;
 
-        /// <summary>Stored values as doubles: exact but for 64-bit integers beyond 2^53.</summary>
+        /// <summary>Stored values as doubles: exact except for 64-bit integers beyond 2^53.</summary>
         public static void ToDoubles(byte* column, AttributeType type, int first, int count, double* values)
         {
             switch (type)
@@ -60,7 +62,7 @@ namespace FastPoints.Points
             }
         }
 
-        /// <summary>Stored values as 64 bits: integers extended by their sign, floats as their bits, extended by zeros.</summary>
+        /// <summary>Stored values as 64 bits: integers are sign-extended; floats keep their bits, extended by zeros.</summary>
         public static void ToBits(byte* column, AttributeType type, int first, int count, ulong* bits)
         {
             switch (type)

@@ -4,34 +4,37 @@ using System.Collections.Generic;
 namespace FastPoints.Points
 {
     /// <summary>
-    /// One axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, of which all scales
-    /// and all distances between offsets are multiples.
+    /// Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that divides
+    /// all scales and all distances between offsets.
     /// </summary>
     internal static class CommonGrid
     {
-        /// <summary>Places further out are left out, so that sums of places and sides stay within a long.</summary>
+        /// <summary>Positions farther out are left out, so that sums of positions and sides stay within a long.</summary>
         public const long Limit = 1L << 60;
 
-        /// <summary>What a place without meaning carries: far outside <see cref="Limit"/>.</summary>
+        /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
         public const long Nowhere = long.MinValue;
 
-        // Common steps of decimal scales: 0.01 and 0.025 meet at 0.005.
+        // Finds common steps of decimal scales: 0.01 and 0.025 meet at 0.005.
         static readonly int[] s_divisors =
         {
             1, 2, 4, 5, 8, 10, 16, 20, 25, 32, 40, 50, 64, 100, 125, 200, 250, 500, 1000, 10000, 100000, 1000000,
         };
 
-        /// <summary>What is taken for the same number of steps: scales such as 0.01 are no binary fractions.</summary>
+        /// <summary>
+        /// Numbers of steps that differ by less count as equal: scales such as 0.01 are not binary fractions.
+        /// </summary>
         const double ScaleTolerance = 1e-9;
         const double OffsetToleranceSteps = 1e-3;
 
         const long MaxFactor = 1L << 28;
         const double MaxShift = Limit / 2;
 
-        /// <summary>The step that all sources lie on, counted from the first one's offset; the finest scale where there is
-        /// none.</summary>
-        /// <param name="scales">By source; not zero. The sign does not matter.</param>
-        /// <param name="offsets">By source, in the same units.</param>
+        /// <summary>
+        /// The step that all sources lie on, counted from the first one's offset; the finest scale if there is none.
+        /// </summary>
+        /// <param name="scales">One for each source, not zero; signs are ignored.</param>
+        /// <param name="offsets">One for each source, in the same units.</param>
         public static double StepOf(IReadOnlyList<double> scales, IReadOnlyList<double> offsets)
         {
             double finest = double.PositiveInfinity;
@@ -52,9 +55,10 @@ namespace FastPoints.Points
             return finest;
         }
 
-        /// <summary>Where a source's numbers lie on the axis: grid = stored * factor + shift.</summary>
-        /// <param name="loss">How far 32-bit numbers are moved by that at most, CRS units; 0 where the grid holds them.</param>
-        /// <returns>False where the grid has no room for them.</returns>
+        /// <summary>Places a source's numbers on the axis: grid = stored * factor + shift.</summary>
+        /// <param name="loss">The farthest that 32-bit numbers are moved by that, in CRS units; 0 if the grid holds
+        /// them.</param>
+        /// <returns>False if the grid has no room for them.</returns>
         public static bool TryPlace(double scale, double offset, double step, double origin, out long factor, out long shift,
             out double loss)
         {

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>A place on a cloud's grid, in whole steps of it: exact at any distance from the origin.</summary>
+    /// <summary>A position on a cloud's grid in whole steps: exact at any distance from the origin.</summary>
     public struct Grid3 : IEquatable<Grid3>
     {
         public long X;

@@ -1,11 +1,13 @@
 namespace FastPoints.Points
 {
-    /// <summary>A cube of a power-of-two side on a cloud's grid: all places from its corner to less than a side beyond
-    /// it.</summary>
+    /// <summary>
+    /// A cube of a power-of-two side on a cloud's grid: it contains all positions from its corner to less than a side beyond
+    /// it.
+    /// </summary>
     /// <remarks>Sides end at 2^62, so that sums of corners and sides stay within a long.</remarks>
     public struct GridCube
     {
-        /// <summary>Sides beyond this are refused.</summary>
+        /// <summary>Larger sides are refused.</summary>
         public const int MaxSideLog2 = 62;
 
         public Grid3 Corner;
@@ -35,7 +37,7 @@ namespace FastPoints.Points
                 Corner + new Grid3((octant & 1) * half, (octant >> 1 & 1) * half, (octant >> 2 & 1) * half), SideLog2 - 1);
         }
 
-        /// <summary>The octant of a place inside.</summary>
+        /// <summary>The octant of a position inside.</summary>
         public int OctantOf(Grid3 place)
         {
             int bit = SideLog2 - 1;

@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Points
 {
-    /// <summary>Quantiles of one column, of any type, as value = stored * Scale + Offset, after its range.</summary>
+    /// <summary>Finds the quantiles of one column of any type, as value = stored * Scale + Offset, after its range.</summary>
     [BurstCompile]
     internal struct MeasureColumnJob : IJob
     {
@@ -15,12 +15,13 @@ namespace FastPoints.Points
         public double Scale;
         public double Offset;
 
-        /// <summary>Shares of the values that lie below <see cref="ColumnQuantiles.Low"/> and
-        /// <see cref="ColumnQuantiles.High"/>, 0 to 1.</summary>
+        /// <summary>
+        /// Shares of the values below <see cref="ColumnQuantiles.Low"/> and <see cref="ColumnQuantiles.High"/>, 0 to 1.
+        /// </summary>
         public double LowShare;
         public double HighShare;
 
-        /// <summary>With the range by <see cref="MeasureRangeJob"/>.</summary>
+        /// <summary>Holds the range that <see cref="MeasureRangeJob"/> found.</summary>
         public NativeReference<ColumnQuantiles> Found;
 
         public unsafe void Execute()

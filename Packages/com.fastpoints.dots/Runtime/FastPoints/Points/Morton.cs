@@ -22,7 +22,7 @@ namespace FastPoints.Points
         /// <summary>The largest coordinate.</summary>
         public const uint MaxCoordinate = (1u << BitsPerAxis) - 1;
 
-        /// <summary>Bits above <see cref="MaxCoordinate"/> are left out.</summary>
+        /// <summary>Interleaves the coordinates; bits above <see cref="MaxCoordinate"/> are ignored.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Encode(uint x, uint y, uint z) => Spread(x) | Spread(y) << 1 | Spread(z) << 2;
 
@@ -34,7 +34,7 @@ namespace FastPoints.Points
             z = Gather(code >> 2);
         }
 
-        /// <summary>Bit i of the low 21 goes to bit 3i.</summary>
+        /// <summary>Moves bit i of the low 21 to bit 3i.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Spread(uint value)
         {
@@ -47,7 +47,7 @@ namespace FastPoints.Points
             return v;
         }
 
-        /// <summary>Bit 3i goes to bit i: the inverse of <see cref="Spread"/>, whatever lies between.</summary>
+        /// <summary>Moves bit 3i to bit i: the inverse of <see cref="Spread"/>, whatever lies between.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint Gather(ulong code)
         {

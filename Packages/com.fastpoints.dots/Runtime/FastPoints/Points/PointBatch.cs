@@ -39,7 +39,7 @@ namespace FastPoints.Points
         public PointSchema Schema { get; }
         public int Capacity { get; }
 
-        /// <summary>Points that are valid, from the start of each column. Set by whoever fills the batch.</summary>
+        /// <summary>Number of valid points from the start of each column. The code that fills the batch sets it.</summary>
         public int Count { get; set; }
 
         public bool IsCreated => m_bytes.IsCreated;
@@ -56,7 +56,7 @@ namespace FastPoints.Points
             return m_bytes.GetSubArray(m_columns[index].OffsetBytes, Capacity * size).Reinterpret<T>(1);
         }
 
-        /// <summary>As <see cref="Column{T}(int)"/>, by name.</summary>
+        /// <summary>The same by name.</summary>
         public NativeArray<T> Column<T>(string name) where T : unmanaged => Column<T>(Schema.IndexOf(name));
 
         public void Dispose()

@@ -35,7 +35,7 @@ namespace FastPoints.Points
             return -1;
         }
 
-        /// <summary>The attributes of these names that this schema has, in this schema's order.</summary>
+        /// <summary>Selects the attributes with these names, in this schema's order.</summary>
         public PointSchema Select(params string[] names)
         {
             var chosen = new List<PointAttribute>();
@@ -62,16 +62,18 @@ namespace FastPoints.Points
         public override string ToString() => string.Join(", ", (IEnumerable<PointAttribute>)m_attributes);
     }
 
-    /// <summary>One component that every point of a cloud has: a name, a type, and how its stored values read.</summary>
+    /// <summary>One component that every point of a cloud has: its name, its type and how to read its stored values.</summary>
     public sealed class PointAttribute : IEquatable<PointAttribute>
     {
-        /// <summary>The field's usual name (<see cref="AttributeNames"/>), or the name that the file gives it.</summary>
+        /// <summary>The field's usual name (<see cref="AttributeNames"/>), or the name that the file uses.</summary>
         public string Name { get; }
 
         public AttributeType Type { get; }
 
-        /// <summary>Value = stored * <see cref="Scale"/> + <see cref="Offset"/>. 1 and 0 but for scaled extra bytes;
-        /// positions keep theirs in the cloud's <see cref="PositionTransform"/>.</summary>
+        /// <summary>
+        /// Value = stored * <see cref="Scale"/> + <see cref="Offset"/>. They are 1 and 0 except for scaled extra bytes;
+        /// positions keep theirs in the cloud's <see cref="PositionTransform"/>.
+        /// </summary>
         public double Scale { get; }
 
         public double Offset { get; }

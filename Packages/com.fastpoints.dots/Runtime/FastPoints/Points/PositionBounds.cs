@@ -11,7 +11,9 @@ namespace FastPoints.Points
     {
         public BoundsGeo Bounds;
 
-        /// <summary>Points with a coordinate that is infinite or no number: outside of <see cref="Bounds"/>.</summary>
+        /// <summary>
+        /// Number of points with a coordinate that is infinite or NaN, which lie outside <see cref="Bounds"/>.
+        /// </summary>
         public long NonFinite;
 
         public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
@@ -22,7 +24,7 @@ namespace FastPoints.Points
             NonFinite += other.NonFinite;
         }
 
-        /// <summary>Includes a run of at most <see cref="ColumnValues.RunLength"/> georeferenced positions.</summary>
+        /// <summary>Includes at most <see cref="ColumnValues.RunLength"/> georeferenced positions.</summary>
         public unsafe void IncludeRun(double* x, double* y, double* z, int count)
         {
             double3 min = Bounds.Min, max = Bounds.Max;
@@ -44,10 +46,10 @@ namespace FastPoints.Points
             Bounds = new BoundsGeo(min, max);
         }
 
-        /// <summary>x - x is 0 for a finite x and NaN for any other.</summary>
+        /// <summary>Whether all are finite: x - x is 0 for a finite x and NaN for any other.</summary>
         public static bool IsFinite(double x, double y, double z) => x - x + (y - y) + (z - z) == 0;
 
-        /// <summary>The bounds of points <paramref name="first"/> and on, in a batch's memory.</summary>
+        /// <summary>The bounds of the points from <paramref name="first"/> on in a batch's memory.</summary>
         public static unsafe PositionBounds Measure(byte* bytes, in PositionColumns columns, in PositionTransform transform,
             int first, int count)
         {
@@ -64,7 +66,7 @@ namespace FastPoints.Points
             return found;
         }
 
-        /// <summary>On the calling thread.</summary>
+        /// <summary>Measures on the calling thread.</summary>
         public static unsafe PositionBounds RunImmediate(PointBatch points, PositionTransform transform) =>
             Measure((byte*)points.Bytes.GetUnsafeReadOnlyPtr(), PositionColumns.Of(points), transform, 0, points.Count);
     }

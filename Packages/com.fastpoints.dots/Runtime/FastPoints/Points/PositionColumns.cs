@@ -21,7 +21,7 @@ namespace FastPoints.Points
             return new PositionColumns { X = batch.Column(x), Y = batch.Column(y), Z = batch.Column(z) };
         }
 
-        /// <summary>Stored coordinates of a run of points.</summary>
+        /// <summary>Loads the stored coordinates of consecutive points.</summary>
         /// <param name="bytes">The batch's memory.</param>
         public unsafe void Load(byte* bytes, int first, int count, double* x, double* y, double* z)
         {
@@ -30,7 +30,7 @@ namespace FastPoints.Points
             ColumnValues.ToDoubles(bytes + Z.OffsetBytes, Z.Type, first, count, z);
         }
 
-        /// <summary>Georeferenced positions of a run of points.</summary>
+        /// <summary>Loads the georeferenced positions of consecutive points.</summary>
         public unsafe void LoadGeo(byte* bytes, in PositionTransform transform, int first, int count, double* x, double* y,
             double* z)
         {
@@ -46,8 +46,8 @@ namespace FastPoints.Points
     }
 
     /// <summary>
-    /// From the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> +
-    /// <see cref="Offset"/>, in double, in CRS units. Identity for files that store coordinates as they are.
+    /// Maps the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> + <see
+    /// cref="Offset"/>, in double, in CRS units. It is the identity for files that store coordinates directly.
     /// </summary>
     public struct PositionTransform
     {

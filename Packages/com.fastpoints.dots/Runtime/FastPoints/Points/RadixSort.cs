@@ -6,8 +6,8 @@ using Unity.Jobs;
 namespace FastPoints.Points
 {
     /// <summary>
-    /// Stable sort of 64-bit keys, with a 32-bit payload each: least significant digit first, eight bits a digit, and only the
-    /// digits in which the keys differ. Linear in the count; scratch memory as large as the input.
+    /// Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a digit, and
+    /// only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the input.
     /// </summary>
     internal static unsafe class RadixSort
     {
@@ -59,7 +59,7 @@ namespace FastPoints.Points
                 UnsafeUtility.MemCpy(payload, payloadFrom, (long)count * sizeof(uint));
         }
 
-        /// <summary>On the calling thread. The arrays have one length.</summary>
+        /// <summary>Sorts on the calling thread. The arrays must have the same length.</summary>
         public static void RunImmediate(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
             NativeArray<uint> payloadScratch)
         {
@@ -67,7 +67,7 @@ namespace FastPoints.Points
                 (uint*)payloadScratch.GetUnsafePtr(), keys.Length);
         }
 
-        /// <summary>As a job. The arrays have one length.</summary>
+        /// <summary>Sorts in a job. The arrays must have the same length.</summary>
         public static JobHandle Schedule(NativeArray<ulong> keys, NativeArray<uint> payload, NativeArray<ulong> keyScratch,
             NativeArray<uint> payloadScratch, JobHandle inputDeps)
         {
@@ -80,7 +80,7 @@ namespace FastPoints.Points
             }.Schedule(inputDeps);
         }
 
-        /// <summary>Where each digit's values start in the sorted order.</summary>
+        /// <summary>Finds where each digit's values start in the sorted order.</summary>
         static void CountDigits(ulong* keys, int count, int shift, int* start)
         {
             UnsafeUtility.MemClear(start, DigitValues * sizeof(int));
@@ -116,7 +116,7 @@ namespace FastPoints.Points
         }
     }
 
-    /// <summary><see cref="RadixSort.Sort"/> as a job. The arrays have one length.</summary>
+    /// <summary>Runs <see cref="RadixSort.Sort"/> as a job. The arrays must have the same length.</summary>
     [BurstCompile]
     internal struct RadixSortJob : IJob
     {

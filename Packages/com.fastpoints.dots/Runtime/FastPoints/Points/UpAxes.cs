@@ -2,11 +2,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>What follows from the axis that points up.</summary>
+    /// <summary>Directions that follow from the axis that points up.</summary>
     internal static class UpAxes
     {
-        /// <summary>Unit vectors of the cloud's space that are east, north and up for people: right-handed, as its
-        /// axes.</summary>
+        /// <summary>
+        /// Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its axes.
+        /// </summary>
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
             var x = new double3(1, 0, 0);

@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// Packs and unpacks columns of a block: the offsets from the column's minimum, each at the width of the largest (frame of
-    /// reference). Any value can be read alone. The layout is that of <see cref="PlaneShape"/>.
+    /// Packs and unpacks columns of a block as offsets from the column's minimum, each at the width of the largest (frame of
+    /// reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.
     /// </summary>
     internal static unsafe class BlockCodec
     {
@@ -14,8 +14,8 @@ namespace FastPoints.Store
         public static int WidthOf(ulong value) => 64 - math.lzcnt(value);
 
         /// <summary>Writes offsets of up to 32 bits.</summary>
-        /// <param name="words">Room for <see cref="PlaneShape.WordsOf"/>.</param>
-        /// <returns>Words written.</returns>
+        /// <param name="words">Must have room for <see cref="PlaneShape.WordsOf"/>.</param>
+        /// <returns>The number of words written.</returns>
         public static int Pack(uint* values, uint minimum, int count, int width, uint* words)
         {
             if (width == 0)
@@ -40,7 +40,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>Writes offsets of up to 64 bits.</summary>
-        /// <returns>Words written.</returns>
+        /// <returns>The number of words written.</returns>
         public static int PackWide(ulong* values, ulong minimum, int count, int width, uint* words)
         {
             if (width == 0)
@@ -110,7 +110,7 @@ namespace FastPoints.Store
             byte* at = bytes + (bit >> 3);
             int shift = (int)(bit & 7);
             ulong value = *(ulong*)at >> shift;
-            // A value that starts within a byte and is wider than the rest of eight bytes ends in the ninth.
+            // A value that starts inside a byte and is wider than the rest of eight bytes ends in the ninth.
             if (shift + width > 64)
                 value |= (ulong)at[8] << (64 - shift);
             return width == 64 ? value : value & ((1UL << width) - 1);

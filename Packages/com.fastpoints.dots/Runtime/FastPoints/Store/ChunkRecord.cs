@@ -4,7 +4,9 @@ using FastPoints.Points;
 
 namespace FastPoints.Store
 {
-    /// <summary>What hierarchy.bin knows of one chunk. In the order of the nodes they are attached to.</summary>
+    /// <summary>
+    /// What hierarchy.bin knows of one chunk. Records are in the order of the nodes that they are attached to.
+    /// </summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
     public struct ChunkRecord

@@ -9,8 +9,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// An opened cloud: its manifest, the upper nodes, and one record a chunk; chunks' tables are loaded when asked for.
-    /// Everything is checked before it is believed.
+    /// An opened cloud: its manifest, its upper nodes and one record for each chunk; chunks' tables are loaded on request.
+    /// Everything is checked before it is used.
     /// </summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
@@ -24,15 +24,17 @@ namespace FastPoints.Store
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
 
-        /// <summary>Whether the folder is about to change: it is being built, or has not got its name yet, with which all its
-        /// files will have other paths.</summary>
+        /// <summary>
+        /// Whether the folder is about to change: it is being built, or does not have its final name yet, which will change all
+        /// paths in it.
+        /// </summary>
         public bool IsInTheMaking => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 
         /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
         public NodeTable Upper { get; private set; }
 
-        /// <summary>In the order of the upper nodes that they hang on.</summary>
+        /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
         public NativeArray<ChunkRecord> Chunks { get; private set; }
 
         public string UpperPath => Path.Combine(FolderPath, Manifest.UpperName);
@@ -42,7 +44,7 @@ namespace FastPoints.Store
         /// <summary>Whether a path looks like a cloud's folder.</summary>
         public static bool IsCloud(string path) => File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
 
-        /// <summary>Where a cloud is: under its name, or, where that is not there yet, in the making.</summary>
+        /// <summary>Finds a cloud under its name, or, if that does not exist yet, in the making.</summary>
         public static string Find(string path)
         {
             string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
@@ -50,11 +52,11 @@ namespace FastPoints.Store
                 !Directory.Exists(name + StoreFormat.PartSuffix) ? path : name + StoreFormat.PartSuffix;
         }
 
-        /// <exception cref="PointCloudException">It is no cloud, or its manifest or hierarchy are damaged.</exception>
+        /// <exception cref="PointCloudException">It is not a cloud, or its manifest or hierarchy is damaged.</exception>
         public static CloudFolder Open(string path)
         {
             path = Find(path);
-            // A cloud in the making may move on while its files are opened: then the next generation is there.
+            // A cloud in the making may move on while its files are opened: then the next generation exists.
             for (int attempt = 0; ; attempt++)
             {
                 try
@@ -74,8 +76,8 @@ namespace FastPoints.Store
             return Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
         }
 
-        /// <summary>A folder of which everything is there but cloud.json.</summary>
-        /// <exception cref="PointCloudException">Its hierarchy is not what the manifest means.</exception>
+        /// <summary>Opens a folder that is complete except for cloud.json.</summary>
+        /// <exception cref="PointCloudException">Its hierarchy is not the one that the manifest describes.</exception>
         public static CloudFolder Open(string path, CloudManifest manifest)
         {
             var folder = new CloudFolder(path, manifest);

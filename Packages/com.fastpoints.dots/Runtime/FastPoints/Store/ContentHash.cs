@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, after its published specification.
-    /// It finds damage, not malice.
+    /// The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification defines
+    /// it. It detects damage, not tampering.
     /// </summary>
     internal static unsafe class ContentHash
     {

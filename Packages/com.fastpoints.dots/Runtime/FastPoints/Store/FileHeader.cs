@@ -17,14 +17,14 @@ namespace FastPoints.Store
         [FieldOffset(12)] public int Number;
         [FieldOffset(16)] public int PlaneCount;
 
-        /// <summary>Node records in this file's table; in upper.bin, whose table is in hierarchy.bin, 0.</summary>
+        /// <summary>Number of node records in this file's table; 0 in upper.bin, whose table is in hierarchy.bin.</summary>
         [FieldOffset(20)] public int NodeCount;
 
-        /// <summary>Chunk records after them: hierarchy.bin only.</summary>
+        /// <summary>Number of chunk records behind them, in hierarchy.bin only.</summary>
         [FieldOffset(24)] public int ChunkCount;
         [FieldOffset(28)] public int Reserved;
 
-        /// <summary>Points in this file; in hierarchy.bin, in the whole cloud.</summary>
+        /// <summary>Points in this file; in hierarchy.bin, points of the whole cloud.</summary>
         [FieldOffset(32)] public long PointCount;
 
         /// <summary>Where the table begins: the node records, each node's plane ranges, then the chunk records.</summary>
@@ -35,7 +35,7 @@ namespace FastPoints.Store
         /// <summary>The same in all files of a cloud and in cloud.json.</summary>
         [FieldOffset(64)] public ulong CloudId;
 
-        /// <summary>Of the 72 bytes before.</summary>
+        /// <summary>Hash of the 72 bytes before it.</summary>
         [FieldOffset(72)] public ulong HeaderHash;
     }
 }

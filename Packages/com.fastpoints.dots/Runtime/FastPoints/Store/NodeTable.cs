@@ -5,7 +5,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>The nodes of one file with their planes' places, as they lie in its table. Owns its memory.</summary>
+    /// <summary>The nodes of one file with the locations of their planes, as they lie in its table. Owns its memory.</summary>
     public sealed class NodeTable : IDisposable
     {
         NativeArray<NodeRecord> m_nodes;
@@ -21,7 +21,9 @@ namespace FastPoints.Store
         public int PlaneCount { get; }
         public NativeArray<NodeRecord> Nodes => m_nodes;
 
-        /// <summary>By node times <see cref="PlaneCount"/>, plus plane. A guest's are empty: its host's count.</summary>
+        /// <summary>
+        /// Indexed by node times <see cref="PlaneCount"/>, plus plane. A guest's ranges are empty: its host's apply.
+        /// </summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
         public void Dispose()
@@ -32,8 +34,10 @@ namespace FastPoints.Store
             m_planes.Dispose();
         }
 
-        /// <summary>What is wrong with the table, or null: nothing that it says is used before. See
-        /// <see cref="TableCheck"/>. On any thread.</summary>
+        /// <summary>
+        /// Describes what is wrong with the table, or returns null; check this before using anything that the table says. See
+        /// <see cref="TableCheck"/>. Works on any thread.
+        /// </summary>
         public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
             using (var shapes = layout.CreateShapes(Allocator.Persistent))
@@ -54,7 +58,7 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>A problem in words; <paramref name="check"/> is what found it, and its memory is still there.</summary>
+        /// <summary>Puts a problem into words; <paramref name="check"/> found it, and its memory must still exist.</summary>
         internal static unsafe string Describe(TableProblem problem, in TableCheck check)
         {
             switch (problem.Fault)

@@ -4,13 +4,13 @@ using FastPoints.Points;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// Values of any attribute type as unsigned numbers in the same order, so that neighbours differ by little: signed ones have
-    /// their sign bit flipped, floats have it flipped where positive and all bits flipped where negative. No bit is lost,
-    /// NaN payloads and negative zero included.
+    /// Converts values of any attribute type to unsigned numbers in the same order, so that neighbours differ by little: signed
+    /// ones have their sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost, not
+    /// even NaN payloads and negative zero.
     /// </summary>
     internal static unsafe class OrderedBits
     {
-        /// <summary>The value that lies at an address, on any alignment.</summary>
+        /// <summary>Reads the value at an address of any alignment.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static ulong Load(byte* value, AttributeType type)
         {

@@ -21,10 +21,10 @@ namespace FastPoints.Store
         /// <summary>Points of a full block. A full column takes 4 words for each bit of its width.</summary>
         public const int MaxPointsPerBlock = 128;
 
-        /// <summary>The descriptor's second word has room for so many widths.</summary>
+        /// <summary>The descriptor's second word has room for this many widths.</summary>
         public const int MaxColumns = 3;
 
-        /// <summary>Zero bytes after the last packed word.</summary>
+        /// <summary>Number of zero bytes after the last packed word.</summary>
         public const int SlackBytes = 8;
 
         public const int AlignmentBytes = 16;
@@ -47,7 +47,7 @@ namespace FastPoints.Store
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsWide(int column) => (WideColumns >> column & 1) != 0;
 
-        /// <summary>Word of a descriptor at which a column's minimum begins.</summary>
+        /// <summary>The word of a descriptor at which a column's minimum begins.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int MinimumWord(int column)
         {
@@ -55,18 +55,18 @@ namespace FastPoints.Store
             return 2 + column + (below & 1) + (below >> 1 & 1);
         }
 
-        /// <summary>Blocks that so many points of one node take.</summary>
+        /// <summary>Number of blocks that so many points of one node take.</summary>
         public static int BlocksOf(int points) => (int)(((long)points + MaxPointsPerBlock - 1) / MaxPointsPerBlock);
 
         /// <summary>Packed words of a column.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int WordsOf(int points, int width) => (points * width + 31) >> 5;
 
-        /// <summary>Bytes of a plane, from the words of its descriptors and packed columns.</summary>
+        /// <summary>Bytes of a plane, given the words of its descriptors and packed columns.</summary>
         public static long LengthBytes(long words) =>
             (words * 4 + SlackBytes + AlignmentBytes - 1) / AlignmentBytes * AlignmentBytes;
 
-        /// <summary>No plane of so many blocks and points is longer than this.</summary>
+        /// <summary>The longest that a plane of so many blocks and points can be.</summary>
         public long LongestBytes(long blocks, long points)
         {
             long words = blocks * (DescriptorWords + ColumnCount);

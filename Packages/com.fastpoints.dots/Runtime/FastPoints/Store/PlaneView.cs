@@ -3,7 +3,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>One plane of one node in memory, of which <see cref="IsSound"/> has been asked. Blittable, for jobs.</summary>
+    /// <summary>One plane of one node in memory, which <see cref="IsSound"/> has checked. Blittable, for jobs.</summary>
     internal unsafe struct PlaneView
     {
         [NativeDisableUnsafePtrRestriction] public uint* Words;
@@ -33,22 +33,22 @@ namespace FastPoints.Store
             return Shape.IsWide(column) ? minimum[0] | (ulong)minimum[1] << 32 : minimum[0];
         }
 
-        /// <summary>A block's column of 32-bit values.</summary>
-        /// <param name="values">Room for the block's points.</param>
+        /// <summary>Unpacks a block's column of 32-bit values.</summary>
+        /// <param name="values">Must have room for the block's points.</param>
         public void Unpack(int block, int column, uint* values)
         {
             BlockCodec.Unpack(Packed(block, column), (uint)MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
         }
 
-        /// <summary>A block's column, whatever its width.</summary>
+        /// <summary>Unpacks a block's column of any width.</summary>
         public void UnpackWide(int block, int column, ulong* values)
         {
             BlockCodec.UnpackWide(Packed(block, column), MinimumOf(block, column), PointsOf(block), WidthOf(block, column),
                 values);
         }
 
-        /// <summary>One value.</summary>
+        /// <summary>Reads one value.</summary>
         public ulong ValueAt(int block, int column, int index) =>
             BlockCodec.ValueAt(Packed(block, column), MinimumOf(block, column), WidthOf(block, column), index);
 
@@ -65,7 +65,7 @@ namespace FastPoints.Store
 
         /// <summary>
         /// Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its columns
-        /// can have: what is read from disk is asked this before anything is unpacked.
+        /// can have. Check this for everything read from disk before unpacking it.
         /// </summary>
         public static bool IsSound(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
         {

@@ -4,8 +4,9 @@ using FastPoints.Points;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// A 64-bit hash of one point: its place on the cloud's grid and all its attributes' bytes. The sum of all hashes modulo 2^64
-    /// is the cloud's checksum, which no order changes; the hash also decides which point stands for a cell.
+    /// A 64-bit hash of one point: its position on the cloud's grid and the bytes of all its attributes. The sum of all hashes
+    /// modulo 2^64 is the cloud's checksum, which does not depend on the order. The hash also decides which point represents a
+    /// cell.
     /// </summary>
     /// <remarks>
     /// The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order without
@@ -20,16 +21,16 @@ namespace FastPoints.Store
         const ulong P4 = 0x85EBCA77C2B2AE63UL;
         const ulong P5 = 0x27D4EB2F165667C5UL;
 
-        /// <summary>The seed of the checksum, and of which point stands for a cell.</summary>
+        /// <summary>The seed of the checksum, and of the choice of the point that represents a cell.</summary>
         public const ulong ChecksumSeed = 0;
 
-        /// <summary>A second, independent hash: two sums make the 128 bits that equality is proven with.</summary>
+        /// <summary>A second, independent hash: two sums make the 128 bits that prove equality.</summary>
         public const ulong SecondSeed = 0x5851F42D4C957F2DUL;
 
-        /// <summary>Bytes that attributes take in a record: whole 32-bit words.</summary>
+        /// <summary>Bytes that attributes take in a record, rounded up to whole 32-bit words.</summary>
         public static int PaddedBytes(int attributeBytes) => (attributeBytes + 3) & ~3;
 
-        /// <param name="place">On the cloud's grid.</param>
+        /// <param name="place">The position on the cloud's grid.</param>
         /// <param name="attributes">The attributes' bytes, padded with zeros.</param>
         /// <param name="paddedBytes">A multiple of 4.</param>
         /// <param name="seed">One of the seeds above.</param>

@@ -6,14 +6,16 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>Small reads of a stored cloud's files: headers and tables, on the calling thread. Planes are read in the
-    /// background.</summary>
+    /// <summary>
+    /// Reads small parts of a stored cloud's files on the calling thread: headers and tables. Planes are read in the
+    /// background.
+    /// </summary>
     internal static unsafe class StoreFile
     {
-        /// <summary>No text of a manifest is longer.</summary>
+        /// <summary>The longest text of a manifest.</summary>
         const int MaxTextBytes = 16 << 20;
 
-        /// <exception cref="PointCloudException">It is not there, or cannot be read.</exception>
+        /// <exception cref="PointCloudException">The file does not exist or cannot be read.</exception>
         public static string ReadText(string path)
         {
             return Reading(path, file =>
@@ -29,8 +31,8 @@ namespace FastPoints.Store
         /// <summary>A file's size.</summary>
         public static long SizeOf(string path) => Reading(path, file => file.Length);
 
-        /// <summary>Exactly so many bytes from an offset, in memory that the caller disposes.</summary>
-        /// <exception cref="PointCloudException">It is not there, cannot be read, or ends before.</exception>
+        /// <summary>Reads exactly this many bytes from an offset, into memory that the caller disposes.</summary>
+        /// <exception cref="PointCloudException">The file does not exist, cannot be read, or ends before.</exception>
         public static NativeArray<byte> Read(string path, long offset, long count, Allocator allocator)
         {
             return Reading(path, file =>
@@ -57,7 +59,7 @@ namespace FastPoints.Store
             });
         }
 
-        /// <summary>The header of a binary file, checked against itself and the file's size.</summary>
+        /// <summary>Reads the header of a binary file and checks it against itself and the file's size.</summary>
         public static FileHeader ReadHeader(string path, ulong magic)
         {
             using (var bytes = Read(path, 0, FileHeader.SizeBytes, Allocator.Persistent))
@@ -70,7 +72,7 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>What is wrong with a header, or null.</summary>
+        /// <summary>Describes what is wrong with a header, or returns null.</summary>
         public static string FindProblem(FileHeader header, ulong magic, long fileBytes)
         {
             if (header.Magic != magic)

@@ -4,15 +4,15 @@ using System.Globalization;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// What a converted cloud is on disk: the folder's names, and the records of its binary files, little-endian. No I/O.
-    /// The byte tables are in <c>Documentation~/disk-format.md</c>.
+    /// The on-disk format of a converted cloud: the folder's names, and the records of its binary files, little-endian. It does
+    /// no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.
     /// </summary>
     public static class StoreFormat
     {
         public const uint Version = 1;
         public const string FolderExtension = ".fastpoints";
 
-        /// <summary>A folder in the making has this after its name.</summary>
+        /// <summary>Ends the name of a folder in the making.</summary>
         public const string PartSuffix = ".part";
 
         public const string ManifestName = "cloud.json";
@@ -20,19 +20,21 @@ namespace FastPoints.Store
         public const string UpperName = "upper.bin";
         public const string ChunkFolderName = "chunks";
 
-        /// <summary>"FPHIERAR", "FPUPPER ", "FPCHUNK " as their first eight bytes read.</summary>
+        /// <summary>"FPHIERAR", "FPUPPER ", "FPCHUNK ": the first eight bytes of the files as text.</summary>
         public const ulong HierarchyMagic = 0x5241524549485046UL;
         public const ulong UpperMagic = 0x2052455050555046UL;
         public const ulong ChunkMagic = 0x204B4E5548435046UL;
 
-        /// <summary>A node holds at most so many points of its own; more equal ones make a chain of nodes at one cube.</summary>
+        /// <summary>
+        /// The most points of its own that a node holds; more equal ones make a chain of nodes with one cube.
+        /// </summary>
         public const int MaxPointsPerNode = 50000;
 
         /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>
         public static string GenerationName(string name, long generation) =>
             name.Replace(".bin", "-" + generation.ToString(CultureInfo.InvariantCulture) + ".bin");
 
-        /// <summary>A folder's path under the name that it has when it is finished.</summary>
+        /// <summary>A folder's path under its final name.</summary>
         public static string FinishedPath(string path) => path.EndsWith(PartSuffix, StringComparison.Ordinal)
             ? path.Substring(0, path.Length - PartSuffix.Length)
             : path;

@@ -6,8 +6,8 @@ using Unity.Collections;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// The planes of a cloud: position first, then colour (red, green, blue as one), then each other attribute alone, so that a
-    /// scene reads and keeps only what it draws.
+    /// The planes of a cloud: first position, then colour (red, green, blue as one), then each other attribute on its own, so
+    /// that a scene reads and keeps only what it draws.
     /// </summary>
     public sealed class StoreLayout
     {
@@ -15,35 +15,39 @@ namespace FastPoints.Store
         public const string PositionName = "position";
         public const string ColorName = "color";
 
-        /// <summary>Ends the name of a plane with averages of another.</summary>
+        /// <summary>Suffix for the name of a plane with averages of another.</summary>
         public const string AverageSuffix = ".average";
 
         readonly List<Plane> m_planes = new List<Plane>();
 
-        /// <summary>One plane: its attributes are columns.</summary>
+        /// <summary>One plane, whose attributes are its columns.</summary>
         public sealed class Plane
         {
             public string Name;
 
-            /// <summary>Columns of <see cref="StoreLayout.Columns"/>; none for the position plane.</summary>
+            /// <summary>
+            /// Index of its first column in <see cref="StoreLayout.Columns"/>; the position plane has none there.
+            /// </summary>
             public int FirstColumn;
             public int ColumnCount;
 
-            /// <summary>Shape of its blocks; the position plane's depends on the node.</summary>
+            /// <summary>Shape of its blocks; that of the position plane depends on the node.</summary>
             public PlaneShape Shape;
 
-            /// <summary>The plane whose values these are, averaged over what a point stands for; -1 for values as they are. Both
-            /// have the same shape and types.</summary>
+            /// <summary>
+            /// The plane whose values it averages over the points that each point represents; -1 for plain values. Both have
+            /// the same shape and types.
+            /// </summary>
             public int AverageOf = -1;
         }
 
-        /// <param name="attributes">All attributes but X, Y, Z.</param>
-        /// <param name="divisors">By attribute; null for 1 everywhere.</param>
-        /// <param name="hasAverages">Colour and intensity are there averaged, too: after all others.</param>
+        /// <param name="attributes">All attributes except X, Y, Z.</param>
+        /// <param name="divisors">One for each attribute; null for 1 everywhere.</param>
+        /// <param name="hasAverages">Whether averaged planes of colour and intensity follow all others.</param>
         public StoreLayout(PointSchema attributes, int[] divisors = null, bool hasAverages = false)
         {
             Attributes = attributes;
-            // At most once more, the averages.
+            // The averages at most double the number.
             var stored = new StoredColumn[2 * attributes.Count];
             var attributeOfColumn = new int[2 * attributes.Count];
             m_planes.Add(new Plane { Name = PositionName, Shape = new PlaneShape(3, 0) });
@@ -108,12 +112,12 @@ namespace FastPoints.Store
             AttributeOfColumn = attributeOfColumn;
         }
 
-        /// <summary>All attributes but the position, in the order of the source.</summary>
+        /// <summary>All attributes except the position, in the order of the source.</summary>
         public PointSchema Attributes { get; }
 
         public IReadOnlyList<Plane> Planes => m_planes;
 
-        /// <summary>The columns of all planes but the first, plane by plane.</summary>
+        /// <summary>The columns of all planes except the first, plane by plane.</summary>
         public StoredColumn[] Columns { get; }
 
         /// <summary>Index in <see cref="Attributes"/> of each column.</summary>
@@ -131,7 +135,7 @@ namespace FastPoints.Store
         /// <returns>The plane of that name, or -1.</returns>
         public int PlaneOf(string name) => m_planes.FindIndex(p => p.Name == name);
 
-        /// <summary>The shapes of all planes, as nodes that are not wide have them; for jobs.</summary>
+        /// <summary>The shapes of all planes in nodes that are not wide; for jobs.</summary>
         public NativeArray<PlaneShape> CreateShapes(Allocator allocator)
         {
             var shapes = new NativeArray<PlaneShape>(m_planes.Count, allocator);
@@ -140,21 +144,23 @@ namespace FastPoints.Store
             return shapes;
         }
 
-        /// <summary>Shape of one plane of one node.</summary>
+        /// <summary>Shape of one plane in one node.</summary>
         public PlaneShape ShapeOf(int plane, bool isWide) =>
             plane == PositionPlane ? new PlaneShape(3, isWide ? 7 : 0) : m_planes[plane].Shape;
     }
 
-    /// <summary>One column of one attribute plane: what its stored numbers mean. Blittable, for jobs.</summary>
+    /// <summary>One column of one attribute plane: the meaning of its stored numbers. Blittable, for jobs.</summary>
     public struct StoredColumn
     {
         public AttributeType Type;
 
-        /// <summary>Every value of the cloud is a multiple of it, and what is packed is the quotient: 256 or 257 where 8-bit
-        /// colours fill 16-bit fields. 1 for all but 16-bit unsigned attributes.</summary>
+        /// <summary>
+        /// A common divisor of all values of the cloud; the quotients are packed. It is 256 or 257 where 8-bit colours fill
+        /// 16-bit fields, and 1 for everything except 16-bit unsigned attributes.
+        /// </summary>
         public int Divisor;
 
-        /// <summary>Byte at which the value lies in a record: the values of all attributes, one after the other.</summary>
+        /// <summary>Offset of the value in a record, which holds the values of all attributes one after the other.</summary>
         public int RecordOffset;
     }
 }

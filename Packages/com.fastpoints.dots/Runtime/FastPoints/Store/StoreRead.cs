@@ -7,8 +7,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>One background read of consecutive bytes of a file into memory of its own, used again from read to
-    /// read.</summary>
+    /// <summary>
+    /// Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to read.
+    /// </summary>
     internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.
@@ -24,12 +25,12 @@ namespace FastPoints.Store
             m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
         }
 
-        /// <summary>What was read; jobs that use it depend on <see cref="Done"/>.</summary>
+        /// <summary>The bytes read; jobs that use them depend on <see cref="Done"/>.</summary>
         public NativeArray<byte> Bytes => m_bytes.GetSubArray(0, m_count);
 
         public JobHandle Done { get; private set; }
 
-        /// <summary>Starts; the read before is complete.</summary>
+        /// <summary>Starts a read; the one before must be complete.</summary>
         public void Begin(string path, long offset, long count)
         {
             if (count > int.MaxValue)
@@ -64,7 +65,7 @@ namespace FastPoints.Store
                     m_command[0].Offset, "wanted " + m_count + " bytes, the read ended as " + status);
         }
 
-        /// <summary>Calls the read off and awaits it, whatever comes of it; jobs that depend on it are complete.</summary>
+        /// <summary>Cancels the read and awaits it, whatever its result; jobs that depend on it must be complete.</summary>
         public void Abandon()
         {
             if (!m_isReading)

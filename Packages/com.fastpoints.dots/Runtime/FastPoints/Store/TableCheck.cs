@@ -4,25 +4,25 @@ using Unity.Mathematics;
 namespace FastPoints.Store
 {
     /// <summary>
-    /// Whether a table of nodes makes sense: nothing that it says is used before. Looks at memory alone, so that a job can ask as
-    /// well.
+    /// Checks whether a table of nodes is consistent before anything in it is used. It reads memory alone, so that a job can
+    /// use it as well.
     /// </summary>
     internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;
 
-        /// <summary>By node times <see cref="PlaneCount"/>, plus plane.</summary>
+        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane.</summary>
         public PlaneRange* Planes;
         public int NodeCount;
         public int PlaneCount;
 
-        /// <summary>By plane; the position's as it is in nodes that are not wide.</summary>
+        /// <summary>One for each plane; the position's is that of nodes that are not wide.</summary>
         public PlaneShape* Shapes;
 
-        /// <summary>All nodes lie inside.</summary>
+        /// <summary>Contains all nodes.</summary>
         public GridCube Region;
 
-        /// <summary>Planes lie between the header and here.</summary>
+        /// <summary>Planes lie between the header and this offset.</summary>
         public long DataBytes;
 
         /// <summary>Whether several nodes may have no parent.</summary>
@@ -92,7 +92,7 @@ namespace FastPoints.Store
             }
             if (node.FirstBlock != 0)
                 return new TableProblem(TableFault.FirstBlock, index);
-            // Children were checked for nothing yet, but they are in the table.
+            // The children are not checked yet, but they are in the table.
             long blocks = node.BlockCount;
             long end = math.min(NodeCount, (long)node.FirstChild + node.ChildCount);
             for (long child = node.FirstChild; child < end; child++)

@@ -6,7 +6,7 @@ namespace FastPoints.Store
         public TableFault Fault;
         public int Node;
 
-        /// <summary>What was wanted or got: which depends on the fault.</summary>
+        /// <summary>The expected or actual value, depending on the fault.</summary>
         public long Wanted;
         public long Got;
 
@@ -21,11 +21,11 @@ namespace FastPoints.Store
         public bool IsNone => Fault == TableFault.None;
     }
 
-    /// <summary>What can be wrong with a file's table of nodes.</summary>
+    /// <summary>The faults that a file's table of nodes can have.</summary>
     public enum TableFault : byte
     {
         None,
-        /// <summary>The bytes are not those that were written.</summary>
+        /// <summary>The bytes differ from those that were written.</summary>
         Hash,
         Roots,
         Orphans,

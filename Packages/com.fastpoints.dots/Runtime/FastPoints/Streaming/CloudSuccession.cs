@@ -3,16 +3,16 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// One cloud in several states, each better than the one before: waves of a preview, generations of a build, what was built.
-    /// A newer state is streamed beside what is shown, and takes its place when nearly all that is selected of it is
-    /// there. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
-    /// takes the place of both: so each region only ever gains. Main thread.
+    /// One cloud in several states, each better than the one before: waves of a preview, generations of a build, the finished
+    /// cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are loaded.
+    /// A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud replaces
+    /// both, so that each region only ever gains. Main thread.
     /// </summary>
     public sealed class CloudSuccession
     {
         public const int None = -1;
 
-        /// <summary>Of the newer state's selected nodes, so many are drawn when the older one goes.</summary>
+        /// <summary>The older state goes when this share of the newer one's selected nodes is drawn.</summary>
         const double ReadyShare = 0.95;
 
         readonly StreamContext m_stream;
@@ -25,21 +25,21 @@ namespace FastPoints.Streaming
             m_stream = stream;
         }
 
-        /// <summary>Number of the state that is shown; <see cref="None"/> before the first.</summary>
+        /// <summary>Number of the state that is shown; <see cref="None"/> before the first one.</summary>
         public int Cloud { get; private set; } = None;
 
         /// <summary>Number of the preview that is shown beside a build in progress, or <see cref="None"/>.</summary>
         public int Beside { get; private set; } = None;
 
-        /// <summary>Number of the state that is to come, or <see cref="None"/>.</summary>
+        /// <summary>Number of the next state to show, or <see cref="None"/>.</summary>
         public int Next { get; private set; } = None;
 
-        /// <summary>Whether the newest state is the one that is shown.</summary>
+        /// <summary>Whether the newest state is the shown one.</summary>
         public bool IsCurrent => Next == None;
 
-        /// <summary>Adds a newer state. One before it that is not shown yet never is.</summary>
-        /// <param name="source">Becomes the stream's.</param>
-        /// <param name="placement">Null for where the shown state stands; georeferenced space where there is none.</param>
+        /// <summary>Adds a newer state. An earlier one that is not shown yet is dropped.</summary>
+        /// <param name="source">The stream owns it.</param>
+        /// <param name="placement">Null for the place of the shown state, or georeferenced space if there is none.</param>
         public void Add(NodeSource source, CloudPlacement? placement = null, CloudStage stage = CloudStage.Whole)
         {
             int added = m_stream.Add(source, placement ?? PlacementLike(source));
@@ -56,8 +56,8 @@ namespace FastPoints.Streaming
             m_nextStage = stage;
         }
 
-        /// <summary>Moves all states that are in the stream.</summary>
-        /// <param name="placement">Of the one that is shown.</param>
+        /// <summary>Moves all states in the stream.</summary>
+        /// <param name="placement">The placement of the shown state.</param>
         public void Place(in CloudPlacement placement)
         {
             var shown = m_stream.Clouds[Cloud];
@@ -68,8 +68,8 @@ namespace FastPoints.Streaming
                 m_stream.Clouds[Next].Placement = placement.Along(shown.Source, m_stream.Clouds[Next].Source);
         }
 
-        /// <summary>Once a frame, after it.</summary>
-        /// <returns>Whether <see cref="Cloud"/> is another now.</returns>
+        /// <summary>Updates the states; called once after each frame.</summary>
+        /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
         public bool Update()
         {
             if (Next == None || !IsReady(Next))
@@ -100,9 +100,10 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>A build in progress was broken off: what is shown of it gives way to the preview beside it, or to the next
-        /// one.</summary>
-        /// <returns>Whether <see cref="Cloud"/> is another now.</returns>
+        /// <summary>
+        /// Withdraws a build that was broken off: its shown state is replaced by the preview beside it, or by the next one.
+        /// </summary>
+        /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
         public bool Withdraw()
         {
             if (Next != None && m_nextStage == CloudStage.Building)
@@ -152,19 +153,19 @@ namespace FastPoints.Streaming
             foreach (var missing in m_stream.Selector.Missing)
                 if (missing.Cloud == cloud)
                     return false;
-            // Out of view there is nothing to wait for, once a selection has had it.
+            // A cloud out of view has nothing to wait for once a selection has considered it.
             return shown >= ReadyShare * count && m_stream.Selector.Frame != m_frameAdded;
         }
     }
 
-    /// <summary>How far a cloud has come that is shown before it is whole.</summary>
+    /// <summary>How complete a cloud is that is shown before the whole is ready.</summary>
     public enum CloudStage
     {
-        /// <summary>All of it, thinned.</summary>
+        /// <summary>A thinned version of the whole cloud.</summary>
         Preview,
-        /// <summary>A build in progress: all points of some regions, few of the others.</summary>
+        /// <summary>A build in progress: all points of some regions, few points of the others.</summary>
         Building,
-        /// <summary>All that there is.</summary>
+        /// <summary>All points.</summary>
         Whole,
     }
 }

@@ -1,18 +1,18 @@
 namespace FastPoints.Streaming
 {
-    /// <summary>What one frame did, and where things stand after it.</summary>
+    /// <summary>What one frame did, and the state after it.</summary>
     public struct FrameStats
     {
         public uint Frame;
         public int SelectedNodes;
         public long SelectedPoints;
 
-        /// <summary>Pages that the selection came to and that are not loaded: it may choose more when they are.</summary>
+        /// <summary>Pages that the selection reached but that are not loaded: it may choose more when they are.</summary>
         public int MissingPages;
         public int RequestedNodes;
         public long RequestedBytes;
 
-        /// <summary>Of reads that ended, gaps between planes included.</summary>
+        /// <summary>Bytes of reads that ended, including gaps between planes.</summary>
         public long ReadBytes;
         public int UploadedNodes;
         public long UploadedBytes;
@@ -20,13 +20,13 @@ namespace FastPoints.Streaming
         public int DrawnNodes;
         public long DrawnPoints;
 
-        /// <summary>Nodes with memory, those on their way included, and the pool's bytes.</summary>
+        /// <summary>Nodes that have memory, including those in flight, and the pool's bytes.</summary>
         public int CachedNodes;
         public long PoolBytes;
         public long HierarchyBytes;
         public int ReadsUnderWay;
 
-        /// <summary>Selected nodes are drawn, nothing is missing and nothing on its way.</summary>
+        /// <summary>Whether all selected nodes are drawn and nothing is missing or in flight.</summary>
         public bool IsSettled;
 
         /// <summary>Main-thread time of each step.</summary>

@@ -5,8 +5,8 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// A frame of streaming, without engine and without entities: from cameras to the list of what to draw. Waits for nothing and
-    /// makes no garbage: what a step begins, a later frame's step takes.
+    /// A frame of streaming, independent of engine and entities: from cameras to the list of what to draw. It waits for nothing
+    /// and makes no garbage: work begun in one frame is taken by a later one.
     /// </summary>
     public static unsafe class FrameStep
     {
@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
             return stats;
         }
 
-        /// <summary>Copies that ended make nodes complete, tables that came make the hierarchy grow.</summary>
+        /// <summary>Completes nodes whose copies ended, and extends the hierarchy by tables that arrived.</summary>
         public static void Receive(StreamContext stream, ref FrameStats stats)
         {
             long start = Stopwatch.GetTimestamp();
@@ -34,7 +34,7 @@ namespace FastPoints.Streaming
             stats.ReceiveMs = MsSince(start);
         }
 
-        /// <summary>Chooses what the cameras need, and what they will need soon.</summary>
+        /// <summary>Chooses what the cameras need now, and what they will need soon.</summary>
         public static void Select(StreamContext stream, NativeArray<StreamView> views, ref FrameStats stats)
         {
             long start = Stopwatch.GetTimestamp();
@@ -52,7 +52,7 @@ namespace FastPoints.Streaming
                 selector.Forecast(stream.Motion.Ahead, settings.Selection,
                     (long)(settings.Selection.PointBudget * settings.ShareAhead));
 
-            // From the least needed to the most: that is the order in which the cache gives up.
+            // The cache evicts in this order, from the least needed to the most.
             Use(stream, selector.Forecasted, StreamContext.FirstForecastRank);
             Use(stream, selector.Selected, 0);
             stream.Cache.UsePinned(selector.Frame);
@@ -68,12 +68,12 @@ namespace FastPoints.Streaming
         {
             long start = Stopwatch.GetTimestamp();
             stream.Uploads.Begin(stream.Reads.Fetches);
-            // And to build what was received: otherwise both would begin with the next frame.
+            // This also starts building what was received: otherwise both would begin with the next frame.
             JobHandle.ScheduleBatchedJobs();
             stats.UploadMs = MsSince(start);
         }
 
-        /// <summary>Begins reads of what is not there, and evicts what is less useful than that.</summary>
+        /// <summary>Begins reads of missing nodes and evicts those that are less useful.</summary>
         public static void Request(StreamContext stream, ref FrameStats stats)
         {
             long start = Stopwatch.GetTimestamp();
@@ -100,8 +100,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>What is complete, with all above it. A hole, or a hidden node, hides nothing but
-        /// itself.</summary>
+        /// <summary>Lists complete nodes whose ancestors are complete. A hole or a hidden node hides only itself.</summary>
         static void ListDraws(StreamContext stream, ref FrameStats stats)
         {
             var selected = stream.Selector.Selected;

@@ -7,19 +7,19 @@ using Unity.Collections;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Everything that streaming keeps from frame to frame, and its life: clouds come and go, <see cref="FrameStep"/> runs each
-    /// frame, and <see cref="Dispose"/> ends it (a domain reload, quitting): reads are called off and awaited, all memory
-    /// is freed. Main thread.
+    /// Everything that streaming keeps from frame to frame, and its lifetime: clouds come and go, <see cref="FrameStep"/> runs
+    /// each frame, and <see cref="Dispose"/> ends it (on a domain reload or on quitting): it cancels and awaits reads and frees
+    /// all memory. Main thread.
     /// </summary>
     public sealed unsafe class StreamContext : IDisposable
     {
-        /// <summary>What is only foreseen is less needed than all that is selected.</summary>
+        /// <summary>Foreseen nodes rank behind all selected ones.</summary>
         public const int FirstForecastRank = 1 << 30;
 
-        /// <summary>Failures that are kept until somebody takes them.</summary>
+        /// <summary>The most failures that are kept until they are taken.</summary>
         const int MostFailures = 1000;
 
-        /// <summary>Frames that a hierarchy page must be out of view for until it is given up.</summary>
+        /// <summary>A hierarchy page must be out of view for this many frames before it is unloaded.</summary>
         const uint FramesToUnload = 300;
 
         readonly List<StreamedCloud> m_clouds = new List<StreamedCloud>();
@@ -27,7 +27,7 @@ namespace FastPoints.Streaming
         int m_unloadCloud;
         int m_unloadPage;
 
-        /// <param name="pool">Becomes this context's.</param>
+        /// <param name="pool">This context owns it.</param>
         public StreamContext(NodePool pool)
         {
             Pool = pool;
@@ -46,29 +46,32 @@ namespace FastPoints.Streaming
         internal NodeUploads Uploads { get; }
         internal CameraMotion Motion { get; } = new CameraMotion();
 
-        /// <summary>By number; null where a cloud is gone.</summary>
+        /// <summary>Indexed by number; null for a removed cloud.</summary>
         internal IReadOnlyList<StreamedCloud> Clouds => m_clouds;
 
-        /// <summary>What all clouds are clipped by: nothing outside is selected, loaded or drawn. May be changed from frame to
-        /// frame.</summary>
+        /// <summary>
+        /// The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from frame
+        /// to frame.
+        /// </summary>
         public NativeList<ClipBox> ClipBoxes { get; }
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
 
-        /// <summary>By selected node: its place in <see cref="Drawn"/>; <see cref="NotDrawn"/>; or <see
-        /// cref="NotShown"/>.</summary>
+        /// <summary>
+        /// For each selected node, its index in <see cref="Drawn"/>, or <see cref="NotDrawn"/>, or <see cref="NotShown"/>.
+        /// </summary>
         public NativeList<int> DrawnOfSelected { get; }
 
-        /// <summary>A hole, or hidden: what is below it can be drawn.</summary>
+        /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
         public const int NotDrawn = -1;
 
-        /// <summary>It, or something above it, is not there yet.</summary>
+        /// <summary>The node, or one above it, is not loaded yet.</summary>
         public const int NotShown = -2;
 
         public bool IsDisposed { get; private set; }
 
-        /// <summary>Whether a cloud that was removed still has reads or uploads under way.</summary>
+        /// <summary>Whether a removed cloud still has reads or uploads in flight.</summary>
         public bool HasLeaving
         {
             get
@@ -88,7 +91,7 @@ namespace FastPoints.Streaming
                 ClipBoxes.Add(box);
         }
 
-        /// <param name="source">Becomes this context's.</param>
+        /// <param name="source">This context owns it.</param>
         /// <returns>The cloud's number until it is removed.</returns>
         public int Add(NodeSource source, CloudPlacement placement)
         {
@@ -101,8 +104,10 @@ namespace FastPoints.Streaming
             return free < 0 ? m_clouds.Count - 1 : free;
         }
 
-        /// <summary>The cloud is not shown any more; what is under way for it is called off, and its source is disposed when
-        /// that has ended.</summary>
+        /// <summary>
+        /// Removes a cloud from what is shown. Its reads and uploads are cancelled; its source is disposed when these have
+        /// ended.
+        /// </summary>
         public void Remove(int cloud)
         {
             var leaving = m_clouds[cloud];
@@ -116,10 +121,10 @@ namespace FastPoints.Streaming
             Drawn.Clear();
         }
 
-        /// <summary>Takes the oldest failure that nobody took yet.</summary>
+        /// <summary>Takes the oldest failure that was not taken yet.</summary>
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
-        /// <summary>Lets sources go on with what they do of their own.</summary>
+        /// <summary>Lets sources continue work of their own.</summary>
         public void UpdateSources()
         {
             for (int c = 0; c < m_clouds.Count; c++)
@@ -127,8 +132,7 @@ namespace FastPoints.Streaming
                     Report(new StreamFailure(failure.Path, failure.ByteOffset, failure.What));
         }
 
-        /// <summary>Ends clouds that leave, and gives back what is beyond limits: at once, but for what a job writes
-        /// to.</summary>
+        /// <summary>Ends clouds that leave and frees what exceeds limits, except memory that a job writes to.</summary>
         public void TidyUp()
         {
             for (int c = 0; c < m_clouds.Count; c++)
@@ -139,8 +143,8 @@ namespace FastPoints.Streaming
             UnloadPage();
         }
 
-        /// <summary>Finds room for a node, by giving up what is less useful.</summary>
-        /// <param name="rank">Its place among what is needed.</param>
+        /// <summary>Finds room for a node by evicting less useful ones.</summary>
+        /// <param name="rank">Its rank among the needed nodes.</param>
         public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange run;
@@ -164,7 +168,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Gives a node's memory back; no job writes to it.</summary>
+        /// <summary>Frees a node's memory; no job may be writing to it.</summary>
         public void Release(int slot)
         {
             var gone = Cache[slot];
@@ -175,7 +179,9 @@ namespace FastPoints.Streaming
             Cache.Remove(slot);
         }
 
-        /// <summary>A node whose bytes are not those that were written: tried again, then reported and left as a hole.</summary>
+        /// <summary>
+        /// Drops a node whose bytes differ from those written: it is retried, then reported and left as a hole.
+        /// </summary>
         public void DropDamaged(int slot)
         {
             var node = Cache[slot];
@@ -184,7 +190,7 @@ namespace FastPoints.Streaming
                 cloud.RangeOf(node.Page, node.Node, 0).OffsetBytes, "node " + node.Node + " is damaged"));
         }
 
-        /// <param name="failure">What is reported in the end.</param>
+        /// <param name="failure">The failure to report in the end.</param>
         public void DropDamaged(int slot, in StreamFailure failure)
         {
             var node = Cache[slot];
@@ -197,10 +203,10 @@ namespace FastPoints.Streaming
             Report(failure);
         }
 
-        /// <summary>Whether something was not wanted for so long that its read is called off.</summary>
+        /// <summary>Whether something has not been wanted for so long that its read is cancelled.</summary>
         public bool IsOld(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
-        /// <summary>Whether a frame has come.</summary>
+        /// <summary>Whether a frame number has been reached.</summary>
         public bool IsTime(uint frame) => (int)(Selector.Frame - frame) >= 0;
 
         public void Report(StreamFailure failure)
@@ -263,7 +269,7 @@ namespace FastPoints.Streaming
             Pool.FreeEmptyBanks();
         }
 
-        /// <summary>Looks at one page a frame, while there is more of them than there should be.</summary>
+        /// <summary>Examines one page each frame while there are more than there should be.</summary>
         void UnloadPage()
         {
             long bytes = 0;
@@ -284,22 +290,21 @@ namespace FastPoints.Streaming
                 m_clouds[m_unloadCloud].Unload(m_unloadPage);
         }
 
-        /// <summary>Of all pages that are loaded.</summary>
+        /// <summary>Bytes of all loaded pages.</summary>
         public long HierarchyBytes { get; private set; }
     }
 
-    /// <summary>A node to draw: complete, as are all above it.</summary>
+    /// <summary>A node to draw: it and all nodes above it are complete.</summary>
     public struct DrawnNode
     {
         public int Cloud;
         public int Page;
         public int Node;
 
-        /// <summary>Place of the node above it among those that are drawn; -1 where that one is not drawn, or there is
-        /// none.</summary>
+        /// <summary>Index of the node above it among those drawn; -1 if that one is not drawn or does not exist.</summary>
         public int Parent;
 
-        /// <summary>Its place in the <see cref="NodeCache"/>.</summary>
+        /// <summary>Its slot in the <see cref="NodeCache"/>.</summary>
         public int Slot;
 
         /// <summary>See <see cref="CachedNode.Tint"/>.</summary>
@@ -309,12 +314,12 @@ namespace FastPoints.Streaming
         public PoolRange Range;
     }
 
-    /// <summary>Something that could not be shown, after all tries.</summary>
+    /// <summary>Something that could not be shown after all retries.</summary>
     public readonly struct StreamFailure
     {
         public readonly string Path;
 
-        /// <summary>Byte in the file; -1 where the whole of it is meant.</summary>
+        /// <summary>Offset in the file; -1 for the whole file.</summary>
         public readonly long OffsetBytes;
         public readonly string What;
 

@@ -5,7 +5,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A cloud while it is streamed: its source, its hierarchy, where it stands.</summary>
+    /// <summary>A cloud while it is streamed: its source, its hierarchy and its placement.</summary>
     internal sealed unsafe class StreamedCloud : IDisposable
     {
         NativeList<HierarchyPage> m_pages;
@@ -24,16 +24,16 @@ namespace FastPoints.Streaming
         public NodeSource Source { get; }
         public CloudPlacement Placement { get; set; }
 
-        /// <summary>It is not shown any more, and goes when its reads and uploads have ended.</summary>
+        /// <summary>Whether it is no longer shown; it goes when its reads and uploads have ended.</summary>
         public bool IsLeaving { get; set; }
 
-        /// <summary>Reads and uploads that still need the source.</summary>
+        /// <summary>Number of reads and uploads that still need the source.</summary>
         public int Users { get; set; }
 
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 
-        /// <summary>Where they are until a page is loaded.</summary>
+        /// <summary>Their address, valid until a page is loaded.</summary>
         public HierarchyPage* Pages => m_pages.GetUnsafePtr();
 
         /// <summary>Bytes of the planes that are streamed of a node.</summary>
@@ -45,7 +45,7 @@ namespace FastPoints.Streaming
             return bytes;
         }
 
-        /// <param name="plane">Counted among those that are streamed.</param>
+        /// <param name="plane">Index among the streamed planes.</param>
         public PlaneRange RangeOf(int page, int node, int plane) =>
             Pages[page].Planes[node * Source.Planes.Length + plane];
 
@@ -53,7 +53,7 @@ namespace FastPoints.Streaming
             ? new PlaneShape(3, 7)
             : Source.Shapes[Source.Planes[plane]];
 
-        /// <summary>Takes note of the lengths of a node that was made.</summary>
+        /// <summary>Records the lengths of a node that was made.</summary>
         public void SetLengths(int page, int node, NodeMaker made)
         {
             for (int p = 0; p < Source.Planes.Length; p++)
@@ -61,7 +61,7 @@ namespace FastPoints.Streaming
             Pages[page].States[node].WasMade = true;
         }
 
-        /// <summary>Takes the nodes of a page over.</summary>
+        /// <summary>Takes over the nodes of a page.</summary>
         public void Load(int page, in HierarchyPage built)
         {
             Source.Adopt(page, built);
@@ -78,7 +78,7 @@ namespace FastPoints.Streaming
             AddNewPages();
         }
 
-        /// <summary>Gives the nodes of a page up, none of which is in the cache.</summary>
+        /// <summary>Frees the nodes of a page, none of which may be in the cache.</summary>
         public void Unload(int page)
         {
             HierarchyBytes -= BytesOf(Pages[page]);

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>From the bytes of a chunk's table to a page of the hierarchy; everything is checked first.</summary>
+    /// <summary>Builds a page of the hierarchy from the bytes of a chunk's table, after checking everything.</summary>
     [BurstCompile]
     internal unsafe struct BuildHierarchyPageJob : IJob
     {
@@ -15,13 +15,13 @@ namespace FastPoints.Streaming
         public ChunkRecord Chunk;
         public HierarchyGrid Grid;
 
-        /// <summary>By plane of the cloud.</summary>
+        /// <summary>Indexed by plane of the cloud.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
         /// <summary>The planes that are streamed.</summary>
         [ReadOnly] public NativeArray<int> Wanted;
 
-        /// <summary>The page, where <see cref="Problem"/> is none: whoever takes it owns its memory.</summary>
+        /// <summary>The page, if <see cref="Problem"/> is none; the code that takes it owns its memory.</summary>
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 

@@ -5,15 +5,15 @@ using FastPoints.Store;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// The generations of a cloud's folder that may still be in the making: looks for a newer one once a second, on a thread of
-    /// the pool, and keeps it until somebody takes it. Main thread; only <see cref="Dispose"/> waits.
+    /// Follows the generations of a cloud's folder that may still be in the making: looks for a newer one once a second, on a
+    /// thread of the pool, and keeps it until it is taken. Main thread; only <see cref="Dispose"/> waits.
     /// </summary>
     internal sealed class FolderGenerations : IDisposable
     {
-        /// <summary>Frames from one look at the folder to the next: a second.</summary>
+        /// <summary>Frames between two looks at the folder: a second.</summary>
         public const int FramesPerLook = 60;
 
-        /// <summary>Between a build and its result there may be neither for a moment.</summary>
+        /// <summary>For a moment after a build, neither it nor its result may exist.</summary>
         const int LooksUntilGone = 2;
 
         readonly string m_path;
@@ -24,22 +24,22 @@ namespace FastPoints.Streaming
         int m_looksInVain;
         bool m_isAsked;
 
-        /// <summary>What was found.</summary>
+        /// <summary>The result of one look.</summary>
         struct Look
         {
             public bool IsThere;
 
-            /// <summary>Null where there is no newer one, or where it cannot be opened at this moment.</summary>
+            /// <summary>Null if there is no newer one, or if it cannot be opened at this moment.</summary>
             public CloudFolder Newer;
         }
 
-        /// <param name="first">Becomes this object's, the first to be taken.</param>
+        /// <param name="first">This object owns it; it is the first to be taken.</param>
         public FolderGenerations(CloudFolder first) : this(first.FolderPath)
         {
             Keep(first);
         }
 
-        /// <summary>Of a folder that may come.</summary>
+        /// <summary>Follows a folder that may not exist yet.</summary>
         /// <param name="path">With or without the suffix of a folder in the making.</param>
         public FolderGenerations(string path)
         {
@@ -47,26 +47,25 @@ namespace FastPoints.Streaming
             IsBuilding = true;
         }
 
-        /// <summary>Of the newest one; 0 before the first.</summary>
+        /// <summary>Number of the newest generation; 0 before the first.</summary>
         public long Generation { get; private set; }
 
-        /// <summary>Whether there was one.</summary>
+        /// <summary>Whether any generation was found.</summary>
         public bool IsFound { get; private set; }
 
-        /// <summary>Whether newer ones are looked for.</summary>
+        /// <summary>Whether it looks for newer ones.</summary>
         public bool IsBuilding { get; private set; }
 
-        /// <summary>Whether what was looked for is not there any more: the build was broken off, or somebody deleted
-        /// it.</summary>
+        /// <summary>Whether the folder no longer exists: the build was broken off, or the folder was deleted.</summary>
         public bool IsGone => m_looksInVain >= LooksUntilGone;
 
-        /// <summary>Whether nothing is being looked for at this moment.</summary>
+        /// <summary>Whether no look is in progress.</summary>
         public bool IsIdle => m_looking == null;
 
-        /// <summary>The newest one that nobody has taken; null for none.</summary>
+        /// <summary>The newest generation that was not taken; null for none.</summary>
         public CloudFolder Newest => m_newest;
 
-        /// <summary>Hands <see cref="Newest"/> over.</summary>
+        /// <summary>Hands over <see cref="Newest"/>.</summary>
         public CloudFolder Take()
         {
             var taken = m_newest;
@@ -74,11 +73,13 @@ namespace FastPoints.Streaming
             return taken;
         }
 
-        /// <summary>Looks with the next update, at a finished cloud too: it may have been made anew.</summary>
+        /// <summary>Looks again with the next update, even at a finished cloud, which may have been rebuilt.</summary>
         public void Refresh() => m_isAsked = true;
 
-        /// <summary>Once a frame. Looks for nothing while there is one to take. Never waits.</summary>
-        /// <exception cref="PointCloudException">A look came to what nobody foresaw.</exception>
+        /// <summary>
+        /// Called once a frame. It does not look while a generation waits to be taken, and never waits itself.
+        /// </summary>
+        /// <exception cref="PointCloudException">A look failed unexpectedly.</exception>
         public void Update()
         {
             if (m_looking != null && m_looking.IsDone)
@@ -97,7 +98,7 @@ namespace FastPoints.Streaming
             BeginLook();
         }
 
-        /// <summary>A method of its own: what a lambda takes along is allocated where its method begins.</summary>
+        /// <summary>This is a method of its own because a lambda's closure is allocated where its method begins.</summary>
         void BeginLook()
         {
             string path = m_path;
@@ -107,7 +108,7 @@ namespace FastPoints.Streaming
             m_looking = PoolWork.Begin(path, () => LookAt(path, cloudId, generation, wasBuilding));
         }
 
-        /// <summary>Waits for a folder that is being opened.</summary>
+        /// <summary>Waits if a folder is being opened.</summary>
         public void Dispose()
         {
             m_looking?.TakeIfSound().Newer?.Dispose();
@@ -127,7 +128,7 @@ namespace FastPoints.Streaming
             {
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
-                // A result that has not got its name yet cannot be read for long.
+                // A result without its final name cannot be read for long.
                 bool isNewer = manifest.IsBuilding ? manifest.Generation > generation || manifest.CloudId != cloudId
                     : !folder.IsInTheMaking && (wasBuilding || manifest.CloudId != cloudId);
                 if (isNewer)
@@ -138,7 +139,7 @@ namespace FastPoints.Streaming
             }
             catch (PointCloudException)
             {
-                // Between two generations, or gone: the next look tells.
+                // The folder is between two generations, or gone: the next look decides.
             }
             folder?.Dispose();
             return look;

@@ -9,20 +9,22 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A cloud's folder, finished or in the making: of the latter, the generation that was opened.</summary>
+    /// <summary>
+    /// The source of a cloud's folder, finished or in the making; in the latter case, of the opened generation.
+    /// </summary>
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
         readonly HierarchyGrid m_grid;
 
-        /// <summary>Made once: a path a read would be garbage.</summary>
+        /// <summary>Made once: a new path for each read would be garbage.</summary>
         readonly string[] m_pathOfPage;
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <param name="folder">Becomes this source's.</param>
-        /// <param name="planes">Names of planes that are streamed beside the position (<see cref="StoreLayout"/>); those that
-        /// the cloud has not are left out.</param>
+        /// <param name="folder">This source owns it.</param>
+        /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
+        /// the cloud lacks are left out.</param>
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
@@ -41,9 +43,10 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>A folder, finished or in the making, with all planes but averages. Reads two small files: for any
-        /// thread.</summary>
-        /// <exception cref="PointCloudException">It is no cloud, or damaged.</exception>
+        /// <summary>
+        /// Opens a folder, finished or in the making, with all planes except averages. Reads two small files, on any thread.
+        /// </summary>
+        /// <exception cref="PointCloudException">It is not a cloud, or is damaged.</exception>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);

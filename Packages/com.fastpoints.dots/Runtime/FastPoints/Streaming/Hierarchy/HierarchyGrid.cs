@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>From grid places to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
+    /// <summary>Maps grid positions to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
     public struct HierarchyGrid
     {
         public Grid3 Corner;
@@ -28,14 +28,14 @@ namespace FastPoints.Streaming
             return new double3(from.X, from.Y, from.Z) * Step;
         }
 
-        /// <summary>The box from one place to another, both included. Rounded outwards.</summary>
+        /// <summary>The box from one position to another, both included. It is rounded outwards.</summary>
         public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
             Box(ToLocal(min), ToLocal(max), out center, out half);
 
         public static void Box(double3 min, double3 max, out double3 center, out float3 half)
         {
             center = (min + max) * 0.5;
-            // A float's last place is 1.2e-7 of it; the centre's rounding in double is far below.
+            // The last digit of a float is 1.2e-7 of its value; the centre's rounding in double is far smaller.
             half = (float3)((max - min) * (0.5 * (1 + 2.4e-7)));
         }
     }

@@ -12,42 +12,44 @@ namespace FastPoints.Streaming
     /// </summary>
     public unsafe struct HierarchyPage
     {
-        /// <summary>Null while the page is not loaded, as are the others.</summary>
+        /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
         public StreamNode* Nodes;
         public NodeState* States;
         public NodePlace* Places;
 
-        /// <summary>By node times planes that are streamed, plus plane.</summary>
+        /// <summary>Indexed by node times streamed planes, plus plane.</summary>
         public PlaneRange* Planes;
         public int NodeCount;
 
-        /// <summary>The first so many nodes have no parent in the page.</summary>
+        /// <summary>This many nodes at the start have no parent in the page.</summary>
         public int RootCount;
 
-        /// <summary>Around all points of the page: see <see cref="StreamNode.Center"/>.</summary>
+        /// <summary>Centre of the box around all points of the page: see <see cref="StreamNode.Center"/>.</summary>
         public double3 Center;
         public float3 Half;
 
-        /// <summary>Frame of the last selection that had its box in view, with the node that it hangs on chosen.</summary>
+        /// <summary>Frame of the last selection that saw its box and chose the node that it is attached to.</summary>
         public uint SeenFrame;
 
-        /// <summary>Nodes that are on their way or in the cache.</summary>
+        /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>Reads of its file that failed one after the other, when the last one did, and until when none is
-        /// tried.</summary>
+        /// <summary>
+        /// Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is tried.
+        /// </summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;
 
-        /// <summary>Its file cannot be read: what is not in the cache is a hole.</summary>
+        /// <summary>Whether its file cannot be read, so that nodes outside the cache are holes.</summary>
         public bool IsBroken;
         public HierarchyPageStatus Status;
 
         public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
-        /// <summary>Whether a node will never be there: it takes nothing of the budget, and what is below it is shown
-        /// without it.</summary>
+        /// <summary>
+        /// Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without it.
+        /// </summary>
         public bool IsHole(int node) =>
             States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
 
@@ -56,7 +58,7 @@ namespace FastPoints.Streaming
             nodeCount * ((long)sizeof(StreamNode) + sizeof(NodeState) + sizeof(NodePlace) +
                 (long)planeCount * sizeof(PlaneRange));
 
-        /// <summary>Makes room for the nodes, in one piece; the page is not loaded yet.</summary>
+        /// <summary>Makes room for the nodes in one piece; the page does not count as loaded yet.</summary>
         public void Allocate(int nodeCount, int planeCount)
         {
             Nodes = (StreamNode*)UnsafeUtility.Malloc(math.max(64, BytesFor(nodeCount, planeCount)), 64, Allocator.Persistent);
@@ -67,7 +69,7 @@ namespace FastPoints.Streaming
             RootCount = 0;
         }
 
-        /// <summary>Gives the nodes up; the page can be loaded again.</summary>
+        /// <summary>Frees the nodes; the page can be loaded again.</summary>
         public void Free()
         {
             UnsafeUtility.Free(Nodes, Allocator.Persistent);
@@ -79,7 +81,7 @@ namespace FastPoints.Streaming
             Status = HierarchyPageStatus.Absent;
         }
 
-        /// <summary>The box of a chunk, as far as the cloud's bounds go.</summary>
+        /// <summary>Makes the page of a chunk, whose box is cut to the cloud's bounds.</summary>
         public static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
@@ -96,31 +98,31 @@ namespace FastPoints.Streaming
         /// <summary>Its table is being read.</summary>
         Loading,
         Loaded,
-        /// <summary>It could not be read, was reported, and is a hole.</summary>
+        /// <summary>Its table could not be read, which was reported; the page is a hole.</summary>
         Failed,
     }
 
-    /// <summary>A page that a selection came to and found not loaded.</summary>
+    /// <summary>A page that a selection reached and found not loaded.</summary>
     internal struct MissingHierarchyPage
     {
         public int Cloud;
         public int Page;
     }
 
-    /// <summary>What its blocks' positions count from: asked for where a node is drawn.</summary>
+    /// <summary>Where a node lies: the corner that its blocks' positions count from. Drawing asks for it.</summary>
     public struct NodePlace
     {
-        /// <summary>Of the node's cube, from the corner of the root cube, in grid steps.</summary>
+        /// <summary>Corner of the node's cube relative to that of the root cube, in grid steps.</summary>
         public Grid3 Corner;
 
-        /// <summary>Positions are 64-bit columns.</summary>
+        /// <summary>Whether positions are 64-bit columns.</summary>
         public bool IsWide;
 
-        /// <summary>Of the node's cube: see <see cref="NodeCubes"/>.</summary>
+        /// <summary>Level of the node's cube: see <see cref="NodeCubes"/>.</summary>
         public byte Level;
     }
 
-    /// <summary>What changes about a node: the only place where it is kept.</summary>
+    /// <summary>The changing state of a node, which is kept only here.</summary>
     public struct NodeState
     {
         public const int NoSlot = -1;
@@ -129,34 +131,36 @@ namespace FastPoints.Streaming
         /// <summary>Frame of the last selection that chose the node.</summary>
         public uint SelectedFrame;
 
-        /// <summary>Frame of the last selection that had it in view, with its parent chosen.</summary>
+        /// <summary>Frame of the last selection that saw it and chose its parent.</summary>
         public uint SeenFrame;
 
-        /// <summary>Its place in the cache, or <see cref="NoSlot"/>.</summary>
+        /// <summary>Its slot in the cache, or <see cref="NoSlot"/>.</summary>
         public int Slot;
 
-        /// <summary>Times that its bytes were damaged, or <see cref="IsHole"/>: it is not asked for any more.</summary>
+        /// <summary>How often its bytes were damaged, or <see cref="IsHole"/>: then it is never requested again.</summary>
         public int Failures;
 
-        /// <summary>Of a node that is made: whether it was, so that its length is known.</summary>
+        /// <summary>Whether a node of a source that makes nodes was made, so that its length is known.</summary>
         public bool WasMade;
     }
 
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>Of the box around the node's points and all below, from the corner of the root cube, in CRS units.</summary>
+        /// <summary>
+        /// Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS units.
+        /// </summary>
         public double3 Center;
         public float3 Half;
 
-        /// <summary>Of the node's points, in CRS units: the gap that its children fill.</summary>
+        /// <summary>Spacing of the node's points in CRS units: the gap that its children fill.</summary>
         public float Spacing;
 
-        /// <summary>In the same page.</summary>
+        /// <summary>Index of its first child in the same page.</summary>
         public int FirstChild;
         public int ChildCount;
 
-        /// <summary>Chunks that hang on the node, page <see cref="FirstChunk"/> + 1 and on: in page 0 only.</summary>
+        /// <summary>Chunks attached to the node, as pages from <see cref="FirstChunk"/> + 1 on; in page 0 only.</summary>
         public int FirstChunk;
         public int ChunkCount;
 

@@ -5,14 +5,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>From the records of a table that has been checked to a page of the hierarchy. For jobs and for the main
-    /// thread.</summary>
+    /// <summary>Builds a page of the hierarchy from the records of a checked table. For jobs and for the main thread.</summary>
     internal static unsafe class HierarchyPageBuilding
     {
-        /// <param name="records">Of a table in which nothing is wrong, as are <paramref name="ranges"/>.</param>
-        /// <param name="planesInTable">Planes that each node of the table has.</param>
-        /// <param name="wanted">Those that are streamed.</param>
-        /// <param name="chunks">The pages of the chunks, by chunk: their boxes are read. Null where no chunk hangs on the
+        /// <param name="records">Records of a table without problems, as are <paramref name="ranges"/>.</param>
+        /// <param name="planesInTable">Number of planes of each node in the table.</param>
+        /// <param name="wanted">The streamed planes.</param>
+        /// <param name="chunks">The pages of all chunks, whose boxes are read. Null if no chunk is attached to the
         /// page.</param>
         public static void Build(NodeRecord* records, PlaneRange* ranges, int nodeCount, int planesInTable, int* wanted,
             int wantedCount, in HierarchyGrid grid, HierarchyPage* chunks, ref HierarchyPage page)
@@ -36,7 +35,7 @@ namespace FastPoints.Streaming
             {
                 page.RootCount += records[n].Parent < 0 ? 1 : 0;
                 page.Nodes[n] = NodeOf(records, n, boxes[n], grid);
-                // Only what hangs on the upper levels has pages of its own.
+                // Only chunks attached to the upper levels have pages of their own.
                 page.Nodes[n].ChunkCount = chunks != null ? page.Nodes[n].ChunkCount : 0;
                 page.States[n] = new NodeState { Slot = NodeState.NoSlot };
                 page.Places[n] = new NodePlace

@@ -9,17 +9,18 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes in pages,
-    /// the first of them with the source. A node's planes are pieces of its page's file, packed in blocks, and are shown as
-    /// they lie there; or, where they do not lie so (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes them.
+    /// Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes in
+    /// pages, the first one with the source itself. A node's planes are pieces of its page's file, packed in blocks, and are
+    /// shown as they lie there. If they are not stored like that (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes
+    /// them.
     /// </summary>
     public abstract class NodeSource : IDisposable
     {
-        /// <summary>For messages.</summary>
+        /// <summary>The path for messages.</summary>
         public abstract string Path { get; }
         public abstract CloudCrs Crs { get; }
 
-        /// <summary>Whether all points of the cloud are in it: not so of a preview, and of a build in progress.</summary>
+        /// <summary>Whether it has all points of the cloud, unlike a preview or a build in progress.</summary>
         public abstract bool HasAllPoints { get; }
 
         public abstract CloudGrid Grid { get; }
@@ -27,73 +28,85 @@ namespace FastPoints.Streaming
         public abstract NodeCubes Cubes { get; }
         public abstract StoreLayout Layout { get; }
 
-        /// <summary>The planes that are streamed, as indices in <see cref="Layout"/>, rising; position is the first.</summary>
+        /// <summary>The streamed planes as rising indices in <see cref="Layout"/>; position is the first.</summary>
         public abstract NativeArray<int> Planes { get; }
 
-        /// <summary>By plane of <see cref="Layout"/>; the position's as it is in nodes that are not wide.</summary>
+        /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>Pages that are known. Where nodes are made, building one may make more known, behind the others.</summary>
+        /// <summary>
+        /// Number of known pages. Where nodes are made, building a page may make more known, behind the others.
+        /// </summary>
         public abstract int PageCount { get; }
 
-        /// <summary>Whether nodes are made when they are wanted, and pages of what the source has read of its hierarchy: then
-        /// <see cref="PlaneRange.LengthBytes"/> of a node is a bound until it was made once, and what is said of files here
-        /// and of tables means nothing.</summary>
+        /// <summary>
+        /// Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far. Then <see
+        /// cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about files and
+        /// tables have no meaning.
+        /// </summary>
         public virtual bool MakesNodes => false;
 
-        /// <summary>The boxes of all pages, and the nodes of the first. Whoever takes the pages frees them.</summary>
-        /// <param name="pages">Room for <see cref="PageCount"/>.</param>
+        /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
+        /// <param name="pages">Must have room for <see cref="PageCount"/> pages.</param>
         public abstract unsafe void CreatePages(HierarchyPage* pages);
 
-        /// <summary>The file that the planes of a page's nodes lie in.</summary>
+        /// <summary>The file that holds the planes of a page's nodes.</summary>
         public abstract string PathOf(int page);
 
-        /// <summary>What is read to build a page.</summary>
+        /// <summary>The bytes to read before a page can be built.</summary>
         internal abstract FilePiece TableOf(int page);
 
-        /// <summary>Checks what was read and makes the page of it.</summary>
+        /// <summary>Checks the bytes read and makes a page of them.</summary>
         public abstract JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem);
 
-        /// <summary>What <see cref="ScheduleBuild"/> found wrong, in words.</summary>
+        /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
-        /// <summary>Where nodes are made: whether a page can be built now. If not, being asked makes the source read what is
-        /// missing.</summary>
+        /// <summary>
+        /// For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
+        /// missing.
+        /// </summary>
         public virtual bool CanBuild(int page) => true;
 
-        /// <summary>Where nodes are made: takes note of a page that was built. Pages that hang on it are numbered.</summary>
+        /// <summary>
+        /// For sources that make nodes: registers a page that was built, and numbers the pages attached to it.
+        /// </summary>
         public virtual void Adopt(int page, in HierarchyPage built)
         {
         }
 
-        /// <summary>Where nodes are made: the box of a page that was not built yet.</summary>
+        /// <summary>For sources that make nodes: the box of a page that was not built yet.</summary>
         public virtual HierarchyPage EmptyPage(int page) => default;
 
-        /// <summary>Once a frame. Waits for nothing.</summary>
-        /// <returns>What went wrong, or null.</returns>
+        /// <summary>Called once a frame; it never waits.</summary>
+        /// <returns>The failure, or null.</returns>
         public virtual PointCloudException Update() => null;
 
-        /// <summary>What <see cref="Update"/> has under way.</summary>
+        /// <summary>The handle of what <see cref="Update"/> has in flight.</summary>
         public virtual JobHandle Reading => default;
 
-        /// <summary>Where nodes are made: a maker that is idle, until it is given back. Null while enough are at work.</summary>
-        /// <param name="points">Of the node that it is wanted for.</param>
+        /// <summary>For sources that make nodes: lends an idle maker. Null while enough are busy.</summary>
+        /// <param name="points">Number of points of the node that it shall make.</param>
         public virtual NodeMaker TakeMaker(int points) => null;
 
         public virtual void GiveMaker(NodeMaker maker)
         {
         }
 
-        /// <summary>Where nodes are made: a maker of every plane of <see cref="Layout"/>, whatever is streamed. The caller's;
-        /// goes before the source.</summary>
+        /// <summary>
+        /// For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed. The
+        /// caller owns it and disposes it before the source.
+        /// </summary>
         public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
 
-        /// <summary>Work for a pump that opens the same cloud once more, to look at single points: with positions and classes,
-        /// and all other planes of attributes where they lie in files or <see cref="CreateWholeMaker"/> makes them. Opens files
-        /// on another thread. Comes to nothing where the cloud was in memory alone, and its source is disposed.</summary>
-        /// <param name="opened">Takes the source over.</param>
-        /// <exception cref="PointCloudException">The cloud is not there any more, or damaged.</exception>
+        /// <summary>
+        /// Opens the same cloud once more to examine single points, as work for a pump: with positions and classes, and all
+        /// other planes of attributes if they lie in files or <see cref="CreateWholeMaker"/> makes them. It opens files on
+        /// another thread. It has no result if the cloud was in memory alone and its source is disposed.
+        /// </summary>
+        /// <param name="opened">Receives the source and owns it.</param>
+        /// <exception cref="PointCloudException">The cloud no longer exists, or is damaged.</exception>
         public abstract IEnumerator<Work> OpenForPicking(Action<NodeSource> opened);
 
         public abstract void Dispose();

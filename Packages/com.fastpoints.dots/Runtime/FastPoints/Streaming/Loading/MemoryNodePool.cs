@@ -4,7 +4,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A pool in ordinary memory: for software pictures.</summary>
+    /// <summary>A pool in ordinary memory, for software pictures.</summary>
     public sealed unsafe class MemoryNodePool : NodePool
     {
         readonly List<NativeArray<byte>> m_memory = new List<NativeArray<byte>>();
@@ -13,7 +13,7 @@ namespace FastPoints.Streaming
         {
         }
 
-        /// <summary>Where a run's bytes are.</summary>
+        /// <summary>The address of a range's bytes.</summary>
         public byte* AddressOf(PoolRange run) =>
             (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[run.Bank]) +
             (long)run.FirstPage * PageBytes;

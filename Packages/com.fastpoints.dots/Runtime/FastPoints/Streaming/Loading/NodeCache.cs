@@ -4,8 +4,8 @@ using Unity.Collections;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// The nodes that have memory, from the least to the most useful: what no selection wanted for longest first, then what the
-    /// last one wanted, its end before its beginning. Main thread.
+    /// The nodes that have memory, from the least to the most useful: first those that no selection has wanted for longest,
+    /// then those that the last one wanted, in reverse order. Main thread.
     /// </summary>
     internal sealed class NodeCache : IDisposable
     {
@@ -25,20 +25,20 @@ namespace FastPoints.Streaming
 
         public int Count { get; private set; }
 
-        /// <summary>The one to give up first, or <see cref="None"/>.</summary>
+        /// <summary>The first node to evict, or <see cref="None"/>.</summary>
         public int LeastUseful { get; private set; } = None;
 
         public CachedNode this[int slot] => m_slots[slot];
 
-        /// <summary>Free ones among them.</summary>
+        /// <summary>All slots, including free ones.</summary>
         public NativeArray<CachedNode> Slots => m_slots.AsArray();
 
-        /// <summary>Slots that were ever in use: free ones among them.</summary>
+        /// <summary>Number of slots that were ever in use, including free ones.</summary>
         public int SlotCount => m_slots.Length;
 
         public bool IsAlive(int slot, int version) => m_slots[slot].Version == version;
 
-        /// <summary>A new slot, the most useful of all.</summary>
+        /// <summary>Adds a slot as the most useful of all.</summary>
         public int Add(int cloud, int page, int node, PoolRange run)
         {
             int slot;
@@ -97,7 +97,7 @@ namespace FastPoints.Streaming
                     m_pinned.RemoveAtSwapBack(i);
         }
 
-        /// <summary>Makes those that are pinned more useful than all others.</summary>
+        /// <summary>Makes pinned nodes more useful than all others.</summary>
         public void UsePinned(uint frame)
         {
             for (int i = 0; i < m_pinned.Length; i++)
@@ -155,15 +155,15 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>How far a node in the cache is.</summary>
+    /// <summary>The state of a node in the cache.</summary>
     internal enum CachePhase : byte
     {
         Free,
-        /// <summary>Its bytes are on their way, or wait for their turn to be copied.</summary>
+        /// <summary>Its bytes are in flight, or wait to be copied.</summary>
         Requested,
         /// <summary>A job writes to its memory.</summary>
         Uploading,
-        /// <summary>Complete: it can be drawn.</summary>
+        /// <summary>It is complete and can be drawn.</summary>
         Resident,
     }
 
@@ -178,24 +178,26 @@ namespace FastPoints.Streaming
         public PoolRange Run;
         public CachePhase Phase;
 
-        /// <summary>Whoever remembers a slot by its number remembers this as well: it rises when the slot is given up.</summary>
+        /// <summary>Must be remembered along with a slot's number: it rises when the slot is released.</summary>
         public int Version;
 
-        /// <summary>Frame of the last selection or forecast that wanted it, and its place there: 0 is the most needed.</summary>
+        /// <summary>Frame of the last selection or forecast that wanted it, and its rank there: 0 is the most needed.</summary>
         public uint UsedFrame;
         public int Rank;
 
-        /// <summary>Not drawn, though it may be there.</summary>
+        /// <summary>Whether it is not drawn even if it is loaded.</summary>
         public bool IsHidden;
 
-        /// <summary>Not given up while there is memory for it at all.</summary>
+        /// <summary>Whether it is kept as long as there is any memory for it.</summary>
         public bool IsPinned;
 
-        /// <summary>Its points' colours are multiplied by this: sRGB, red, green, blue, alpha from the lowest byte; white leaves
-        /// them.</summary>
+        /// <summary>
+        /// Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte; white leaves them
+        /// unchanged.
+        /// </summary>
         public uint Tint;
 
-        /// <summary>Neighbours in the order of use.</summary>
+        /// <summary>Neighbours in the order of usefulness.</summary>
         public int LessUseful;
         public int MoreUseful;
     }

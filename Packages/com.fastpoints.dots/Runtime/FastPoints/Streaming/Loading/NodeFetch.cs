@@ -8,9 +8,8 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// One read, from its beginning until its memory can be used for the next: a page's table, or some nodes of one file, whose
-    /// planes are read in as few pieces as they lie in, or a node that is made. Main thread; never waits, but for
-    /// <see cref="Await"/>.
+    /// One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
+    /// read in as few pieces as possible, or a node that is made. Main thread; only <see cref="Await"/> waits.
     /// </summary>
     internal sealed unsafe class NodeFetch : IDisposable
     {
@@ -20,7 +19,7 @@ namespace FastPoints.Streaming
         NativeList<FetchPart> m_sorted;
         NativeList<FetchedNode> m_nodes;
 
-        /// <summary>By node times planes, plus plane: where its bytes are in what was read.</summary>
+        /// <summary>Offset of each plane's bytes in what was read, indexed by node times planes, plus plane.</summary>
         NativeList<long> m_offsets;
         NativeReference<HierarchyPage> m_built;
         NativeReference<TableProblem> m_problem;
@@ -50,10 +49,10 @@ namespace FastPoints.Streaming
         public bool IsTable { get; private set; }
         public bool IsCancelled { get; private set; }
 
-        /// <summary>Nodes of which the copying has not begun start here.</summary>
+        /// <summary>Index of the first node whose copying has not begun.</summary>
         public int FirstWaiting { get; set; }
 
-        /// <summary>A job copies from this read's memory.</summary>
+        /// <summary>Whether a job copies from this read's memory.</summary>
         public bool IsBeingCopied { get; set; }
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
@@ -72,12 +71,12 @@ namespace FastPoints.Streaming
             Read(piece.Path, piece.LengthBytes);
         }
 
-        /// <summary>An empty read: <see cref="Add"/> some nodes, then <see cref="ReadNodes"/>.</summary>
+        /// <summary>Begins an empty read: <see cref="Add"/> some nodes, then call <see cref="ReadNodes"/>.</summary>
         public void BeginNodes(long number, int cloudIndex, StreamedCloud cloud, int page) =>
             Begin(number, cloudIndex, cloud, page, false);
 
         /// <summary>Begins to make a node.</summary>
-        /// <param name="maker">Of the cloud's source; this fetch gives it back.</param>
+        /// <param name="maker">A maker of the cloud's source, which this fetch gives back.</param>
         public void BeginMaking(long number, int cloudIndex, StreamedCloud cloud, int page, FetchedNode node, NodeMaker maker)
         {
             Begin(number, cloudIndex, cloud, page, false);
@@ -104,7 +103,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Begins to read the nodes.</summary>
-        /// <param name="gapBytes">Pieces that are no farther apart are read as one.</param>
+        /// <param name="gapBytes">Pieces that are no farther apart than this are read as one.</param>
         public void ReadNodes(int gapBytes)
         {
             SortParts();
@@ -131,7 +130,7 @@ namespace FastPoints.Streaming
             Read(Cloud.Source.PathOf(Page), total);
         }
 
-        /// <summary>Calls the read off; it goes on until it says that it has ended.</summary>
+        /// <summary>Cancels the read, which continues until it reports its end.</summary>
         public void Cancel()
         {
             if (Phase == FetchPhase.Reading && !IsCancelled)
@@ -139,7 +138,7 @@ namespace FastPoints.Streaming
             IsCancelled = true;
         }
 
-        /// <returns>Whether the read has ended, as <paramref name="status"/>.</returns>
+        /// <returns>Whether the read has ended, with <paramref name="status"/>.</returns>
         public bool TryEndRead(out ReadStatus status, out long bytes)
         {
             status = m_read.Status;
@@ -153,7 +152,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <returns>Whether the node is made, or something is wrong with it.</returns>
+        /// <returns>Whether the node is made or has failed.</returns>
         public bool TryEndMaking(out MakeOutcome outcome, out StreamFailure failure, out long bytes)
         {
             outcome = default;
@@ -169,14 +168,14 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a page of the table that was read, or of what the source knows.</summary>
+        /// <summary>Begins to make a page from the table that was read, or from what the source knows.</summary>
         public void Build()
         {
             m_building = Cloud.Source.ScheduleBuild(Page, Table, m_built, m_problem);
             Phase = FetchPhase.Building;
         }
 
-        /// <returns>Whether the page is made, or something is wrong with it, and this read is free for another.</returns>
+        /// <returns>Whether the page is made or has failed, and this read is free for another.</returns>
         public bool TryEndBuild(out HierarchyPage page, out TableProblem problem)
         {
             page = default;
@@ -191,8 +190,8 @@ namespace FastPoints.Streaming
 
         public string Describe(TableProblem problem) => Cloud.Source.Describe(Page, Table, problem);
 
-        /// <summary>The planes of one of the nodes, as parts of an upload.</summary>
-        /// <param name="to">Memory of the node.</param>
+        /// <summary>Adds the planes of one node as parts of an upload.</summary>
+        /// <param name="to">The node's memory.</param>
         public void AddParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
@@ -217,7 +216,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Free for the next read.</summary>
+        /// <summary>Releases it for the next read.</summary>
         public void End()
         {
             Phase = FetchPhase.Idle;
@@ -227,7 +226,7 @@ namespace FastPoints.Streaming
             Cloud = null;
         }
 
-        /// <summary>Waits for what is under way, and ends it.</summary>
+        /// <summary>Waits for unfinished work and ends it.</summary>
         public void Await()
         {
             if (Phase == FetchPhase.Reading)
@@ -267,7 +266,7 @@ namespace FastPoints.Streaming
 
         NativeArray<byte> Table => m_readBytes > 0 ? m_bytes.GetSubArray(0, (int)m_readBytes) : default;
 
-        /// <summary>By place in the file: merging, since nodes come in runs that lie one after the other already.</summary>
+        /// <summary>Sorts by offset in the file. It merges, since nodes come in sequences that are already sorted.</summary>
         void SortParts()
         {
             int count = m_parts.Length;
@@ -325,14 +324,14 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>How far a read is.</summary>
+    /// <summary>The state of a read.</summary>
     internal enum FetchPhase : byte
     {
         Idle,
         Reading,
-        /// <summary>A job makes a page of the table that was read.</summary>
+        /// <summary>A job makes a page from the table that was read.</summary>
         Building,
-        /// <summary>A node is read and made: <see cref="NodeMaker"/>.</summary>
+        /// <summary>A node is read and made by a <see cref="NodeMaker"/>.</summary>
         Making,
         /// <summary>Its nodes wait to be copied into the pool, or are being copied.</summary>
         Arrived,
@@ -344,14 +343,14 @@ namespace FastPoints.Streaming
         public long OffsetBytes;
         public long LengthBytes;
 
-        /// <summary>Place among the read's nodes.</summary>
+        /// <summary>Index among the read's nodes.</summary>
         public int Node;
 
-        /// <summary>Counted among the planes that are streamed.</summary>
+        /// <summary>Index among the streamed planes.</summary>
         public int Plane;
     }
 
-    /// <summary>A node in a read; whether it is still wanted, its slot says.</summary>
+    /// <summary>A node in a read; its slot shows whether it is still wanted.</summary>
     internal struct FetchedNode
     {
         public int Node;

@@ -6,28 +6,30 @@ using Unity.Jobs;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Makes nodes of a source in whose files they do not lie packed, one at a time: a read, then jobs that decode and pack, in
-    /// memory that is used again from node to node. Main thread; only <see cref="Dispose"/> waits.
+    /// Makes nodes of a source whose files do not hold them packed, one at a time: a read, then jobs that decode and pack, in
+    /// memory that is reused from node to node. Main thread; only <see cref="Dispose"/> waits.
     /// </summary>
     public abstract class NodeMaker : IDisposable
     {
-        /// <summary>What was begun last.</summary>
+        /// <summary>The handle of what was begun last.</summary>
         public abstract JobHandle Done { get; }
 
-        /// <summary>Of files, of the node that was made last.</summary>
+        /// <summary>Bytes read from files for the node that was made last.</summary>
         public abstract long BytesRead { get; }
 
-        /// <summary>The planes that it makes, one behind the other and room behind them, until the next node begins.</summary>
+        /// <summary>
+        /// The planes that it makes, one behind the other with space after them, valid until the next node begins.
+        /// </summary>
         public abstract NativeArray<byte> Planes { get; }
 
-        /// <summary>Begins with a node; the one before has ended.</summary>
+        /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
-        /// <summary>Ends what is done.</summary>
-        /// <param name="failure">What is wrong, where the outcome is not <see cref="MakeOutcome.Made"/>.</param>
+        /// <summary>Ends a node whose work is done.</summary>
+        /// <param name="failure">The failure, if the outcome is not <see cref="MakeOutcome.Made"/>.</param>
         internal abstract MakeOutcome End(out StreamFailure failure);
 
-        /// <summary>Ends what is done and was begun for somebody who cannot do without.</summary>
+        /// <summary>Ends a node whose work is done, for a caller that needs it.</summary>
         /// <exception cref="PointCloudException">The outcome is not <see cref="MakeOutcome.Made"/>.</exception>
         public void EndOrThrow()
         {
@@ -38,11 +40,11 @@ namespace FastPoints.Streaming
                     failure.OffsetBytes, failure.What);
         }
 
-        /// <param name="plane">Counted among those that it makes.</param>
+        /// <param name="plane">Index among the planes that it makes.</param>
         public abstract long LengthOf(int plane);
 
         /// <summary>One of <see cref="Planes"/>.</summary>
-        /// <param name="plane">Counted among those that it makes.</param>
+        /// <param name="plane">Index among the planes that it makes.</param>
         public NativeArray<byte> PlaneOf(int plane)
         {
             long start = 0;
@@ -51,17 +53,17 @@ namespace FastPoints.Streaming
             return Planes.GetSubArray((int)start, (int)LengthOf(plane));
         }
 
-        /// <summary>Calls off what is under way, and awaits it.</summary>
+        /// <summary>Cancels unfinished work and awaits it.</summary>
         public abstract void Dispose();
     }
 
-    /// <summary>How the making of a node ended.</summary>
+    /// <summary>The outcome of making a node.</summary>
     internal enum MakeOutcome : byte
     {
         Made,
-        /// <summary>The node's bytes are not what they should be, or are not there.</summary>
+        /// <summary>The node's bytes are wrong or missing.</summary>
         Damaged,
-        /// <summary>The file that holds other nodes too cannot be read.</summary>
+        /// <summary>The file, which also holds other nodes, cannot be read.</summary>
         Unreadable,
     }
 }

@@ -5,22 +5,22 @@ using Unity.Collections;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// The memory that nodes are drawn from: banks of one size, made when they are needed and given back when they are empty, cut
-    /// into pages. Never takes more than its limit. Where the memory is (here, on a graphics card) is the derived class's.
+    /// The memory that nodes are drawn from: banks of one size, cut into pages, which are allocated when needed and freed when
+    /// empty. It never exceeds its limit. The derived class decides where the memory lies (here, or on a graphics card).
     /// </summary>
     public abstract unsafe class NodePool : IDisposable
     {
-        /// <summary>Bytes of a page: a node's last one is half empty, which is 1 % of a node of 50 KB.</summary>
+        /// <summary>Bytes of a page. A node's last page is half empty on average, which is 1 % of a node of 50 KB.</summary>
         public const int PageBytes = 1024;
 
-        /// <summary>Storage buffers of a graphics card are sure up to here.</summary>
+        /// <summary>Every graphics card supports storage buffers of this size.</summary>
         public const int LargestBankBytes = 1 << 27;
 
         readonly List<RangeAllocator> m_banks = new List<RangeAllocator>();
         readonly int m_pagesPerBank;
         long m_limitBytes;
 
-        /// <param name="bankBytes">No node may be larger.</param>
+        /// <param name="bankBytes">Size of a bank; no node may be larger.</param>
         protected NodePool(long limitBytes, int bankBytes)
         {
             if (bankBytes < PageBytes || bankBytes > LargestBankBytes)
@@ -31,8 +31,10 @@ namespace FastPoints.Streaming
 
         public int BankBytes => m_pagesPerBank * PageBytes;
 
-        /// <summary>Whole banks up to here. Where it falls, what lies in banks beyond <see cref="BankLimit"/> has to be given
-        /// back.</summary>
+        /// <summary>
+        /// The limit; banks are always whole. After lowering it, nodes in banks beyond <see cref="BankLimit"/> must be
+        /// released.
+        /// </summary>
         public long LimitBytes
         {
             get => m_limitBytes;
@@ -42,7 +44,7 @@ namespace FastPoints.Streaming
 
         public int BankLimit => (int)Math.Min(int.MaxValue / 2, m_limitBytes / BankBytes);
 
-        /// <summary>Bytes of all banks there are.</summary>
+        /// <summary>Bytes of all allocated banks.</summary>
         public long AllocatedBytes { get; private set; }
 
         /// <summary>Bytes of the pages in use.</summary>
@@ -50,7 +52,7 @@ namespace FastPoints.Streaming
 
         public static int PagesFor(long bytes) => (int)((bytes + PageBytes - 1) / PageBytes);
 
-        /// <returns>Whether there was room. A new bank is made where none has.</returns>
+        /// <returns>Whether there was room. A new bank is made if none has room.</returns>
         public bool TryTake(long bytes, out PoolRange run)
         {
             int pages = PagesFor(bytes), limit = BankLimit;
@@ -82,7 +84,7 @@ namespace FastPoints.Streaming
             return false;
         }
 
-        /// <summary>Takes a run back, and frees its bank where that is empty and beyond the limit.</summary>
+        /// <summary>Takes a range back, and frees its bank if that is empty and beyond the limit.</summary>
         public void Give(PoolRange run)
         {
             var heap = m_banks[run.Bank];
@@ -93,8 +95,8 @@ namespace FastPoints.Streaming
                 Free(run.Bank);
         }
 
-        /// <summary>Keeps as much of a run as so many bytes need, and takes the rest back.</summary>
-        /// <returns>Whether the run is long enough.</returns>
+        /// <summary>Keeps as much of a range as these bytes need, and takes the rest back.</summary>
+        /// <returns>Whether the range is long enough.</returns>
         public bool TryShorten(ref PoolRange run, long bytes)
         {
             int pages = PagesFor(bytes);
@@ -108,7 +110,7 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Frees banks that nothing lies in and that are beyond the limit.</summary>
+        /// <summary>Frees empty banks beyond the limit.</summary>
         public void FreeEmptyBanks()
         {
             for (int bank = BankLimit; bank < m_banks.Count; bank++)
@@ -116,21 +118,24 @@ namespace FastPoints.Streaming
                     Free(bank);
         }
 
-        /// <summary>Once a frame, before all else.</summary>
+        /// <summary>Called once a frame, before everything else.</summary>
         public virtual void BeginFrame()
         {
         }
 
-        /// <summary>Begins the one upload that may be under way, if there is memory to write to. It takes one node at
-        /// least.</summary>
+        /// <summary>
+        /// Begins the one upload that may be in flight, if there is memory to write to. It takes at least one node.
+        /// </summary>
         public virtual bool TryBeginUpload() => true;
 
-        /// <summary>Where the upload's job writes what is to lie in a run: front to back, and never reads. Null where the upload
-        /// has no more room.</summary>
+        /// <summary>
+        /// The address where the upload's job writes the contents of a range, front to back and without reading. Null if the
+        /// upload has no more room.
+        /// </summary>
         /// <param name="bytes">A multiple of 16.</param>
         public abstract byte* AddressForUpload(PoolRange run, long bytes);
 
-        /// <summary>The upload's job is complete: from now on its nodes can be drawn.</summary>
+        /// <summary>Ends the upload after its job is complete: its nodes can be drawn from now on.</summary>
         public virtual void EndUpload()
         {
         }
@@ -142,7 +147,7 @@ namespace FastPoints.Streaming
                     Free(bank);
         }
 
-        /// <summary>What is wrong with the books, or null.</summary>
+        /// <summary>Describes an inconsistency in the bookkeeping, or returns null.</summary>
         public string FindProblem()
         {
             long used = 0;
@@ -182,7 +187,7 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>A piece of a <see cref="NodePool"/>: pages that follow one another in one bank.</summary>
+    /// <summary>Consecutive pages in one bank of a <see cref="NodePool"/>.</summary>
     public struct PoolRange
     {
         public int Bank;

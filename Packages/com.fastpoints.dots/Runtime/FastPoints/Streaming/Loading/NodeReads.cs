@@ -7,8 +7,8 @@ using Unity.IO.LowLevel.Unsafe;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// The reads of all clouds: a few under way at a time, so that what is needed most is never far behind. Called off when
-    /// nobody wants them any more; tried again when they fail, then reported.
+    /// The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads are
+    /// cancelled when their data is no longer wanted; failed ones are retried, then reported.
     /// </summary>
     internal sealed unsafe class NodeReads : IDisposable
     {
@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
 
         public List<NodeFetch> Fetches => m_fetches;
 
-        /// <summary>Reads that are not free for another.</summary>
+        /// <summary>Number of reads that are not free for another.</summary>
         public int UnderWay
         {
             get
@@ -45,7 +45,7 @@ namespace FastPoints.Streaming
             return false;
         }
 
-        /// <summary>Takes what has ended.</summary>
+        /// <summary>Takes reads that have ended.</summary>
         public void Receive(ref FrameStats stats)
         {
             foreach (var fetch in m_fetches)
@@ -75,17 +75,19 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Begins reads: tables that the selection missed, then its nodes that are not there, then what will be
-        /// needed soon. Makes room in the pool for each node first.</summary>
+        /// <summary>
+        /// Begins reads: first the tables that the selection missed, then its missing nodes, then what will be needed soon. It
+        /// makes room in the pool for each node first.
+        /// </summary>
         public void Request(ref FrameStats stats)
         {
-            // All at once, in the first frame: the others make no garbage.
+            // All are made at once in the first frame, so that later ones make no garbage.
             while (m_fetches.Count < m_stream.Settings.MostReads)
                 m_fetches.Add(new NodeFetch());
             int tables = 0;
             foreach (var fetch in m_fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
-            // Half of the reads are left for nodes.
+            // Half of the reads are reserved for nodes.
             foreach (var missing in m_stream.Selector.Missing)
             {
                 if (tables >= Math.Max(1, m_stream.Settings.MostReads / 2) || !TryFindIdle(out var fetch))
@@ -106,7 +108,7 @@ namespace FastPoints.Streaming
             RequestNodes(StreamContext.FirstForecastRank, ref stats);
         }
 
-        /// <summary>Calls all reads of a cloud off, or all there are.</summary>
+        /// <summary>Cancels all reads of a cloud, or of all clouds.</summary>
         public void Cancel(StreamedCloud cloud)
         {
             foreach (var fetch in m_fetches)
@@ -130,8 +132,9 @@ namespace FastPoints.Streaming
                 m_wanted.Dispose();
         }
 
-        /// <summary>Nodes without a place in the cache; <see cref="SelectedNode.Parent"/> of what is listed is its
-        /// rank.</summary>
+        /// <summary>
+        /// Lists nodes without a slot in the cache; <see cref="SelectedNode.Parent"/> of a listed node is its rank.
+        /// </summary>
         void ListWanted(NativeArray<SelectedNode> nodes)
         {
             m_wanted.Clear();
@@ -147,13 +150,13 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <returns>Whether the pool had room for all that was asked for.</returns>
+        /// <returns>Whether the pool had room for everything requested.</returns>
         bool RequestNodes(int firstRank, ref FrameStats stats)
         {
             for (int i = 0; i < m_wanted.Length; i++)
             {
                 var first = m_wanted[i];
-                // Taken by a read before this one.
+                // An earlier read has taken it.
                 if (first.Node < 0)
                     continue;
                 if (!TryFindIdle(out var fetch))
@@ -194,14 +197,14 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>Begins to make a node, if its source has a maker that is idle.</summary>
+        /// <summary>Begins to make a node if its source has an idle maker.</summary>
         /// <returns>Whether the pool had room for it.</returns>
         bool TryMake(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
         {
             var maker = cloud.Source.TakeMaker(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
             if (maker == null)
                 return true;
-            // What is known is a bound, until the node was made once: only then it is too large for any bank.
+            // The length is only a bound until the node was made once: only then is it known to be too large for any bank.
             var state = cloud.Pages[node.Page].States + node.Node;
             long bytes = cloud.BytesOf(node.Page, node.Node), most = m_stream.Pool.BankBytes;
             if (bytes > most && state->WasMade)
@@ -293,7 +296,7 @@ namespace FastPoints.Streaming
             if (outcome == MakeOutcome.Made)
             {
                 page->Failures = 0;
-                // One that is longer than it can be, having points out of its cube, is asked for again as what it is.
+                // A node with points outside its cube exceeds its bound: it is requested again with its true length.
                 var run = m_stream.Cache[node.Slot].Run;
                 if (m_stream.Pool.TryShorten(ref run, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
                     m_stream.Cache.SetRun(node.Slot, run);
@@ -330,7 +333,7 @@ namespace FastPoints.Streaming
             fetch.End();
         }
 
-        /// <summary>What the read was to bring is asked for again, if it is still wanted.</summary>
+        /// <summary>Drops what the read was to bring; it is requested again if it is still wanted.</summary>
         void Drop(NodeFetch fetch, HierarchyPage* page)
         {
             if (fetch.IsTable)
@@ -344,7 +347,7 @@ namespace FastPoints.Streaming
         void CountFailure(HierarchyPage* page, string path, long offset, string what)
         {
             page->RetryFrame = m_stream.Selector.Frame + (uint)m_stream.Settings.FramesToRetry;
-            // Reads of one file that were under way together fail together: they count as one.
+            // Reads of one file that were in flight together fail together: they count as one.
             if (page->LastFailureFrame != 0 && m_stream.Selector.Frame - page->LastFailureFrame <
                 (uint)m_stream.Settings.FramesToRetry)
                 return;
@@ -353,7 +356,7 @@ namespace FastPoints.Streaming
                 return;
             if (page->Status == HierarchyPageStatus.Absent)
                 page->Status = HierarchyPageStatus.Failed;
-            // What was on its way when the file was given up fails after it: that was told.
+            // What was in flight when the file was given up fails later: that was reported already.
             if (!page->IsBroken)
                 m_stream.Report(new StreamFailure(path, offset, what));
             page->IsBroken = true;

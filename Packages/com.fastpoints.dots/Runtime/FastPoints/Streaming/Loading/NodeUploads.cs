@@ -8,7 +8,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Nodes on their way from reads into the pool: one job at a time, of as much as a frame may copy.</summary>
+    /// <summary>Moves nodes from reads into the pool: one job at a time, with as much as a frame may copy.</summary>
     internal sealed unsafe class NodeUploads : IDisposable
     {
         readonly StreamContext m_stream;
@@ -28,7 +28,7 @@ namespace FastPoints.Streaming
 
         public bool IsUnderWay { get; private set; }
 
-        /// <summary>What the last frames' job copied is complete, if the job is done.</summary>
+        /// <summary>Completes what the last frames' job copied, if the job is done.</summary>
         public void TryEnd(ref FrameStats stats)
         {
             if (IsUnderWay && m_job.IsCompleted)
@@ -134,25 +134,26 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>One plane of one node on its way into the pool.</summary>
+    /// <summary>One plane of one node to be copied into the pool.</summary>
     internal unsafe struct UploadPart
     {
         public byte* From;
         public byte* To;
         public long LengthBytes;
 
-        /// <summary>Of the bytes as they were written; not looked at where they were made just now.</summary>
+        /// <summary>Hash of the bytes as written; ignored for those just made in memory.</summary>
         public ulong Hash;
         public bool IsMade;
         public PlaneShape Shape;
         public int BlockCount;
 
-        /// <summary>Which of the frame's uploads it belongs to.</summary>
+        /// <summary>The upload of the frame that it belongs to.</summary>
         public int Upload;
     }
 
-    /// <summary>Copies planes into the pool as they are, and says of each whether it is what was written and can be drawn
-    /// from.</summary>
+    /// <summary>
+    /// Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct UploadPlanesJob : IJobFor
     {
@@ -162,7 +163,7 @@ namespace FastPoints.Streaming
         public void Execute(int index)
         {
             var part = Parts[index];
-            // The copy first: then the hash finds the bytes in the cache. What is damaged is not shown.
+            // The copy comes first: then the hash finds the bytes in the cache. Damaged data is not shown.
             UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
             IsDamaged[index] = !part.IsMade && (ContentHash.Of(part.From, part.LengthBytes) != part.Hash ||
                 !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount));

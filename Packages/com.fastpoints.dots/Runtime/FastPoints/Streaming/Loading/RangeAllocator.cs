@@ -5,18 +5,19 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Gives out runs of consecutive slots and takes them back: bookkeeping on abstract indices, whatever memory they stand for.
-    /// Free runs lie in lists by the power of two of their length; a run that is given back grows together with its free
+    /// Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory they
+    /// stand for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its free
     /// neighbours. Both take constant time.
     /// </summary>
-    /// <remarks>The first and the last slot of a run know its length: above 0 where it is taken, below where it is
-    /// free.</remarks>
+    /// <remarks>
+    /// The first and the last slot of a range hold its length: positive if it is taken, negative if it is free.
+    /// </remarks>
     internal struct RangeAllocator : IDisposable
     {
         const int None = -1;
         const int BinCount = 31;
 
-        /// <summary>Runs of the wanted length's own list that are looked at: all in longer lists are long enough.</summary>
+        /// <summary>How many ranges of the wanted length's own list are tried: all in longer lists are long enough.</summary>
         const int MostTries = 8;
 
         NativeArray<int> m_length;
@@ -44,7 +45,7 @@ namespace FastPoints.Streaming
         public int Capacity => m_length.Length;
         public int UsedSlots { get; private set; }
 
-        /// <returns>The first slot, or -1 where no free run is long enough.</returns>
+        /// <returns>The first slot, or -1 if no free range is long enough.</returns>
         public int Take(int count)
         {
             int run = Find(count);
@@ -59,14 +60,14 @@ namespace FastPoints.Streaming
             return run;
         }
 
-        /// <param name="first">A run that was taken and not given back.</param>
+        /// <param name="first">First slot of a range that was taken and not given back.</param>
         public void Give(int first)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
             if (length <= 0 || first + length > m_length.Length || m_length[first + length - 1] != length)
                 throw new ArgumentException("slot " + first + " is not the first of a run that was taken", nameof(first));
             UsedSlots -= length;
-            // What lies inside of a longer run must not pass for a run.
+            // What lies inside a longer range must not pass for a range.
             Mark(first, length, 0);
             int begin = first, end = first + length;
             if (begin > 0 && m_length[begin - 1] < 0)
@@ -84,9 +85,9 @@ namespace FastPoints.Streaming
             AddFree(begin, end - begin);
         }
 
-        /// <summary>Keeps the beginning of a run and gives the rest back.</summary>
-        /// <param name="first">A run that was taken and not given back.</param>
-        /// <param name="count">At least one, at most what the run has.</param>
+        /// <summary>Keeps the beginning of a range and gives the rest back.</summary>
+        /// <param name="first">First slot of a range that was taken and not given back.</param>
+        /// <param name="count">At least one, at most the length of the range.</param>
         public void Shorten(int first, int count)
         {
             int length = first >= 0 && first < m_length.Length ? m_length[first] : 0;
@@ -110,7 +111,7 @@ namespace FastPoints.Streaming
             m_firstOfBin.Dispose();
         }
 
-        /// <summary>What is wrong with the books, or null: looks at every slot.</summary>
+        /// <summary>Describes an inconsistency in the bookkeeping, or returns null. It examines every slot.</summary>
         public string FindProblem()
         {
             int used = 0, free = 0;
@@ -155,7 +156,7 @@ namespace FastPoints.Streaming
             uint longer = m_occupiedBins >> bin >> 1;
             if (longer != 0)
                 return m_firstOfBin[bin + 1 + math.tzcnt(longer)];
-            // Rather look at all of its own list than say that there is no room.
+            // Searching all of its own list is better than reporting that there is no room.
             for (int run = m_firstOfBin[bin]; run >= 0; run = m_next[run])
                 if (-m_length[run] >= count)
                     return run;

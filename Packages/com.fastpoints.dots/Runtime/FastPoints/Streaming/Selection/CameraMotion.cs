@@ -4,10 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>Where cameras will be if they go on as they do.</summary>
+    /// <summary>Predicts where cameras will be if they continue to move as they do.</summary>
     internal sealed class CameraMotion : IDisposable
     {
-        /// <summary>A step of so many times the one before is a cut, and no motion.</summary>
+        /// <summary>A step this many times as long as the one before is a cut, not a motion.</summary>
         const double MostSpeedUp = 4;
 
         NativeList<StreamView> m_last;
@@ -20,11 +20,11 @@ namespace FastPoints.Streaming
             m_ahead = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        /// <summary>The views of <see cref="TryForesee"/>.</summary>
+        /// <summary>The views that <see cref="TryForesee"/> predicted.</summary>
         public NativeArray<StreamView> Ahead => m_ahead.AsArray();
 
         /// <summary>Takes this frame's views.</summary>
-        /// <returns>Whether they move, and not by a cut.</returns>
+        /// <returns>Whether they move other than by a cut.</returns>
         public bool TryForesee(NativeArray<StreamView> views, int frames)
         {
             double step = 0;

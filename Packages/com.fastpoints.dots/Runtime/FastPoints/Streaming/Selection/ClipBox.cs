@@ -3,13 +3,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>A box in the world, turned and sheared as one likes, that clouds are clipped by. Boxes that cut take away what is
-    /// in them; of boxes that do not, only what is in one of them is left. Blittable.</summary>
+    /// <summary>
+    /// A box in the world, freely rotated and sheared, that clouds are clipped by. Boxes that cut remove what is inside; other
+    /// boxes keep only what is inside at least one of them. Blittable.
+    /// </summary>
     public struct ClipBox
     {
         public double3 CenterWorld;
 
-        /// <summary>World vectors of the box's three edges. Nothing is in a box without volume.</summary>
+        /// <summary>World vectors of the box's three edges. A box without volume contains nothing.</summary>
         public double3x3 EdgesWorld;
         public bool Cuts;
 
@@ -22,8 +24,10 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>A <see cref="ClipBox"/> as one cloud's own space has it: within the box, no coordinate of
-    /// <see cref="ToBox"/> * place + <see cref="Offset"/> is farther than a half from 0. Blittable, for jobs.</summary>
+    /// <summary>
+    /// A <see cref="ClipBox"/> in one cloud's own space: inside the box, no coordinate of <see cref="ToBox"/> * place + <see
+    /// cref="Offset"/> is farther than a half from 0. Blittable, for jobs.
+    /// </summary>
     internal unsafe struct LocalClip
     {
         public double3x3 ToBox;
@@ -38,8 +42,8 @@ namespace FastPoints.Streaming
             Cuts = box.Cuts;
         }
 
-        /// <summary>Whether clips leave anything of a box. One that they leave nothing of may pass.</summary>
-        /// <param name="half">0: for a single place, where the answer is exact.</param>
+        /// <summary>Whether clips leave anything of a box. It may be true for a box of which nothing is left.</summary>
+        /// <param name="half">0 for a single position, where the answer is exact.</param>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool Leave(LocalClip* clips, int count, double3 center, double3 half)
         {

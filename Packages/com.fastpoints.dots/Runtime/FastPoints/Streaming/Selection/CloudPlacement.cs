@@ -5,7 +5,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double, where
-    /// local is in CRS units from the corner of the cloud's root cube. Any affine transform: moved, turned, mirrored, scaled.
+    /// local is in CRS units from the corner of the cloud's root cube. Any affine transform is allowed: moves, rotations,
+    /// mirrors, scales.
     /// </summary>
     public struct CloudPlacement
     {
@@ -18,11 +19,11 @@ namespace FastPoints.Streaming
             OriginWorld = originWorld;
         }
 
-        /// <summary>The world is the cloud's own georeferenced space.</summary>
+        /// <summary>The placement whose world is the cloud's own georeferenced space.</summary>
         public static CloudPlacement Geo(CloudGrid grid, GridCube root) =>
             new CloudPlacement(double3x3.identity, grid.ToGeo(root.Corner));
 
-        /// <summary>Where another state of the same cloud stands, when this is where one stands.</summary>
+        /// <summary>The placement of another state of the same cloud, if this is the placement of one.</summary>
         public CloudPlacement Along(NodeSource here, NodeSource other) => new CloudPlacement(Linear, OriginWorld +
             math.mul(Linear, other.Grid.ToGeo(other.Root.Corner) - here.Grid.ToGeo(here.Root.Corner)));
 

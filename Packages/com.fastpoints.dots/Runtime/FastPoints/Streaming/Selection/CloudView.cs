@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// A <see cref="StreamView"/> in one cloud's own space, where its boxes are along the axes. Planes stay exact under any
+    /// A <see cref="StreamView"/> in one cloud's own space, where boxes are aligned with the axes. Planes stay exact under any
     /// affine transform. Blittable, for jobs.
     /// </summary>
     public unsafe struct CloudView
@@ -14,8 +14,10 @@ namespace FastPoints.Streaming
         public int PlaneCount;
         public double ScalePx;
 
-        /// <summary>World length of a unit along each of the cloud's axes. Where the transform shears, distances are those
-        /// of the cloud without shear.</summary>
+        /// <summary>
+        /// World length of a unit along each of the cloud's axes. If the transform shears, distances are those of the cloud
+        /// without shear.
+        /// </summary>
         public double3 AxisScale;
         public double LargestScale;
 
@@ -44,7 +46,9 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>Whether a box reaches inside of every plane. One beyond an edge of the view may pass.</summary>
+        /// <summary>
+        /// Whether a box reaches inside every plane. It may be true for one just outside an edge of the view.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Sees(double3 center, double3 half)
         {
@@ -64,8 +68,8 @@ namespace FastPoints.Streaming
             IsOrthographic ? 1 : math.length(math.max(math.abs(Eye - center) - half, 0) * AxisScale);
 
         /// <summary>
-        /// Length on the screen of something at a distance. From nearer than its own length it has
-        /// <see cref="ScalePx"/>: what a camera stands in is ordered by its size.
+        /// Length on the screen of something at a distance. Nearer than its own length it counts as <see cref="ScalePx"/>:
+        /// nodes around a camera are ordered by their size.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double LengthPx(double lengthWorld, double distanceWorld) =>

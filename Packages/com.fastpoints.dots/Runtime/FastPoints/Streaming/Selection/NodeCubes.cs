@@ -2,19 +2,23 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The cubes that a cloud's nodes divide among them: each level halves those of the one above. In CRS units from the
-    /// corner of the cloud's root cube. Blittable.</summary>
+    /// <summary>
+    /// The cubes that divide a cloud among its nodes: each level halves those of the one above. In CRS units from the corner of
+    /// the cloud's root cube. Blittable.
+    /// </summary>
     public unsafe struct NodeCubes
     {
-        /// <summary>Of level 0.</summary>
+        /// <summary>Corner of the cube of level 0.</summary>
         public double3 Corner;
         public double3 Size;
 
-        /// <summary>CRS units of a grid step, where <see cref="NodePlace.Corner"/> is that of the node's cube; else 0, and the
-        /// middle of a node's box lies in its cube.</summary>
+        /// <summary>
+        /// CRS units of a grid step if <see cref="NodePlace.Corner"/> is that of the node's cube; otherwise 0, and the middle
+        /// of a node's box lies in its cube.
+        /// </summary>
         public double3 Step;
 
-        /// <summary>Some place in a node's cube.</summary>
+        /// <summary>Some position in a node's cube.</summary>
         public double3 PlaceIn(HierarchyPage* page, int node)
         {
             var corner = page->Places[node].Corner;
@@ -23,7 +27,7 @@ namespace FastPoints.Streaming
 
         public double3 SizeAt(int level) => Size * math.pow(0.5, level);
 
-        /// <summary>Which cube of a level has a place: counted from the corner.</summary>
+        /// <summary>The index of the cube of a level that contains a position, counted from the corner.</summary>
         public double3 IndexAt(double3 place, int level) => math.floor((place - Corner) / SizeAt(level));
 
         /// <summary>The corner of that cube.</summary>

@@ -4,8 +4,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The memory of selections, from frame to frame: clouds and views go in, chosen nodes and missing pages come
-    /// out. Main thread.</summary>
+    /// <summary>
+    /// The memory of selections from frame to frame: it takes clouds and views, and produces chosen nodes and missing pages.
+    /// Main thread.
+    /// </summary>
     internal sealed unsafe class NodeSelector : IDisposable
     {
         NativeList<SelectionCloud> m_clouds;
@@ -36,23 +38,26 @@ namespace FastPoints.Streaming
             m_heap = new SelectionHeap(Allocator.Persistent);
         }
 
-        /// <summary>Begins at 2, so that a node's 0 is no selection's and not that of the one before.</summary>
+        /// <summary>Begins at 2, so that a node's initial 0 is neither this selection's frame nor the one before.</summary>
         public uint Frame { get; private set; } = 1;
 
-        /// <summary>Parents before children, the most needed first.</summary>
+        /// <summary>Chosen nodes, parents before children, the most needed first.</summary>
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
-        /// <summary>Of the last <see cref="Forecast"/>, without what is chosen already; places of parents mean nothing.</summary>
+        /// <summary>
+        /// Nodes of the last <see cref="Forecast"/> that were not chosen already; their parent indices mean nothing.
+        /// </summary>
         public NativeArray<SelectedNode> Forecasted => m_forecast.AsArray();
 
-        /// <summary>The most needed first.</summary>
+        /// <summary>Missing pages, the most needed first.</summary>
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
 
-        /// <summary>Of all that is chosen.</summary>
+        /// <summary>Number of points in all chosen nodes.</summary>
         public long Points => m_points.Value;
 
-        /// <summary>A new frame, without clouds.</summary>
-        /// <param name="clipBoxes">Of all clouds; they stay as they are until the frame's last selection.</param>
+        /// <summary>Begins a new frame without clouds.</summary>
+        /// <param name="clipBoxes">The clip boxes of all clouds; they must not change before the frame's last
+        /// selection.</param>
         public void Begin(NativeArray<ClipBox> clipBoxes = default)
         {
             Frame++;
@@ -63,7 +68,7 @@ namespace FastPoints.Streaming
         }
 
         /// <param name="cloud">Its number in what is chosen; clouds are added in rising order.</param>
-        /// <param name="pages">Stay where they are until the frame's last selection.</param>
+        /// <param name="pages">They must stay in place until the frame's last selection.</param>
         /// <param name="placement">A cloud without volume is left out.</param>
         public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement)
         {
@@ -84,8 +89,8 @@ namespace FastPoints.Streaming
             job.Run();
         }
 
-        /// <summary>What the same clouds need for views that are to come, beyond what is chosen for this frame.</summary>
-        /// <param name="points">At most about so many.</param>
+        /// <summary>Chooses what the same clouds need for future views, beyond what this frame has chosen.</summary>
+        /// <param name="points">The approximate limit of points.</param>
         public void Forecast(NativeArray<StreamView> views, in SelectionSettings settings, long points)
         {
             var job = JobFor(views, settings);

@@ -7,20 +7,20 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// Which nodes of some clouds some views need most: those whose parents' points lie farthest apart on a screen first, until a
-    /// budget of points for all clouds together is used up. A parent always comes before its children. Looks at what it
-    /// chooses and at the children of that, whatever else there is.
+    /// Chooses the nodes of some clouds that some views need most: those whose parents' points lie farthest apart on a screen
+    /// first, until one budget of points for all clouds is used up. A parent always comes before its children. It examines only
+    /// what it chooses and the children of that, however large the clouds are.
     /// </summary>
     [BurstCompile]
     internal unsafe struct SelectNodesJob : IJob
     {
         [ReadOnly] public NativeArray<SelectionCloud> Clouds;
 
-        /// <summary>By cloud times <see cref="ViewCount"/>, plus view.</summary>
+        /// <summary>Indexed by cloud times <see cref="ViewCount"/>, plus view.</summary>
         [ReadOnly] public NativeArray<CloudView> Views;
         public int ViewCount;
 
-        /// <summary>By cloud times <see cref="ClipCount"/>, plus clip box.</summary>
+        /// <summary>Indexed by cloud times <see cref="ClipCount"/>, plus clip box.</summary>
         [ReadOnly] public NativeArray<LocalClip> Clips;
         public int ClipCount;
         public SelectionSettings Settings;
@@ -28,21 +28,24 @@ namespace FastPoints.Streaming
         /// <summary>See <see cref="NodeSelector.Frame"/>.</summary>
         public uint Frame;
 
-        /// <summary>Chooses on top of what the selection of this frame chose, for views that are to come: changes no node's
-        /// state.</summary>
+        /// <summary>
+        /// Whether it chooses for future views, on top of what this frame's selection chose, without changing any node's state.
+        /// </summary>
         public bool IsForecast;
 
-        /// <summary>A forecast ends after so many points that were not chosen before.</summary>
+        /// <summary>A forecast ends after this many points that were not chosen before.</summary>
         public long ForecastPoints;
 
-        /// <summary>Ends when so many pages are missing; what was chosen until then begins the whole choice.</summary>
+        /// <summary>
+        /// Ends the choice when this many pages are missing; what was chosen until then is the start of the full choice.
+        /// </summary>
         public int MissingToStopAt;
 
         public SelectionHeap Heap;
         public NativeList<SelectedNode> Selected;
         public NativeList<MissingHierarchyPage> Missing;
 
-        /// <summary>Points of all that is chosen.</summary>
+        /// <summary>Number of points of all chosen nodes.</summary>
         public NativeReference<long> Points;
 
         public void Execute()
@@ -100,14 +103,14 @@ namespace FastPoints.Streaming
             return Selected.Length - 1;
         }
 
-        /// <param name="spacing">Of the points above.</param>
+        /// <param name="spacing">Spacing of the points above.</param>
         void PushNode(int cloud, HierarchyPage* page, int pageIndex, int index, float spacing, int parent)
         {
             var node = page->Nodes + index;
             if (node->PointCount == 0 || !IsInView(cloud, node->Center, node->Half, spacing, out float spacingPx))
                 return;
             var state = page->States + index;
-            // Stamped by the selection before this one, or by this frame's where this is a forecast.
+            // The selection before this one stamped it, or this frame's if this is a forecast.
             if (Frame - state->SelectedFrame <= 1)
                 spacingPx *= Settings.Hysteresis;
             if (!IsForecast)
@@ -140,7 +143,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <param name="spacingPx">In the view that sees it largest.</param>
+        /// <param name="spacingPx">Spacing in the view that shows it largest.</param>
         bool IsInView(int cloud, double3 center, double3 half, float spacing, out float spacingPx)
         {
             spacingPx = 0;
@@ -154,7 +157,7 @@ namespace FastPoints.Streaming
                     continue;
                 double distance = views[v].DistanceTo(center, half);
                 double size = 2 * math.length(half * views[v].AxisScale);
-                // A box without extent, one point or many at one place, is as large as the gap that it fills.
+                // A box without extent, with one point or many at one place, counts as large as the gap that it fills.
                 size = math.max(size, spacing * views[v].LargestScale);
                 if (views[v].LengthPx(size, distance) >= Settings.SmallestNodePx)
                     spacingPx = math.max(spacingPx, (float)views[v].LengthPx(spacing * views[v].LargestScale, distance));
@@ -170,14 +173,14 @@ namespace FastPoints.Streaming
         public int Page;
         public int Node;
 
-        /// <summary>Place of its parent among the chosen; -1 for a root.</summary>
+        /// <summary>Index of its parent among the chosen nodes; -1 for a root.</summary>
         public int Parent;
     }
 
     /// <summary>One cloud as a selection sees it. Blittable, for jobs.</summary>
     internal unsafe struct SelectionCloud
     {
-        /// <summary>Page 0 and one for each chunk.</summary>
+        /// <summary>Page 0, then one page for each chunk.</summary>
         public HierarchyPage* Pages;
 
         /// <summary>Its number in what is chosen.</summary>

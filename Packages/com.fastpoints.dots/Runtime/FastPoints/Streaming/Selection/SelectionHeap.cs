@@ -4,8 +4,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>The candidates of a selection, the best on top: a binary heap in a list that keeps its room from frame to
-    /// frame.</summary>
+    /// <summary>
+    /// The candidates of a selection, best on top: a binary heap in a list that keeps its memory from frame to frame.
+    /// </summary>
     internal unsafe struct SelectionHeap
     {
         NativeList<SelectionCandidate> m_items;
@@ -57,7 +58,7 @@ namespace FastPoints.Streaming
     /// <summary>A node that can be chosen next, or a page whose nodes are not known yet.</summary>
     internal struct SelectionCandidate
     {
-        /// <summary>On the screen, of the points above: the gaps that the node would fill.</summary>
+        /// <summary>Spacing on the screen of the points above: the gaps that the node would fill.</summary>
         public float SpacingPx;
         public int Cloud;
         public int Page;
@@ -66,7 +67,7 @@ namespace FastPoints.Streaming
         public int Node;
         public int Parent;
 
-        /// <summary>Widest gaps first. Ties by place, so that a choice can be repeated.</summary>
+        /// <summary>Whether its gaps are wider. Ties are decided by position, so that a choice can be repeated.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsBefore(in SelectionCandidate other)
         {

@@ -1,20 +1,23 @@
 namespace FastPoints.Streaming
 {
-    /// <summary>What a selection may choose. Blittable, for jobs.</summary>
+    /// <summary>Limits of a selection. Blittable, for jobs.</summary>
     public struct SelectionSettings
     {
-        /// <summary>Points of all clouds together. The first root is chosen whatever it has.</summary>
+        /// <summary>The point budget of all clouds together. The first root is chosen however many points it has.</summary>
         public long PointBudget;
 
-        /// <summary>A node is left out where the points above it lie closer than this on the screen: it would add nothing to
-        /// see.</summary>
+        /// <summary>
+        /// A node is left out if the points above it lie closer than this on the screen: it would add nothing visible.
+        /// </summary>
         public float FinestSpacingPx;
 
-        /// <summary>A node is left out where its box is smaller than this on the screen.</summary>
+        /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
         public float SmallestNodePx;
 
-        /// <summary>What was chosen the last time counts as so many times as coarse: nodes at the edge of the budget do not come
-        /// and go with every small movement. 1 for none.</summary>
+        /// <summary>
+        /// Nodes chosen last time count as this many times as coarse, so that nodes at the edge of the budget do not flicker
+        /// with every small movement. 1 turns this off.
+        /// </summary>
         public float Hysteresis;
 
         public static SelectionSettings Default => new SelectionSettings

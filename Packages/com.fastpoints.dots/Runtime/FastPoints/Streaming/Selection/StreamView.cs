@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes look
+    /// One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes face
     /// inwards and count from the eye, so that nothing is lost far from the world's origin.
     /// </summary>
     public unsafe struct StreamView
@@ -16,7 +16,7 @@ namespace FastPoints.Streaming
         /// <summary>Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).</summary>
         public double ScalePx;
 
-        /// <summary>0: everything is in view.</summary>
+        /// <summary>With 0 planes, everything is in view.</summary>
         public int PlaneCount;
 
         /// <summary>A unit normal n and a distance w: inside is dot(n, place - eye) + w >= 0.</summary>
@@ -27,7 +27,9 @@ namespace FastPoints.Streaming
         public double4 Plane4;
         public double4 Plane5;
 
-        /// <summary>Sees everything, from nowhere: a length of one unit has <paramref name="scalePx"/> pixels.</summary>
+        /// <summary>
+        /// A view without a position that sees everything: a length of one unit has <paramref name="scalePx"/> pixels.
+        /// </summary>
         public static StreamView Everything(double scalePx) => new StreamView { IsOrthographic = true, ScalePx = scalePx };
 
         /// <param name="right">Unit vector, as are <paramref name="up"/> and <paramref name="forward"/> (into the
@@ -46,8 +48,8 @@ namespace FastPoints.Streaming
             return view;
         }
 
-        /// <summary>What lies along the axis, behind the eye too.</summary>
-        /// <param name="heightWorld">Of what the picture shows.</param>
+        /// <summary>Sees everything along the axis, behind the eye too.</summary>
+        /// <param name="heightWorld">Height of what the picture shows.</param>
         public static StreamView Orthographic(double3 eyeWorld, double3 right, double3 up, double heightWorld, double widthPx,
             double heightPx)
         {
@@ -60,7 +62,7 @@ namespace FastPoints.Streaming
             return view;
         }
 
-        /// <summary>One more plane that the view ends at, a clip plane of the camera's for example; at most six in all.</summary>
+        /// <summary>Adds a plane that the view ends at, for example a clip plane of the camera; at most six in all.</summary>
         public void Add(double3 normal, double distance)
         {
             double length = math.length(normal);

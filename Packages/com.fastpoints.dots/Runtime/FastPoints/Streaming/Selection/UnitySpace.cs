@@ -4,13 +4,13 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>
-    /// A cloud's own space in Unity's axes: left-handed, Y up, in metres where the unit is known, from an origin near the cloud,
-    /// so that a scan with the coordinates of a map stands where its transform is. East is Unity's X, north its Z, up its Y
-    /// (<see cref="UpAxes"/>).
+    /// A cloud's own space in Unity's axes: left-handed, Y up, in metres if the unit is known, from an origin near the cloud,
+    /// so that a scan with map coordinates stands where its transform is. East is Unity's X, north its Z, up its Y (<see
+    /// cref="UpAxes"/>).
     /// </summary>
     public struct UnitySpace
     {
-        /// <summary>The place that lies at (0, 0, 0).</summary>
+        /// <summary>The georeferenced position that lies at (0, 0, 0).</summary>
         public double3 OriginGeo;
 
         /// <summary>Unity's units for one CRS unit.</summary>
@@ -19,8 +19,9 @@ namespace FastPoints.Streaming
         /// <summary>The cloud's axis that is Unity's Y.</summary>
         public UpAxis Up;
 
-        /// <param name="boundsGeo">Of the cloud; the middle of its floor becomes the origin, to a whole CRS unit.</param>
-        /// <param name="metresPerUnit">0 where unknown, NaN where it is an angle: then units stay as they are.</param>
+        /// <param name="boundsGeo">The cloud's bounds; the middle of their floor becomes the origin, rounded to a whole CRS
+        /// unit.</param>
+        /// <param name="metresPerUnit">0 if unknown, NaN if it is an angle; units then stay as they are.</param>
         public static UnitySpace Of(BoundsGeo boundsGeo, double metresPerUnit, UpAxis up = UpAxis.Z)
         {
             bool isKnown = metresPerUnit > 0 && metresPerUnit <= double.MaxValue;
@@ -34,19 +35,19 @@ namespace FastPoints.Streaming
             };
         }
 
-        /// <summary>Where the cloud stands under a transform.</summary>
-        /// <param name="localToWorld">From this space to the world.</param>
+        /// <summary>The cloud's placement under a transform.</summary>
+        /// <param name="localToWorld">The transform from this space to the world.</param>
         public CloudPlacement Place(CloudGrid grid, GridCube root, double4x4 localToWorld)
         {
             Up.Directions(out var east, out var north, out var up);
-            // A column for each of the cloud's axes.
+            // The matrix has a column for each of the cloud's axes.
             var fromCloud = math.transpose(new double3x3(east, up, north));
             var linear = math.mul(new double3x3(localToWorld.c0.xyz, localToWorld.c1.xyz, localToWorld.c2.xyz), fromCloud) * Scale;
             var fromOrigin = grid.ToGeo(root.Corner) - OriginGeo;
             return new CloudPlacement(linear, localToWorld.c3.xyz + math.mul(linear, fromOrigin));
         }
 
-        /// <summary>A place of the cloud, in this space.</summary>
+        /// <summary>A position of the cloud in this space.</summary>
         public double3 FromGeo(double3 geo)
         {
             Up.Directions(out var east, out var north, out var up);
@@ -54,7 +55,7 @@ namespace FastPoints.Streaming
             return new double3(math.dot(from, east), math.dot(from, up), math.dot(from, north));
         }
 
-        /// <summary>The inverse: what a user picked, in coordinates of the CRS.</summary>
+        /// <summary>The inverse: for example a picked position in coordinates of the CRS.</summary>
         public double3 ToGeo(double3 unity)
         {
             Up.Directions(out var east, out var north, out var up);
