@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using FastPoints.Base;
 using FastPoints.HostTests.Hpc;
 using Unity.Burst;
 using Unity.Collections;
@@ -45,6 +46,17 @@ namespace FastPoints.HostTests.Threads
             {
                 Step();
                 yield return 1;
+            }
+
+            public IEnumerator<Work> Nested()
+            {
+                yield return Work.Of(Stages());
+            }
+
+            private IEnumerator<Work> Stages()
+            {
+                Step();
+                yield return default;
             }
 
             public virtual void Rest() => Thread.Yield();
@@ -162,6 +174,18 @@ namespace FastPoints.HostTests.Threads
         internal static class ThroughAnIteratorOfABaseTypeThatIsKnown
         {
             internal static Task Begin() => Task.Run(() => new QuietWalk().Steps().MoveNext());
+        }
+
+        [Planted(IsPlaying)]
+        internal static class ThroughNestedWork
+        {
+            internal static Task Begin() => Task.Run(() => new WorkSteps(new AskingWalk().Nested()).MoveNext());
+        }
+
+        [Planted]
+        internal static class ThroughNestedWorkThatIsKnown
+        {
+            internal static Task Begin() => Task.Run(() => new WorkSteps(new QuietWalk().Nested()).MoveNext());
         }
 
         [Planted(IsPlaying)]

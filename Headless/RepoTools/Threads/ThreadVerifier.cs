@@ -166,7 +166,12 @@ namespace FastPoints.RepoTools.Threads
                 MethodDefinition? definition = Resolution.Of(called);
                 bool isInside = definition != null && m_verifier.m_code.IsInside(definition);
                 bool isVirtual = at.OpCode.Code == Code.Callvirt && definition is { IsVirtual: true, IsFinal: false };
-                if (isVirtual)
+                if (NestedWork.IsDone(Method, called))
+                {
+                    Give(Argument(at, StackFlow.ArgumentCount(at) - called.Parameters.Count),
+                        Resolution.Of(called.Parameters[0].ParameterType)!);
+                }
+                if (isVirtual && !NestedWork.IsStepped(Method, called))
                 {
                     foreach (Value receiver in Argument(at, 0))
                         Dispatch(called, receiver, Scope);
