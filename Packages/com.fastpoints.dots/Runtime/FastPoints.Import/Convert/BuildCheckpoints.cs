@@ -15,13 +15,17 @@ namespace FastPoints.Convert
     {
         readonly CloudFolderWriter m_folder;
         readonly RecordFiles m_files;
+        readonly ScatterPoints m_scatter;
+        readonly ChunkSet m_chunks;
         NativeArray<byte> m_text;
         WriteTicket m_ticket;
 
-        BuildCheckpoints(CloudFolderWriter folder, RecordFiles files)
+        BuildCheckpoints(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
-            m_folder = folder;
-            m_files = files;
+            m_folder = build.Folder;
+            m_files = build.Files;
+            m_scatter = scatter;
+            m_chunks = chunks;
         }
 
         public BuildJournal Journal { get; private set; }
@@ -29,36 +33,30 @@ namespace FastPoints.Convert
         /// <summary>What became of a build of this target that was broken off; null where there was none.</summary>
         public string Note { get; private set; }
 
-        /// <summary>Points that the build before this one has read.</summary>
-        public long PointsTaken { get; private set; }
-
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
         /// on disk. Otherwise the folder is emptied.</summary>
-        /// <param name="identity">Of this build.</param>
-        /// <param name="files">Of the points; null where they stay in memory. It has the journal's files afterwards, or new
-        /// ones.</param>
-        /// <param name="sources">Readers of this build.</param>
-        /// <param name="attributes">Attributes beside the position.</param>
-        /// <param name="firstFiles">Files that the first partition needs.</param>
-        /// <param name="points">Of all sources, to tell how much was done.</param>
-        public static BuildCheckpoints Resume(ulong identity, CloudFolderWriter folder, RecordFiles files, int sources,
-            int attributes, int firstFiles, long points)
+        /// <param name="scatter">Knows afterwards what the build before this one has read.</param>
+        /// <param name="chunks">What the journal tells of, from <see cref="BuildJournal.Stage.Split"/> on.</param>
+        public static BuildCheckpoints Resume(BuildContext build, ScatterPoints scatter, ChunkSet chunks)
         {
-            var checkpoints = new BuildCheckpoints(folder, files);
+            var checkpoints = new BuildCheckpoints(build, scatter, chunks);
+            var folder = build.Folder;
+            var files = build.Files;
+            int firstFiles = build.Map.Chunks.Length + 1;
+            ulong identity = BuildIdentity.Of(build);
             string text = folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
             bool isSame = files != null && journal != null && journal.Identity == identity &&
-                journal.Attributes.Length == attributes && (journal.At == BuildJournal.Stage.Read
-                    ? journal.Source < sources && journal.Statistics.Count == journal.Source + 1 &&
+                journal.Attributes.Length == build.Attributes.Count && (journal.At == BuildJournal.Stage.Read
+                    ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
                         journal.Records.Count == firstFiles
-                    : journal.Statistics.Count == sources);
+                    : journal.Statistics.Count == build.Readers.Count);
             if (isSame && (journal.At == BuildJournal.Stage.Done || files.TakeOver(journal)))
             {
                 checkpoints.Journal = journal;
-                foreach (var found in journal.Statistics)
-                    checkpoints.PointsTaken += found.Count + found.LeftOut;
+                scatter.Resume(journal);
                 checkpoints.Note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of "
-                    + "{1} points were read", checkpoints.PointsTaken, points);
+                    + "{1} points were read", scatter.PointsDone, build.Points);
                 return checkpoints;
             }
             checkpoints.Journal = new BuildJournal { Identity = identity };
@@ -76,15 +74,13 @@ namespace FastPoints.Convert
 
         /// <summary>Work for a pump: queues the journal behind all that it speaks of, which is on the disk itself before the
         /// journal is. Does nothing where points are in memory.</summary>
-        /// <param name="attributes">By attribute: what was found so far.</param>
-        /// <param name="chunks">As they are now, from <see cref="BuildJournal.Stage.Split"/> on.</param>
-        public IEnumerator<Work> Begin(AttributeStatistics[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        public IEnumerator<Work> Begin()
         {
             if (m_files == null)
                 yield break;
             yield return Work.Of(End());
             m_files.Sync();
-            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe(attributes, chunks)), Allocator.Persistent);
+            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe()), Allocator.Persistent);
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
@@ -96,12 +92,22 @@ namespace FastPoints.Convert
             Dispose();
         }
 
-        /// <summary>Writes the last journal there is: all files of the cloud are whole.</summary>
-        public void Finish(AttributeStatistics[] attributes)
+        /// <summary>Work for a pump: what lies on disk is what a killed build is continued from, from the end of this work
+        /// on.</summary>
+        public IEnumerator<Work> Write()
         {
+            yield return Work.Of(Begin());
+            yield return Work.Of(End());
+        }
+
+        /// <summary>Writes the last journal there is: all files of the cloud are whole.</summary>
+        public void Finish(int levelCount, long[] bytesOfPlane)
+        {
+            Journal.LevelCount = levelCount;
+            Journal.BytesOfPlane = bytesOfPlane;
             Journal.At = BuildJournal.Stage.Done;
             if (m_files != null)
-                m_folder.WriteText(BuildFiles.JournalName, Describe(attributes, new ChunkSet.Chunk[0]));
+                m_folder.WriteText(BuildFiles.JournalName, Describe());
         }
 
         public void Dispose()
@@ -113,16 +119,16 @@ namespace FastPoints.Convert
             m_text = default;
         }
 
-        string Describe(AttributeStatistics[] attributes, IReadOnlyList<ChunkSet.Chunk> chunks)
+        string Describe()
         {
-            Journal.Attributes = attributes;
+            Journal.Attributes = m_scatter.Attributes;
             Journal.PeakBytes = m_files.PeakBytes;
             Journal.Records.Clear();
             for (int file = 0; file < m_files.FileCount; file++)
                 Journal.Records.Add(m_files.RecordsOf(file));
             Journal.Chunks.Clear();
-            if (Journal.At != BuildJournal.Stage.Read)
-                foreach (var chunk in chunks)
+            if (Journal.At == BuildJournal.Stage.Split || Journal.At == BuildJournal.Stage.Index)
+                foreach (var chunk in m_chunks.Chunks)
                     Journal.Chunks.Add(new BuildJournal.Chunk { Cube = chunk.Cube, Runs = chunk.Runs.ToArray() });
             return Journal.ToJson();
         }

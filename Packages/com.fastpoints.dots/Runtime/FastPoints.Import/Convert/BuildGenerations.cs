@@ -19,54 +19,38 @@ namespace FastPoints.Convert
     /// </summary>
     internal sealed class BuildGenerations : IDisposable
     {
+        readonly BuildContext m_build;
         readonly ProvisionalSample m_sample;
-        readonly CloudFolderWriter m_folder;
-        readonly RecordLayout m_records;
-        readonly Sampler m_sampler;
-        readonly NodeSizes m_sizes;
-        readonly SliceTimes m_slices;
-        readonly long m_pointsPerRegion;
-        readonly double m_secondsToFirst;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
         readonly NativeReference<ulong> m_sum;
         long m_generation;
 
-        /// <param name="sample">Read when it is needed first.</param>
-        /// <param name="pointsPerRegion">See <see cref="UpperMerge.Run"/>.</param>
-        /// <param name="secondsToFirst">A build that has read all its points before has no use for a generation without
-        /// chunks.</param>
-        public BuildGenerations(ProvisionalSample sample, CloudFolderWriter folder, RecordLayout records, Sampler sampler,
-            NodeSizes sizes, long pointsPerRegion, double secondsToFirst, SliceTimes slices)
+        public BuildGenerations(BuildContext build)
         {
-            m_sample = sample;
-            m_folder = folder;
-            m_records = records;
-            m_sampler = sampler;
-            m_sizes = sizes;
-            m_pointsPerRegion = pointsPerRegion;
-            m_secondsToFirst = secondsToFirst;
-            m_slices = slices;
+            m_build = build;
+            m_sample = new ProvisionalSample(build);
             m_sum = new NativeReference<ulong>(Allocator.Persistent);
             // Readers know a newer state by a larger number, also one of a build that was continued.
-            string text = folder.ReadText(StoreFormat.ManifestName);
+            string text = build.Folder.ReadText(StoreFormat.ManifestName);
             if (text != null)
-                m_generation = CloudManifest.FromJson(text, folder.PathOf(StoreFormat.ManifestName)).Generation;
+                m_generation = CloudManifest.FromJson(text, build.Folder.PathOf(StoreFormat.ManifestName)).Generation;
         }
 
-        /// <summary>Whether it is time for the first generation, which has the sample alone.</summary>
-        public bool IsFirstDue => m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_secondsToFirst;
+        /// <summary>Whether it is time for the first generation, which has the sample alone. A build that has read all its points
+        /// before has no use for it.</summary>
+        public bool IsFirstDue =>
+            m_generation == 0 && m_watch.Elapsed.TotalSeconds >= m_build.Settings.SecondsToFirstGeneration;
 
         /// <summary>Work for a pump: makes the sample a cloud.</summary>
-        /// <param name="cubes">Of the first partition, in Morton order.</param>
-        /// <param name="describe">Fills in the manifest from what the sample shows.</param>
-        public IEnumerator<Work> WriteFirst(GridCube root, IReadOnlyList<GridCube> cubes, Action<CloudManifest> describe)
+        public IEnumerator<Work> WriteFirst()
         {
             if (!m_sample.IsRead)
                 yield return Work.Of(m_sample.Read());
-            var manifest = new CloudManifest { Root = root };
-            describe(manifest);
+            var manifest = CloudDescription.OfSample(m_build, m_sample);
+            var cubes = m_build.Map.Chunks;
             using (var store = new NativeStoreLayout(manifest.CreateLayout()))
-                yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Count], new NativeArray<byte>[cubes.Count]));
+                yield return Work.Of(Write(manifest, store, cubes, new ChunkResult[cubes.Length],
+                    new NativeArray<byte>[cubes.Length]));
         }
 
         /// <summary>Work for a pump: the next generation.</summary>
@@ -79,7 +63,7 @@ namespace FastPoints.Convert
         {
             if (!m_sample.IsRead)
                 yield return Work.Of(m_sample.Read());
-            var manifest = CloudManifest.FromJson(whole.ToJson(), m_folder.PathOf(StoreFormat.ManifestName));
+            var manifest = CloudManifest.FromJson(whole.ToJson(), m_build.Folder.PathOf(StoreFormat.ManifestName));
             manifest.IsBuilding = true;
             manifest.Generation = ++m_generation;
             manifest.Points = 0;
@@ -100,18 +84,17 @@ namespace FastPoints.Convert
                     manifest.Points += result.TopPoints + result.Record.PointCount;
                     manifest.Checksum += result.Checksum;
                 }
-                using (var merge = new UpperMerge(m_records, store, manifest.Root, manifest.CloudId, m_folder, m_sampler, m_sizes,
-                    m_slices))
-                    yield return Work.Of(merge.Run(chunks, tops, m_pointsPerRegion, manifest, null));
+                using (var merge = new UpperMerge(m_build, store, manifest))
+                    yield return Work.Of(merge.Run(chunks, tops, null));
             }
             finally
             {
                 foreach (int i in provisional)
                     tops[i].Dispose();
             }
-            m_folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
+            m_build.Folder.WriteText(StoreFormat.ManifestName, manifest.ToJson());
             // The generation before is what a reader may just be opening.
-            m_folder.DeleteGeneration(m_generation - 2);
+            m_build.Folder.DeleteGeneration(m_generation - 2);
         }
 
         public void Dispose()
@@ -132,7 +115,7 @@ namespace FastPoints.Convert
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
             var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
             var job = default(JobHandle);
-            var indexer = new ChunkIndexer(m_records, store, manifest.Root.Corner, manifest.CloudId, m_sampler, m_sizes);
+            var indexer = m_build.CreateIndexer(store, manifest);
             try
             {
                 job = m_sample.Distribute(native, manifest.Root.Corner, parts);
@@ -148,12 +131,12 @@ namespace FastPoints.Convert
                     job = new SumTopJob
                     {
                         Records = indexer.Top.AsArray(),
-                        Layout = m_records.ForTops(store.HasAverages),
+                        Layout = m_build.Records.ForTops(store.HasAverages),
                         Sum = m_sum,
                     }.Schedule();
                     yield return job;
                     job.Complete();
-                    m_slices.Take(indexer.Slices);
+                    m_build.Slices.Take(indexer.Slices);
                     results[i] = ChunkResult.OfTop(indexer);
                     results[i].Checksum = m_sum.Value;
                     tops[i] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);

@@ -14,21 +14,23 @@ namespace FastPoints.Convert
     internal static class BuildIdentity
     {
         /// <summary>What the stored bytes and the temporary files depend on.</summary>
-        public static unsafe ulong Of(IReadOnlyList<PointReader> readers, PointSchema attributes, GridChoice grid,
-            MemoryPlan plan, PartitionMap map, ConvertSettings settings)
+        public static unsafe ulong Of(BuildContext build)
         {
+            var plan = build.Plan;
+            var map = build.Map;
+            var settings = build.Settings;
             var text = new StringBuilder();
-            foreach (var reader in readers)
+            foreach (var reader in build.Readers)
             {
                 string path = reader.Info.Path;
                 text.Append(Path.GetFullPath(path)).Append('|').Append(reader.Info.FileBytes).Append('|')
                     .Append(reader.PointCount)
                     .Append('|').Append(File.Exists(path) ? File.GetLastWriteTimeUtc(path).Ticks : 0).Append('\n');
             }
-            foreach (var attribute in attributes)
+            foreach (var attribute in build.Attributes)
                 text.Append(attribute).Append('\n');
             text.Append(plan.PointsPerChunk).Append('|').Append(plan.PointsPerPartition).Append('|').Append(plan.IsStored)
-                .Append('|').Append(StoreFormat.Version).Append('|').Append(grid.Records.StrideBytes).Append('|')
+                .Append('|').Append(StoreFormat.Version).Append('|').Append(build.Records.StrideBytes).Append('|')
                 .Append(map.Chunks.Length).Append('|').Append(map.Cube).Append('|').Append(settings.Sampler)
                 .Append('|').Append(settings.CellsLog2).Append('|').Append(settings.MaxPointsPerLeaf);
             string all = text.ToString();

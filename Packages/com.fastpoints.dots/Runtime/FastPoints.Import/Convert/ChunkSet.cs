@@ -41,26 +41,19 @@ namespace FastPoints.Convert
             }
         }
 
-        readonly RecordLayout m_layout;
-        readonly NativeReference<RecordPagePool> m_pool;
+        readonly BuildContext m_build;
         readonly RecordFiles m_files;
         readonly long m_mostPages;
         readonly RecordLoad m_load;
-        readonly SliceTimes m_slices;
         readonly List<Chunk> m_chunks = new List<Chunk>();
 
-        /// <param name="pool">Of all pages; whoever owns it frees them.</param>
-        /// <param name="files">Of what does not stay in memory; null where everything does.</param>
-        /// <param name="mostPages">That parts of chunks may take until they go to files.</param>
-        /// <param name="slices">Takes in how long the jobs ran.</param>
-        public ChunkSet(RecordLayout layout, NativeReference<RecordPagePool> pool, RecordFiles files, long mostPages, SliceTimes slices)
+        public ChunkSet(BuildContext build)
         {
-            m_slices = slices;
-            m_layout = layout;
-            m_pool = pool;
-            m_files = files;
-            m_mostPages = mostPages;
-            m_load = new RecordLoad(files, pool);
+            m_build = build;
+            m_files = build.Files;
+            // What parts of chunks may take until they go to files.
+            m_mostPages = build.Plan.MostPages / 2;
+            m_load = new RecordLoad(build.Files, build.Pool);
         }
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
@@ -110,12 +103,12 @@ namespace FastPoints.Convert
             {
                 yield return Work.Of(Regroup(outside, parts, (pages, lists, before) => new RegroupShellsJob
                 {
-                    Slices = m_slices,
+                    Slices = m_build.Slices,
                     Pages = pages,
-                    Layout = m_layout,
+                    Layout = m_build.Records,
                     Shells = cubes,
                     Chunks = lists,
-                    Pool = m_pool,
+                    Pool = m_build.Pool,
                 }.Schedule(before)));
             }
             finally
@@ -190,9 +183,9 @@ namespace FastPoints.Convert
                 bounds[1] = PointStatistics.None.Max;
                 yield return Work.Of(ForEachBatch(chunk, (pages, before) => new MeasureRecordsJob
                 {
-                    Slices = m_slices,
+                    Slices = m_build.Slices,
                     Pages = pages,
-                    Layout = m_layout,
+                    Layout = m_build.Records,
                     Bounds = bounds,
                 }.Schedule(before)));
                 var cube = RootCube.Shrink(chunk.Cube, bounds[0], bounds[1]);
@@ -209,9 +202,9 @@ namespace FastPoints.Convert
                 var cells = new CellFinder(cube, levels);
                 yield return Work.Of(ForEachBatch(chunk, (pages, before) => new CountCellsJob
                 {
-                    Slices = m_slices,
+                    Slices = m_build.Slices,
                     Pages = pages,
-                    Layout = m_layout,
+                    Layout = m_build.Records,
                     Cells = cells,
                     PointsOfCell = counts,
                 }.Schedule(before)));
@@ -219,13 +212,13 @@ namespace FastPoints.Convert
                 var chunkOfCell = map.ChunkOfCell;
                 yield return Work.Of(Regroup(chunk, map.Chunks, (pages, lists, before) => new RegroupRecordsJob
                 {
-                    Slices = m_slices,
+                    Slices = m_build.Slices,
                     Pages = pages,
-                    Layout = m_layout,
+                    Layout = m_build.Records,
                     Cells = cells,
                     ChunkOfCell = chunkOfCell,
                     Chunks = lists,
-                    Pool = m_pool,
+                    Pool = m_build.Pool,
                 }.Schedule(before)));
             }
             finally
@@ -302,7 +295,7 @@ namespace FastPoints.Convert
                     job = schedule(m_load.Complete(), lists, default);
                     yield return job;
                     job.Complete();
-                    if (m_pool.Value.PagesInUse > m_mostPages)
+                    if (m_build.Pool.Value.PagesInUse > m_mostPages)
                         HandOver(lists, fileOfPart, false);
                     while (m_files.PagesWaiting > m_mostPages)
                     {
@@ -421,6 +414,6 @@ namespace FastPoints.Convert
             Return(ref written);
         }
 
-        void Return(ref RecordPages pages) => RecordPagePool.Of(m_pool).Return(ref pages);
+        void Return(ref RecordPages pages) => RecordPagePool.Of(m_build.Pool).Return(ref pages);
     }
 }

@@ -15,9 +15,42 @@ namespace FastPoints.Convert
     /// sources' warnings.</summary>
     internal static class CloudDescription
     {
+        /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources get
+        /// their warnings.</summary>
+        public static CloudManifest OfBuild(BuildContext build, BuildJournal journal, ScatterPoints scatter)
+        {
+            var found = scatter.Statistics;
+            var manifest = new CloudManifest { Sampler = build.SamplerName, Root = journal.Root };
+            AddSources(build.Readers, journal.Statistics, manifest);
+            Warn(build.Readers, journal.Statistics, build.Grid.Grid);
+            Describe(found, scatter.Attributes, build, manifest);
+            // Different where content, attributes, partition or sampler differ: enough to tell one build's files from another's.
+            manifest.CloudId = found.Checksum ^ (ulong)found.Count * 0x9E3779B97F4A7C15UL ^
+                (ulong)build.Plan.PointsPerChunk << 40 ^ (ulong)build.Attributes.Count << 32 ^
+                (ulong)build.Settings.Sampler << 60 ^ (ulong)build.Settings.CellsLog2 << 56 ^
+                (ulong)build.Settings.MaxPointsPerLeaf;
+            return manifest;
+        }
+
+        /// <summary>The manifest of a sample alone.</summary>
+        public static CloudManifest OfSample(BuildContext build, ProvisionalSample sample)
+        {
+            var found = sample.Statistics;
+            var cube = build.Map.Cube;
+            long last = cube.Side - 1;
+            // What lies outside the first cube is not in the sample's tops.
+            found.Min = Grid3.Max(found.Min, cube.Corner);
+            found.Max = Grid3.Min(found.Max, cube.Corner + new Grid3(last, last, last));
+            var manifest = new CloudManifest { Sampler = build.SamplerName, Root = cube };
+            Describe(found, sample.Attributes, build, manifest);
+            manifest.PointsLeftOut = 0;
+            manifest.CloudId = found.Checksum;
+            return manifest;
+        }
+
         /// <summary>One entry a file, tiles of a reader apart.</summary>
-        /// <param name="findings">By reader.</param>
-        public static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
+        /// <param name="statistics">By reader.</param>
+        static void AddSources(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics,
             CloudManifest manifest)
         {
             for (int i = 0; i < readers.Count; i++)
@@ -39,8 +72,8 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Says of each source what is missing or inexact in the cloud.</summary>
-        /// <param name="findings">By reader.</param>
-        public static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
+        /// <param name="statistics">By reader.</param>
+        static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)
             {
@@ -60,17 +93,17 @@ namespace FastPoints.Convert
         /// <summary>Counts, bounds, attributes, and where on Earth the first source says that the cloud lies.</summary>
         /// <param name="found">Of all points.</param>
         /// <param name="values">By attribute: what its values are.</param>
-        public static void Describe(in PointStatistics found, in CloudGrid grid, PointSchema attributes, AttributeStatistics[] values,
-            CoordinateSystem crs, CloudManifest manifest)
+        static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
+            var crs = build.Readers[0].Info.Crs;
             manifest.Points = found.Count;
             manifest.PointsLeftOut = found.LeftOut;
             manifest.Checksum = found.Checksum;
-            manifest.Grid = grid;
+            manifest.Grid = build.Grid.Grid;
             manifest.BoundsMin = found.Count > 0 ? found.Min : default;
             manifest.BoundsMax = found.Count > 0 ? found.Max : default;
-            manifest.Attributes = attributes;
-            AttributeSummary.Describe(attributes, values, manifest);
+            manifest.Attributes = build.Attributes;
+            AttributeSummary.Describe(build.Attributes, values, manifest);
             manifest.CrsName = crs.Summary;
             manifest.CrsWkt = crs.Wkt;
             manifest.CrsEpsg = crs.Epsg;

@@ -19,28 +19,17 @@ namespace FastPoints.Convert
         const int RunPoints = 16;
         const int SlotsInFlight = 8;
 
-        readonly IReadOnlyList<PointReader> m_readers;
-        readonly PointSchema m_attributes;
-        readonly GridChoice m_grid;
-        readonly PartitionMap m_map;
-        readonly long m_mostPoints;
+        readonly BuildContext m_build;
         readonly NativeReference<RecordPagePool> m_pool;
         RecordPages m_pages;
 
-        /// <param name="readers">Their blocks are known.</param>
-        /// <param name="map">Points outside its cube are left out.</param>
-        /// <param name="mostPoints">About.</param>
-        public ProvisionalSample(IReadOnlyList<PointReader> readers, PointSchema attributes, GridChoice grid, PartitionMap map,
-            long mostPoints)
+        /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
+        public ProvisionalSample(BuildContext build)
         {
-            m_readers = readers;
-            m_attributes = attributes;
-            m_grid = grid;
-            m_map = map;
-            m_mostPoints = mostPoints;
-            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(grid.Records.StrideBytes,
-                2 * mostPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
-            Attributes = new AttributeStatistics[attributes.Count];
+            m_build = build;
+            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(build.Records.StrideBytes,
+                2 * build.Plan.ProvisionalPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
+            Attributes = new AttributeStatistics[build.Attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
                 Attributes[a] = AttributeStatistics.None;
         }
@@ -54,14 +43,12 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump: reads the sample.</summary>
         public IEnumerator<Work> Read()
         {
-            long all = 0;
-            foreach (var reader in m_readers)
-                all += reader.PointCount;
-            for (int i = 0; i < m_readers.Count; i++)
+            for (int i = 0; i < m_build.Readers.Count; i++)
             {
-                double share = m_readers[i].PointCount / (double)Math.Max(1, all);
-                var runs = SampleRuns.Choose(m_readers[i], (long)(m_mostPoints * share) / RunPoints, RunPoints);
-                yield return Work.Of(Read(m_readers[i], m_grid.Sources[i], runs));
+                var reader = m_build.Readers[i];
+                double share = reader.PointCount / (double)Math.Max(1, m_build.Points);
+                var runs = SampleRuns.Choose(reader, (long)(m_build.Plan.ProvisionalPoints * share) / RunPoints, RunPoints);
+                yield return Work.Of(Read(reader, m_build.Grid.Sources[i], runs));
             }
             IsRead = true;
         }
@@ -74,7 +61,7 @@ namespace FastPoints.Convert
             new RegroupCubesJob
             {
                 Pages = m_pages,
-                Layout = m_grid.Records,
+                Layout = m_build.Records,
                 Cubes = cubes,
                 Corner = corner,
                 Chunks = parts,
@@ -95,7 +82,7 @@ namespace FastPoints.Convert
         IEnumerator<Work> Read(PointReader reader, SourceGrid grid, List<BlockRange> runs)
         {
             var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-            foreach (var attribute in m_attributes)
+            foreach (var attribute in m_build.Attributes)
                 names.Add(attribute.Name);
             var wanted = reader.Info.Schema.Select(names.ToArray());
             int longest = 1;
@@ -110,7 +97,7 @@ namespace FastPoints.Convert
                 for (int s = 0; s < slots; s++)
                 {
                     reads[s] = reader.CreateRead(wanted, longest, Allocator.Persistent);
-                    records[s] = new RecordSlot(longest, m_attributes, m_grid.Records, m_map, reads[s].Points);
+                    records[s] = new RecordSlot(longest, m_build.Attributes, m_build.Records, m_build.Map, reads[s].Points);
                 }
                 for (int r = 0; r < runs.Count + slots; r++)
                 {
@@ -144,7 +131,7 @@ namespace FastPoints.Convert
         unsafe void Take(RecordSlot slot)
         {
             m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
-                slot.FirstOfChunk[m_map.Outside], ref RecordPagePool.Of(m_pool));
+                slot.FirstOfChunk[m_build.Map.Outside], ref RecordPagePool.Of(m_pool));
             var statistics = Statistics;
             statistics.Include(slot.TakeStatistics(Attributes));
             Statistics = statistics;

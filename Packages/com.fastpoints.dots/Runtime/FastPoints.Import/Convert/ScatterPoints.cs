@@ -14,49 +14,30 @@ namespace FastPoints.Convert
     /// room. Owns the records in memory until they are handed over.</summary>
     internal sealed class ScatterPoints : IThrottledConsumer, IDisposable
     {
-        readonly PointSchema m_attributes;
-        readonly RecordLayout m_layout;
-        readonly PartitionMap m_map;
-        readonly NativeReference<RecordPagePool> m_pool;
-        readonly RecordFiles m_files;
-        readonly MemoryPlan m_plan;
-        readonly StageProgress m_progress;
-        readonly SliceTimes m_slices;
-        readonly long m_allPoints;
+        readonly BuildContext m_build;
         readonly List<RecordSlot> m_slots = new List<RecordSlot>();
         NativeArray<RecordPages> m_chunks;
         NativeReference<long> m_pagesDetached;
         SourceGrid m_grid;
         PointReader m_reader;
         JobHandle m_lastAppend;
-        long m_pointsDone;
         long m_bytesDone;
 
-        /// <param name="pool">Of all pages; whoever owns it frees them.</param>
-        /// <param name="files">By chunk: where its pages go; null where all stay in memory.</param>
-        /// <param name="allPoints">Of all sources, to show how far it is.</param>
-        /// <param name="slices">Takes in how long the jobs ran.</param>
-        public ScatterPoints(PointSchema attributes, RecordLayout layout, PartitionMap map, NativeReference<RecordPagePool> pool,
-            RecordFiles files, MemoryPlan plan, long allPoints, SliceTimes slices, StageProgress progress)
+        public ScatterPoints(BuildContext build)
         {
-            m_attributes = attributes;
-            m_layout = layout;
-            m_map = map;
-            m_pool = pool;
-            m_files = files;
-            m_plan = plan;
-            m_allPoints = allPoints;
-            m_progress = progress;
-            m_slices = slices;
-            m_chunks = new NativeArray<RecordPages>(map.Chunks.Length + 1, Allocator.Persistent);
+            m_build = build;
+            m_chunks = new NativeArray<RecordPages>(build.Map.Chunks.Length + 1, Allocator.Persistent);
             m_pagesDetached = new NativeReference<long>(Allocator.Persistent);
-            Attributes = new AttributeStatistics[attributes.Count];
+            Attributes = new AttributeStatistics[build.Attributes.Count];
             for (int a = 0; a < Attributes.Length; a++)
                 Attributes[a] = AttributeStatistics.None;
         }
 
+        /// <summary>Points that were read, those of a build before this one with them.</summary>
+        public long PointsDone { get; private set; }
+
         /// <summary>Of all that <see cref="TakeStatistics"/> took.</summary>
-        public PointStatistics Statistics { get; set; } = PointStatistics.None;
+        public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
         /// <summary>By attribute, the same.</summary>
         public AttributeStatistics[] Attributes { get; }
@@ -69,10 +50,11 @@ namespace FastPoints.Convert
         {
             get
             {
-                if (m_files == null || m_files.PagesWaiting <= m_plan.MostWaitingPages)
+                var files = m_build.Files;
+                if (files == null || files.PagesWaiting <= m_build.Plan.MostWaitingPages)
                     return true;
-                m_files.Poll(1);
-                return m_files.PagesWaiting <= m_plan.MostWaitingPages;
+                files.Poll(1);
+                return files.PagesWaiting <= m_build.Plan.MostWaitingPages;
             }
         }
 
@@ -86,18 +68,20 @@ namespace FastPoints.Convert
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
         {
             while (m_slots.Count <= slot)
-                m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_attributes, m_layout, m_map, read.Points));
+                m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_build.Attributes, m_build.Records, m_build.Map,
+                    read.Points));
             var s = m_slots[slot];
             var grouped = s.ScheduleGrouping(read, m_grid, decoded);
-            m_files?.Poll(0);
+            var files = m_build.Files;
+            files?.Poll(0);
             m_lastAppend = new AppendRecordsJob
             {
                 Records = s.Records,
                 FirstOfChunk = s.FirstOfChunk,
                 Chunks = m_chunks,
-                Pool = m_pool,
-                Returned = m_files == null ? default : m_files.TakeWritten(),
-                MostPages = m_plan.MostPages,
+                Pool = m_build.Pool,
+                Returned = files == null ? default : files.TakeWritten(),
+                MostPages = m_build.Plan.MostPages,
                 PagesDetached = m_pagesDetached,
                 Detached = s.Detached,
                 Slices = s.Slices,
@@ -108,14 +92,25 @@ namespace FastPoints.Convert
         public void Completed(BlockRead read, int slot)
         {
             foreach (var detached in m_slots[slot].Detached.AsArray())
-                m_files.Append(detached.Chunk, detached.Pages);
-            m_pointsDone += read.Points.Count;
+                m_build.Files.Append(detached.Chunk, detached.Pages);
+            PointsDone += read.Points.Count;
             m_bytesDone += m_reader.BytesOfRange(read.Range);
-            m_progress?.Report(m_pointsDone / (double)Math.Max(1, m_allPoints), m_pointsDone, m_bytesDone);
+            m_build.Progress?.Report(PointsDone / (double)Math.Max(1, m_build.Points), PointsDone, m_bytesDone);
         }
 
-        /// <summary>Points that a build before this one has done.</summary>
-        public void Skip(long points) => m_pointsDone += points;
+        /// <summary>Takes in what a build before this one has read.</summary>
+        public void Resume(BuildJournal journal)
+        {
+            for (int a = 0; a < journal.Attributes.Length; a++)
+                Attributes[a] = journal.Attributes[a];
+            var all = Statistics;
+            foreach (var found in journal.Statistics)
+            {
+                PointsDone += found.Count + found.LeftOut;
+                all.Include(found);
+            }
+            Statistics = all;
+        }
 
         /// <summary>When a scan has ended: takes in what it showed.</summary>
         /// <returns>What is new.</returns>
@@ -135,18 +130,19 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump, when a scan has ended: everything in memory goes to the files.</summary>
         public IEnumerator<Work> WriteAll()
         {
+            var files = m_build.Files;
             for (int c = 0; c < m_chunks.Length; c++)
             {
-                m_files.Append(c, m_chunks[c]);
+                files.Append(c, m_chunks[c]);
                 m_chunks[c] = default;
             }
-            while (m_files.PagesWaiting > 0)
+            while (files.PagesWaiting > 0)
             {
-                m_files.Poll(1);
+                files.Poll(1);
                 yield return default;
             }
-            var written = m_files.TakeWritten();
-            RecordPagePool.Of(m_pool).Return(ref written);
+            var written = files.TakeWritten();
+            RecordPagePool.Of(m_build.Pool).Return(ref written);
             m_pagesDetached.Value = 0;
         }
 
@@ -155,7 +151,7 @@ namespace FastPoints.Convert
         {
             foreach (var slot in m_slots)
             {
-                m_slices.Take(slot.Slices);
+                m_build.Slices.Take(slot.Slices);
                 slot.Dispose();
             }
             m_slots.Clear();

@@ -21,14 +21,9 @@ namespace FastPoints.Convert
         /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>
         const int LeastPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
 
-        readonly RecordLayout m_records;
+        readonly BuildContext m_build;
         readonly NativeStoreLayout m_store;
-        readonly GridCube m_root;
-        readonly ulong m_cloudId;
-        readonly CloudFolderWriter m_folder;
-        readonly Sampler m_sampler;
-        readonly NodeSizes m_sizes;
-        readonly SliceTimes m_slices;
+        readonly CloudManifest m_manifest;
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
         readonly List<UpperItem> m_items = new List<UpperItem>();
         ChunkIndexer m_indexer;
@@ -37,17 +32,12 @@ namespace FastPoints.Convert
         long m_upperBytes;
         long m_upperPoints;
 
-        public UpperMerge(RecordLayout records, NativeStoreLayout store, GridCube root, ulong cloudId, CloudFolderWriter folder,
-            Sampler sampler, NodeSizes sizes, SliceTimes slices)
+        /// <param name="manifest">Gets to know of the nodes and the files.</param>
+        public UpperMerge(BuildContext build, NativeStoreLayout store, CloudManifest manifest)
         {
-            m_records = records;
+            m_build = build;
             m_store = store;
-            m_root = root;
-            m_cloudId = cloudId;
-            m_folder = folder;
-            m_sampler = sampler;
-            m_sizes = sizes;
-            m_slices = slices;
+            m_manifest = manifest;
             BytesOfPlane = new long[store.Layout.Planes.Count];
         }
 
@@ -61,11 +51,9 @@ namespace FastPoints.Convert
         /// <summary>Work for a pump: writes upper.bin and hierarchy.bin, and says of them in the manifest.</summary>
         /// <param name="chunks">In Morton order, with rising numbers; all, or those that are finished.</param>
         /// <param name="topRecords">By chunk; where there are none, they are in the chunk's file. They stay the caller's.</param>
-        /// <param name="pointsPerRegion">That one go takes, about.</param>
-        public IEnumerator<Work> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, long pointsPerRegion,
-            CloudManifest manifest, StageProgress progress)
+        public IEnumerator<Work> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
-            m_indexer = new ChunkIndexer(m_records, m_store, m_root.Corner, m_cloudId, m_sampler, m_sizes);
+            m_indexer = m_build.CreateIndexer(m_store, m_manifest);
             int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
             m_regionOfChunk = new UpperRegion[last + 1];
             m_draftOfChunk = new int[last + 1];
@@ -83,11 +71,11 @@ namespace FastPoints.Convert
                 });
             }
 
-            pointsPerRegion = Math.Max(pointsPerRegion, LeastPointsPerRegion);
+            long pointsPerRegion = Math.Max(m_build.Plan.PointsPerChunk, LeastPointsPerRegion);
             m_upperBytes = FileHeader.SizeBytes;
             while (left > MostPointsAtOnce(pointsPerRegion))
             {
-                var groups = CubeGroups.Of(m_root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
+                var groups = CubeGroups.Of(m_manifest.Root, m_items, i => i.Cube, i => i.TopPoints, pointsPerRegion);
                 if (groups.Count == m_items.Count)
                     break;
                 var below = m_items.ToArray();
@@ -102,15 +90,15 @@ namespace FastPoints.Convert
                     else
                     {
                         var members = new List<UpperItem>(new ArraySegment<UpperItem>(below, group.First, group.Count));
-                        yield return Work.Of(MergeRegion(members, group.Cube, false, manifest));
+                        yield return Work.Of(MergeRegion(members, group.Cube, false));
                     }
                     left += m_items[m_items.Count - 1].TopPoints;
                     progress?.Report(0.5 * (group.First + group.Count) / below.Length, 0, 0);
                 }
             }
             if (m_items.Count > 0)
-                yield return Work.Of(MergeRegion(new List<UpperItem>(m_items), m_root, true, manifest));
-            yield return Work.Of(WriteHierarchy(chunks, manifest));
+                yield return Work.Of(MergeRegion(new List<UpperItem>(m_items), m_manifest.Root, true));
+            yield return Work.Of(WriteHierarchy(chunks));
             progress?.Report(1, m_upperPoints, m_upperBytes);
         }
 
@@ -126,20 +114,44 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Makes the nodes above some tops. The region's own top is added to the items, unless it is the root.</summary>
-        IEnumerator<Work> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot, CloudManifest manifest)
+        IEnumerator<Work> MergeRegion(List<UpperItem> members, GridCube cube, bool isRoot)
         {
             long points = 0;
             foreach (var member in members)
                 points += member.TopPoints;
-            int stride = m_records.ForTops(m_store.HasAverages).StrideBytes;
-            var records = new NativeArray<byte>(checked((int)(points * stride)), Allocator.Persistent,
+            var records = new NativeArray<byte>(checked((int)(points * TopStride)), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             var tops = new NativeArray<ChunkTop>(members.Count, Allocator.Persistent);
-            var read = new StoreRead();
-            WriteTicket ticket = null;
             try
             {
-                int at = 0;
+                yield return Work.Of(TakeTops(members, records, tops));
+                m_indexer.BeginUpper(records, tops, cube, isRoot);
+                yield return m_indexer.Job;
+                m_indexer.Job.Complete();
+                m_build.Slices.Take(m_indexer.Slices);
+
+                var region = TakeRegion();
+                bool hasNodes = Attach(members, tops, region) || region.NodeCount > 0;
+                if (!isRoot)
+                    m_items.Add(TopOf(region, cube, hasNodes));
+                yield return Work.Of(WriteNodes(region, isRoot));
+            }
+            finally
+            {
+                m_indexer.Job.Complete();
+                tops.Dispose();
+                records.Dispose();
+            }
+        }
+
+        int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
+
+        /// <summary>Brings the members' records together, from memory or from the chunks' files.</summary>
+        IEnumerator<Work> TakeTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
+        {
+            int stride = TopStride, at = 0;
+            using (var read = new StoreRead())
+            {
                 for (int i = 0; i < members.Count; i++)
                 {
                     var member = members[i];
@@ -153,9 +165,8 @@ namespace FastPoints.Convert
                     }
                     else
                     {
-                        read.Begin(m_folder.PathOf(BuildFiles.TopPath(member.Chunk)),
-                            ChunkResult.RecordsOffset(BytesOfPlane.Length),
-                            bytes);
+                        read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk)),
+                            ChunkResult.RecordsOffset(BytesOfPlane.Length), bytes);
                         yield return read.Done;
                         read.Complete();
                         NativeArray<byte>.Copy(read.Bytes, 0, records, at, bytes);
@@ -167,41 +178,48 @@ namespace FastPoints.Convert
                     tops[i] = top;
                     yield return default;
                 }
-                m_indexer.BeginUpper(records, tops, cube, isRoot);
-                yield return m_indexer.Job;
-                m_indexer.Job.Complete();
-                m_slices.Take(m_indexer.Slices);
+            }
+        }
 
-                var region = TakeRegion();
-                bool hasNodes = region.NodeCount > 0;
-                for (int i = 0; i < members.Count; i++)
+        /// <summary>Remembers by which of the region's nodes its members hang.</summary>
+        /// <returns>Whether one of them has nodes.</returns>
+        bool Attach(List<UpperItem> members, NativeArray<ChunkTop> tops, UpperRegion region)
+        {
+            bool hasNodes = false;
+            for (int i = 0; i < members.Count; i++)
+            {
+                hasNodes |= tops[i].HasNodes;
+                if (members[i].Region != null)
                 {
-                    hasNodes |= tops[i].HasNodes;
-                    if (members[i].Region != null)
-                    {
-                        members[i].Region.Above = region;
-                        members[i].Region.AttachDraft = tops[i].AttachNode;
-                    }
-                    else
-                    {
-                        m_regionOfChunk[members[i].Chunk] = region;
-                        m_draftOfChunk[members[i].Chunk] = tops[i].AttachNode;
-                    }
+                    members[i].Region.Above = region;
+                    members[i].Region.AttachDraft = tops[i].AttachNode;
                 }
-                if (!isRoot)
-                    m_items.Add(TopOf(region, cube, hasNodes));
+                else
+                {
+                    m_regionOfChunk[members[i].Chunk] = region;
+                    m_draftOfChunk[members[i].Chunk] = tops[i].AttachNode;
+                }
+            }
+            return hasNodes;
+        }
 
+        /// <summary>Puts the region's nodes behind those that upper.bin has. The root comes last and completes the header.</summary>
+        IEnumerator<Work> WriteNodes(UpperRegion region, bool isRoot)
+        {
+            WriteTicket ticket = null;
+            try
+            {
                 var file = m_indexer.File.AsArray();
                 if (isRoot && m_upperPoints == 0)
                 {
                     m_upperBytes = file.Length;
-                    ticket = m_folder.Write(manifest.UpperName, file);
+                    ticket = m_build.Folder.Write(m_manifest.UpperName, file);
                 }
                 else if (file.Length > 0)
                 {
                     region.PlaneShift = m_upperBytes - FileHeader.SizeBytes;
                     var planes = file.GetSubArray(FileHeader.SizeBytes, file.Length - FileHeader.SizeBytes);
-                    ticket = m_folder.WritePiece(manifest.UpperName, planes, m_upperBytes);
+                    ticket = m_build.Folder.WritePiece(m_manifest.UpperName, planes, m_upperBytes);
                     m_upperBytes += planes.Length;
                 }
                 if (file.Length > 0)
@@ -211,17 +229,13 @@ namespace FastPoints.Convert
                 if (!isRoot || region.PlaneShift == 0)
                     yield break;
                 DescribeAll(file);
-                ticket = m_folder.Seal(manifest.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
+                ticket = m_build.Folder.Seal(m_manifest.UpperName, file.GetSubArray(0, FileHeader.SizeBytes));
                 while (!ticket.IsDone(1))
                     yield return default;
             }
             finally
             {
-                m_indexer.Job.Complete();
                 ticket?.Wait();
-                read.Dispose();
-                tops.Dispose();
-                records.Dispose();
             }
         }
 
@@ -273,7 +287,7 @@ namespace FastPoints.Convert
             };
         }
 
-        IEnumerator<Work> WriteHierarchy(IReadOnlyList<ChunkResult> chunks, CloudManifest manifest)
+        IEnumerator<Work> WriteHierarchy(IReadOnlyList<ChunkResult> chunks)
         {
             // The last one is the root: others come after what is above them.
             m_regions.Reverse();
@@ -283,8 +297,8 @@ namespace FastPoints.Convert
             WriteTicket ticket = null;
             try
             {
-                manifest.NodeCount = placeOfNode.Length;
-                manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
+                m_manifest.NodeCount = placeOfNode.Length;
+                m_manifest.UpperBytes = placeOfNode.Length > 0 ? m_upperBytes : 0;
                 var records = new List<ChunkRecord>();
                 foreach (var chunk in chunks)
                 {
@@ -292,12 +306,12 @@ namespace FastPoints.Convert
                         continue;
                     var record = chunk.Record;
                     record.AttachNode = placeOfNode[m_regionOfChunk[record.Number].NodeOf(m_draftOfChunk[record.Number])];
-                    manifest.NodeCount += record.NodeCount;
+                    m_manifest.NodeCount += record.NodeCount;
                     records.Add(record);
                 }
-                manifest.ChunkCount = records.Count;
-                hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, manifest);
-                ticket = m_folder.Write(manifest.HierarchyName, hierarchy);
+                m_manifest.ChunkCount = records.Count;
+                hierarchy = HierarchyFile.Create(table, placeOfNode.Length, planeCount, records, m_manifest);
+                ticket = m_build.Folder.Write(m_manifest.HierarchyName, hierarchy);
                 while (!ticket.IsDone(1))
                     yield return default;
             }

@@ -42,6 +42,14 @@ namespace FastPoints.Picture
         /// <summary>Of one slice of measuring: less than a millisecond of managed code.</summary>
         const int PointsPerSlice = 1 << 17;
 
+        /// <summary>What is measured: the position first.</summary>
+        static readonly string[] s_columns =
+        {
+            AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
+            AttributeNames.Green, AttributeNames.Blue,
+        };
+        const int IntensityColumn = 3;
+
         bool m_hasFar;
 
         /// <summary>Of the points that are not far out: less than 1 where only the largest of parts far apart is
@@ -155,79 +163,24 @@ namespace FastPoints.Picture
         public IEnumerator<Work> Measure(PointBatch points, PositionTransform transform, UpAxis upAxis)
         {
             UpAxis = upAxis;
-            string[] names =
-            {
-                AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Red,
-                AttributeNames.Green, AttributeNames.Blue,
-            };
-            var found = new NativeReference<ColumnQuantiles>[names.Length];
+            var found = new NativeReference<ColumnQuantiles>[s_columns.Length];
             var bounds = new NativeReference<PositionBounds>(PositionBounds.Empty, Allocator.Persistent);
             JobHandle all = default;
             try
             {
-                for (int i = 0; i < names.Length; i++)
-                    if (points.Schema.Has(names[i]))
+                for (int i = 0; i < found.Length; i++)
+                    if (points.Schema.Has(s_columns[i]))
                         found[i] = new NativeReference<ColumnQuantiles>(ColumnQuantiles.Empty, Allocator.Persistent);
                 for (int first = 0; first < points.Count; first += PointsPerSlice)
                 {
-                    int count = math.min(PointsPerSlice, points.Count - first);
-                    all = new MeasureBoundsJob
-                    {
-                        Bytes = points.Bytes,
-                        Columns = PositionColumns.Of(points),
-                        Transform = transform,
-                        First = first,
-                        Count = count,
-                        Found = bounds,
-                    }.Schedule();
-                    for (int i = 0; i < names.Length; i++)
-                        if (found[i].IsCreated)
-                            all = JobHandle.CombineDependencies(all, new MeasureRangeJob
-                            {
-                                Bytes = points.Bytes,
-                                Column = points.Column(points.Schema.IndexOf(names[i])),
-                                First = first,
-                                Count = count,
-                                Found = found[i],
-                            }.Schedule());
+                    all = MeasureSlice(points, transform, first, bounds, found);
                     yield return all;
                     all.Complete();
                 }
-                for (int i = 0; i < names.Length; i++)
-                {
-                    if (!found[i].IsCreated)
-                        continue;
-                    double strays = i < 3 ? StrayShare : IntensityStrayShare;
-                    all = JobHandle.CombineDependencies(all, new MeasureColumnJob
-                    {
-                        Bytes = points.Bytes,
-                        Column = points.Column(points.Schema.IndexOf(names[i])),
-                        Count = points.Count,
-                        Scale = i < 3 ? transform.Scale[i] : 1,
-                        Offset = i < 3 ? transform.Offset[i] : 0,
-                        LowShare = strays,
-                        HighShare = 1 - strays,
-                        Found = found[i],
-                    }.Schedule());
-                }
+                all = MeasureColumns(points, transform, found);
                 yield return all;
                 all.Complete();
-                FindCategories(points.Schema);
-                SetPositions(bounds.Value, found[0].Value, found[1].Value, found[2].Value);
-                Outline = OutlineOf(points, transform);
-                var part = LargestPart.Of(Outline);
-                m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
-                Outline = part;
-                if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
-                    FrameOutline();
-                if (!Full.IsEmpty)
-                    WarnFar();
-                SetLengths();
-                if (found[3].IsCreated)
-                    SetIntensity(found[3].Value);
-                if (points.Schema.HasColor)
-                    SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[4].Value, found[5].Value,
-                        found[6].Value);
+                SetAll(points, transform, bounds.Value, found);
             }
             finally
             {
@@ -237,6 +190,78 @@ namespace FastPoints.Picture
                     if (found[i].IsCreated)
                         found[i].Dispose();
             }
+        }
+
+        static JobHandle MeasureSlice(PointBatch points, PositionTransform transform, int first,
+            NativeReference<PositionBounds> bounds, NativeReference<ColumnQuantiles>[] found)
+        {
+            int count = math.min(PointsPerSlice, points.Count - first);
+            var all = new MeasureBoundsJob
+            {
+                Bytes = points.Bytes,
+                Columns = PositionColumns.Of(points),
+                Transform = transform,
+                First = first,
+                Count = count,
+                Found = bounds,
+            }.Schedule();
+            for (int i = 0; i < found.Length; i++)
+                if (found[i].IsCreated)
+                    all = JobHandle.CombineDependencies(all, new MeasureRangeJob
+                    {
+                        Bytes = points.Bytes,
+                        Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                        First = first,
+                        Count = count,
+                        Found = found[i],
+                    }.Schedule());
+            return all;
+        }
+
+        static JobHandle MeasureColumns(PointBatch points, PositionTransform transform,
+            NativeReference<ColumnQuantiles>[] found)
+        {
+            var all = default(JobHandle);
+            for (int i = 0; i < found.Length; i++)
+            {
+                if (!found[i].IsCreated)
+                    continue;
+                bool isPosition = i < IntensityColumn;
+                double strays = isPosition ? StrayShare : IntensityStrayShare;
+                all = JobHandle.CombineDependencies(all, new MeasureColumnJob
+                {
+                    Bytes = points.Bytes,
+                    Column = points.Column(points.Schema.IndexOf(s_columns[i])),
+                    Count = points.Count,
+                    Scale = isPosition ? transform.Scale[i] : 1,
+                    Offset = isPosition ? transform.Offset[i] : 0,
+                    LowShare = strays,
+                    HighShare = 1 - strays,
+                    Found = found[i],
+                }.Schedule());
+            }
+            return all;
+        }
+
+        void SetAll(PointBatch points, PositionTransform transform, PositionBounds bounds,
+            NativeReference<ColumnQuantiles>[] found)
+        {
+            FindCategories(points.Schema);
+            SetPositions(bounds, found[0].Value, found[1].Value, found[2].Value);
+            Outline = OutlineOf(points, transform);
+            var part = LargestPart.Of(Outline);
+            m_shareFramed = part.Length / (double)math.max(1, Outline.Length);
+            Outline = part;
+            if ((m_hasFar || m_shareFramed < 1) && Outline.Length > 0)
+                FrameOutline();
+            if (!Full.IsEmpty)
+                WarnFar();
+            SetLengths();
+            if (found[IntensityColumn].IsCreated)
+                SetIntensity(found[IntensityColumn].Value);
+            if (points.Schema.HasColor)
+                SetColor(points.Schema[points.Schema.IndexOf(AttributeNames.Red)].Type, found[IntensityColumn + 1].Value,
+                    found[IntensityColumn + 2].Value, found[IntensityColumn + 3].Value);
         }
 
         /// <summary>The mode that a picture gets where <paramref name="wanted"/> is asked for, by what the cloud has.</summary>

@@ -159,16 +159,16 @@ namespace FastPoints.Store
         /// it.</exception>
         public static CloudManifest FromJson(string text, string path)
         {
-            string member = "";
+            var members = new Members();
             try
             {
-                return Read((Dictionary<string, object>)JsonReader.Parse(text), ref member);
+                return Read((Dictionary<string, object>)JsonReader.Parse(text), members);
             }
             catch (Exception e) when (e is FormatException || e is InvalidCastException || e is KeyNotFoundException ||
                 e is OverflowException)
             {
                 throw new PointCloudException(FailureCode.BadInput, path, -1,
-                    (member.Length > 0 ? "\"" + member + "\": " : "") + (e is FormatException ? e.Message
+                    (members.Last.Length > 0 ? "\"" + members.Last + "\": " : "") + (e is FormatException ? e.Message
                         : "missing or of the wrong kind"), e);
             }
             catch (NotSupportedException e)
@@ -177,17 +177,26 @@ namespace FastPoints.Store
             }
         }
 
-        static CloudManifest Read(Dictionary<string, object> json, ref string member)
+        /// <summary>Looks up members, and remembers the last one: that is at fault where reading fails.</summary>
+        sealed class Members
         {
-            object Get(Dictionary<string, object> of, string name, ref string current)
+            public string Last = "";
+
+            public object Get(Dictionary<string, object> of, string name)
             {
-                current = name;
+                Last = name;
                 return of[name];
             }
 
-            if (!"fastpoints".Equals(Get(json, "format", ref member)))
+            public Dictionary<string, object> Object(Dictionary<string, object> of, string name) =>
+                (Dictionary<string, object>)Get(of, name);
+        }
+
+        static CloudManifest Read(Dictionary<string, object> json, Members members)
+        {
+            if (!"fastpoints".Equals(members.Get(json, "format")))
                 throw new FormatException("wanted \"" + FormatName + "\"");
-            long version = JsonReader.ToLong(Get(json, "version", ref member));
+            long version = JsonReader.ToLong(members.Get(json, "version"));
             if (version != StoreFormat.Version)
             {
                 throw new NotSupportedException(string.Format(CultureInfo.InvariantCulture,
@@ -196,97 +205,104 @@ namespace FastPoints.Store
 
             var result = new CloudManifest
             {
-                CloudId = JsonReader.ToHex(Get(json, "id", ref member)),
-                Generation = JsonReader.ToLong(Get(json, "generation", ref member)),
+                CloudId = JsonReader.ToHex(members.Get(json, "id")),
+                Generation = JsonReader.ToLong(members.Get(json, "generation")),
                 IsBuilding = json.TryGetValue("building", out object building) && true.Equals(building),
-                Points = Count(Get(json, "points", ref member)),
-                PointsLeftOut = Count(Get(json, "pointsLeftOut", ref member)),
-                Checksum = JsonReader.ToHex(Get(json, "checksum", ref member)),
-                NodeCount = checked((int)Count(Get(json, "nodes", ref member))),
-                ChunkCount = checked((int)Count(Get(json, "chunks", ref member))),
+                Points = Count(members.Get(json, "points")),
+                PointsLeftOut = Count(members.Get(json, "pointsLeftOut")),
+                Checksum = JsonReader.ToHex(members.Get(json, "checksum")),
+                NodeCount = checked((int)Count(members.Get(json, "nodes"))),
+                ChunkCount = checked((int)Count(members.Get(json, "chunks"))),
             };
+            result.ReadPlace(json, members);
+            result.ReadAttributes((List<object>)members.Get(json, "attributes"), members);
+            if (json.TryGetValue("shown", out object shown))
+                result.Shown = ReadShown((Dictionary<string, object>)shown, members);
+            result.ReadOrigin(json, members);
+            var files = members.Object(json, "files");
+            result.HierarchyBytes = Count(members.Get(files, "hierarchyBytes"));
+            result.HierarchyHash = JsonReader.ToHex(members.Get(files, "hierarchyHash"));
+            result.UpperBytes = Count(members.Get(files, "upperBytes"));
+            return result;
+        }
 
-            var grid = (Dictionary<string, object>)Get(json, "grid", ref member);
-            result.Grid.Origin = Double3(Get(grid, "origin", ref member));
-            result.Grid.Step = Double3(Get(grid, "step", ref member));
-            if (!math.all(result.Grid.Step > 0) || !math.all(math.isfinite(result.Grid.Step)) ||
-                !math.all(math.isfinite(result.Grid.Origin)))
+        void ReadPlace(Dictionary<string, object> json, Members members)
+        {
+            var grid = members.Object(json, "grid");
+            Grid.Origin = Double3(members.Get(grid, "origin"));
+            Grid.Step = Double3(members.Get(grid, "step"));
+            if (!math.all(Grid.Step > 0) || !math.all(math.isfinite(Grid.Step)) || !math.all(math.isfinite(Grid.Origin)))
                 throw new FormatException("wanted finite origins and positive steps");
-            var root = (Dictionary<string, object>)Get(json, "root", ref member);
-            result.Root.Corner = Place(Get(root, "corner", ref member));
-            long side = Count(Get(root, "sideLog2", ref member));
+            var root = members.Object(json, "root");
+            Root.Corner = Place(members.Get(root, "corner"));
+            long side = Count(members.Get(root, "sideLog2"));
             if (side > GridCube.MaxSideLog2)
                 throw new FormatException("wanted at most " + GridCube.MaxSideLog2 + ", got " + side);
-            result.Root.SideLog2 = (int)side;
-            var bounds = (Dictionary<string, object>)Get(json, "boundsGrid", ref member);
-            result.BoundsMin = Place(Get(bounds, "min", ref member));
-            result.BoundsMax = Place(Get(bounds, "max", ref member));
+            Root.SideLog2 = (int)side;
+            var bounds = members.Object(json, "boundsGrid");
+            BoundsMin = Place(members.Get(bounds, "min"));
+            BoundsMax = Place(members.Get(bounds, "max"));
+        }
 
-            var attributes = (List<object>)Get(json, "attributes", ref member);
+        void ReadAttributes(List<object> attributes, Members members)
+        {
             var schema = new List<PointAttribute>();
-            result.Divisors = new int[attributes.Count];
-            result.Ranges = new Range[attributes.Count];
+            Divisors = new int[attributes.Count];
+            Ranges = new Range[attributes.Count];
             for (int i = 0; i < attributes.Count; i++)
             {
                 var attribute = (Dictionary<string, object>)attributes[i];
-                string name = (string)Get(attribute, "name", ref member);
-                string typeName = (string)Get(attribute, "type", ref member);
+                string name = (string)members.Get(attribute, "name");
+                string typeName = (string)members.Get(attribute, "type");
                 if (!Enum.TryParse(typeName, false, out AttributeType type) || type.ToString() != typeName)
                     throw new FormatException("no such type: \"" + typeName + "\"");
-                schema.Add(new PointAttribute(name, type, JsonReader.ToDouble(Get(attribute, "scale", ref member)),
-                    JsonReader.ToDouble(Get(attribute, "offset", ref member))));
-                long divisor = JsonReader.ToLong(Get(attribute, "divisor", ref member));
+                schema.Add(new PointAttribute(name, type, JsonReader.ToDouble(members.Get(attribute, "scale")),
+                    JsonReader.ToDouble(members.Get(attribute, "offset"))));
+                long divisor = JsonReader.ToLong(members.Get(attribute, "divisor"));
                 if (divisor < 1 || divisor > ushort.MaxValue || (divisor > 1 && type != AttributeType.UInt16))
                     throw new FormatException("wanted 1, or up to 65535 for UInt16, got " + divisor);
-                result.Divisors[i] = (int)divisor;
-                result.Ranges[i].Min = DoubleOrNaN(Get(attribute, "min", ref member));
-                result.Ranges[i].Max = DoubleOrNaN(Get(attribute, "max", ref member));
+                Divisors[i] = (int)divisor;
+                Ranges[i].Min = DoubleOrNaN(members.Get(attribute, "min"));
+                Ranges[i].Max = DoubleOrNaN(members.Get(attribute, "max"));
             }
-            result.Attributes = new PointSchema(schema);
+            Attributes = new PointSchema(schema);
+        }
 
-            if (json.TryGetValue("shown", out object shown))
+        static ShownRanges ReadShown(Dictionary<string, object> shown, Members members) => new ShownRanges
+        {
+            BoundsGeo = new BoundsGeo(Double3(members.Get(shown, "min")), Double3(members.Get(shown, "max"))),
+            Elevation = new Range
             {
-                var of = (Dictionary<string, object>)shown;
-                result.Shown = new ShownRanges
-                {
-                    BoundsGeo = new BoundsGeo(Double3(Get(of, "min", ref member)), Double3(Get(of, "max", ref member))),
-                    Elevation = new Range
-                    {
-                        Min = JsonReader.ToDouble(Get(of, "elevationMin", ref member)),
-                        Max = JsonReader.ToDouble(Get(of, "elevationMax", ref member)),
-                    },
-                    Intensity = new Range
-                    {
-                        Min = JsonReader.ToDouble(Get(of, "intensityMin", ref member)),
-                        Max = JsonReader.ToDouble(Get(of, "intensityMax", ref member)),
-                    },
-                    HasColor = (bool)Get(of, "color", ref member),
-                };
-            }
+                Min = JsonReader.ToDouble(members.Get(shown, "elevationMin")),
+                Max = JsonReader.ToDouble(members.Get(shown, "elevationMax")),
+            },
+            Intensity = new Range
+            {
+                Min = JsonReader.ToDouble(members.Get(shown, "intensityMin")),
+                Max = JsonReader.ToDouble(members.Get(shown, "intensityMax")),
+            },
+            HasColor = (bool)members.Get(shown, "color"),
+        };
 
-            var crs = (Dictionary<string, object>)Get(json, "crs", ref member);
-            result.CrsName = (string)Get(crs, "name", ref member);
-            result.CrsWkt = (string)Get(crs, "wkt", ref member);
-            result.CrsEpsg = checked((int)JsonReader.ToLong(Get(crs, "epsg", ref member)));
-            result.CrsVerticalEpsg = checked((int)JsonReader.ToLong(Get(crs, "verticalEpsg", ref member)));
-            result.MetresPerUnit = DoubleOrNaN(Get(crs, "metresPerUnit", ref member));
-            var settings = (Dictionary<string, object>)Get(json, "settings", ref member);
-            result.Sampler = (string)Get(settings, "sampler", ref member);
-            foreach (object item in (List<object>)Get(json, "sources", ref member))
+        void ReadOrigin(Dictionary<string, object> json, Members members)
+        {
+            var crs = members.Object(json, "crs");
+            CrsName = (string)members.Get(crs, "name");
+            CrsWkt = (string)members.Get(crs, "wkt");
+            CrsEpsg = checked((int)JsonReader.ToLong(members.Get(crs, "epsg")));
+            CrsVerticalEpsg = checked((int)JsonReader.ToLong(members.Get(crs, "verticalEpsg")));
+            MetresPerUnit = DoubleOrNaN(members.Get(crs, "metresPerUnit"));
+            Sampler = (string)members.Get(members.Object(json, "settings"), "sampler");
+            foreach (object item in (List<object>)members.Get(json, "sources"))
             {
                 var source = (Dictionary<string, object>)item;
-                result.Sources.Add(new Source
+                Sources.Add(new Source
                 {
-                    Name = (string)Get(source, "name", ref member),
-                    FileBytes = Count(Get(source, "bytes", ref member)),
-                    Points = Count(Get(source, "points", ref member)),
+                    Name = (string)members.Get(source, "name"),
+                    FileBytes = Count(members.Get(source, "bytes")),
+                    Points = Count(members.Get(source, "points")),
                 });
             }
-            var files = (Dictionary<string, object>)Get(json, "files", ref member);
-            result.HierarchyBytes = Count(Get(files, "hierarchyBytes", ref member));
-            result.HierarchyHash = JsonReader.ToHex(Get(files, "hierarchyHash", ref member));
-            result.UpperBytes = Count(Get(files, "upperBytes", ref member));
-            return result;
         }
 
         static long Count(object value)

@@ -44,76 +44,101 @@ namespace FastPoints.Files
                 info.Warn(record.DataOffset, "GeoTIFF keys: wanted at least 8 bytes, got " + Text(directory.Length));
                 return;
             }
+            int count = CountOf(directory, record, info);
+            var keys = new Keys { VerticalEpsg = crs.VerticalEpsg };
+            for (int i = 1; i <= count; i++)
+                keys.Read(i, directory, doubles, text, record.DataOffset, info);
+            if (keys.Empty > 0)
+                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + Text(keys.Empty)
+                    + " times among " + Text(count) + " keys: left out");
+            keys.Fill(crs);
+        }
+
+        /// <summary>Keys that the directory has, and has room for.</summary>
+        static int CountOf(ByteReader directory, LasVlr record, SourceInfo info)
+        {
             int version = directory.UInt16(0, "GeoTIFF key directory version");
             int count = directory.UInt16(6, "GeoTIFF key count");
             if (version != 1)
                 info.Warn(record.DataOffset, "GeoTIFF keys: wanted directory version 1, got " + Text(version));
-            if (!directory.Has(EntryBytes, count * EntryBytes))
-            {
-                int room = directory.Length / EntryBytes - 1;
-                info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + Text(count) + " keys, there is room for "
-                    + Text(room));
-                count = room;
-            }
+            if (directory.Has(EntryBytes, count * EntryBytes))
+                return count;
+            int room = directory.Length / EntryBytes - 1;
+            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + Text(count) + " keys, there is room for "
+                + Text(room));
+            return room;
+        }
 
-            int model = 0, geographic = 0, projected = 0, unit = 0, empty = 0;
-            double unitSize = 0;
-            string name = null, citation = null;
-            for (int i = 1; i <= count; i++)
+        /// <summary>What the keys say; 0 and null where they say nothing.</summary>
+        struct Keys
+        {
+            public int Empty;
+            public int VerticalEpsg;
+            int m_model;
+            int m_geographic;
+            int m_projected;
+            int m_unit;
+            double m_unitSize;
+            string m_name;
+            string m_citation;
+
+            public void Read(int entry, ByteReader directory, ByteReader doubles, ByteReader text, long offset, SourceInfo info)
             {
-                int key = directory.UInt16(i * EntryBytes, "GeoTIFF key");
-                int location = directory.UInt16(i * EntryBytes + 2, "GeoTIFF key location");
-                int length = directory.UInt16(i * EntryBytes + 4, "GeoTIFF key count");
-                int value = directory.UInt16(i * EntryBytes + 6, "GeoTIFF key value");
-                long at = record.DataOffset + i * EntryBytes;
+                int key = directory.UInt16(entry * EntryBytes, "GeoTIFF key");
+                int location = directory.UInt16(entry * EntryBytes + 2, "GeoTIFF key location");
+                int length = directory.UInt16(entry * EntryBytes + 4, "GeoTIFF key count");
+                int value = directory.UInt16(entry * EntryBytes + 6, "GeoTIFF key value");
+                long at = offset + entry * EntryBytes;
                 switch (key)
                 {
                     case 0:
-                        empty++;
+                        Empty++;
                         break;
                     case ModelTypeKey:
-                        model = Code(location, value, key, at, info);
+                        m_model = Code(location, value, key, at, info);
                         break;
                     case GeographicTypeKey:
-                        geographic = Code(location, value, key, at, info);
+                        m_geographic = Code(location, value, key, at, info);
                         break;
                     case ProjectedTypeKey:
-                        projected = Code(location, value, key, at, info);
+                        m_projected = Code(location, value, key, at, info);
                         break;
                     case VerticalTypeKey:
-                        crs.VerticalEpsg = Code(location, value, key, at, info);
+                        VerticalEpsg = Code(location, value, key, at, info);
                         break;
                     case LinearUnitsKey:
-                        unit = Code(location, value, key, at, info);
+                        m_unit = Code(location, value, key, at, info);
                         break;
                     case LinearUnitSizeKey:
                         if (location == LasVlr.GeoDoubleParamsRecord && doubles.Has(8 * value, 8))
-                            unitSize = doubles.Float64(8 * value, "GeoTIFF unit size");
+                            m_unitSize = doubles.Float64(8 * value, "GeoTIFF unit size");
                         else
                             Misplaced(key, location, value, at, info);
                         break;
                     case ProjectedCitationKey:
-                        name = Citation(text, location, length, value, key, at, info);
+                        m_name = Citation(text, location, length, value, key, at, info);
                         break;
                     case CitationKey:
                     case GeographicCitationKey:
-                        citation = citation ?? Citation(text, location, length, value, key, at, info);
+                        m_citation = m_citation ?? Citation(text, location, length, value, key, at, info);
                         break;
                 }
             }
-            if (empty > 0)
-                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + Text(empty) + " times among "
-                    + Text(count) + " keys: left out");
-            crs.Epsg = projected != 0 ? projected : geographic;
-            crs.Name = name ?? citation;
-            if (model == GeographicModel || projected == 0 && geographic != 0 && unit == 0 && unitSize == 0)
-                crs.MetresPerUnit = double.NaN;
-            else if (unit != 0 && s_metresOfUnit.TryGetValue(unit, out double metres))
-                crs.MetresPerUnit = metres;
-            else if (unitSize > 0 && !double.IsInfinity(unitSize))
-                crs.MetresPerUnit = unitSize;
-            else if (IsUtm(projected))
-                crs.MetresPerUnit = 1;
+
+            public void Fill(CoordinateSystem crs)
+            {
+                crs.Epsg = m_projected != 0 ? m_projected : m_geographic;
+                crs.VerticalEpsg = VerticalEpsg;
+                crs.Name = m_name ?? m_citation;
+                if (m_model == GeographicModel || m_projected == 0 && m_geographic != 0 && m_unit == 0 && m_unitSize == 0)
+                    crs.MetresPerUnit = double.NaN;
+                else if (m_unit != 0 && s_metresOfUnit.TryGetValue(m_unit, out double metres))
+                    crs.MetresPerUnit = metres;
+                else if (m_unitSize > 0 && !double.IsInfinity(m_unitSize))
+                    crs.MetresPerUnit = m_unitSize;
+                else if (IsUtm(m_projected))
+                    crs.MetresPerUnit = 1;
+            }
         }
 
         /// <summary>UTM zones on WGS 84 (north, south), ETRS89, NAD83, NAD27: metres, which files often do not say.</summary>

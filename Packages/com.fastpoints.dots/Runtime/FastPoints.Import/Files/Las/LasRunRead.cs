@@ -13,7 +13,7 @@ namespace FastPoints.Files
         NativeArray<LasFieldCopy> m_copies;
 
         public LasRunRead(LasReader reader, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
-            : base(reader, reader.File, reader.OffsetOfPoint(0), target, maxRuns, maxBytes, allocator)
+            : base(new FixedRecords(reader.Info, reader.File, reader.OffsetOfPoint(0)), target, maxRuns, maxBytes, allocator)
         {
             m_recordBytes = reader.Info.RecordBytes;
             m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, target), allocator);

@@ -85,8 +85,7 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, Header.DataOffset, MaxBlockBytes, RowsBefore,
-                RowsEnd, MostJobs))
+            using (var scan = new AsciiRowScan(this, File, Header.DataOffset, MaxBlockBytes, RowsBefore, RowsEnd))
             {
                 while (scan.Next(out var handle))
                     yield return handle;

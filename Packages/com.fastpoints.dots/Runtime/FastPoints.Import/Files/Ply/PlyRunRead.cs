@@ -14,7 +14,7 @@ namespace FastPoints.Files
         NativeArray<PlyCopy> m_copies;
 
         public PlyRunRead(PlyFixedReader reader, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
-            : base(reader, reader.File, reader.OffsetOfPoint(0), target, maxRuns, maxBytes, allocator)
+            : base(new FixedRecords(reader.Info, reader.File, reader.OffsetOfPoint(0)), target, maxRuns, maxBytes, allocator)
         {
             m_recordBytes = reader.RecordBytes;
             m_isBigEndian = reader.IsBigEndian;

@@ -33,14 +33,15 @@ namespace FastPoints.Files
         ulong m_rows;
         bool m_isInText;
 
+        /// <param name="reader">Its <see cref="PointReader.MostJobs"/> stretches are looked at at once.</param>
         /// <param name="offset">Where the lines start.</param>
         /// <param name="blockBytes">Of a stretch.</param>
         /// <param name="rowsBefore">Lines that are no points.</param>
         /// <param name="rowsEnd">Lines up to the last point's; more than there are for all.</param>
-        /// <param name="mostJobs">At once; 0 for as many as keep all workers busy.</param>
-        public AsciiRowScan(string path, FileHandle file, long fileBytes, long offset, int blockBytes, ulong rowsBefore,
-            ulong rowsEnd, int mostJobs)
+        public AsciiRowScan(PointReader reader, FileHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
+            long fileBytes = reader.Info.FileBytes;
+            int mostJobs = reader.MostJobs;
             m_fileBytes = fileBytes;
             m_blockBytes = blockBytes;
             m_rowsBefore = rowsBefore;
@@ -52,7 +53,7 @@ namespace FastPoints.Files
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot
                 {
-                    Read = new NativeFileRead(path, file, bytes, Allocator.Persistent),
+                    Read = new NativeFileRead(reader.Info.Path, file, bytes, Allocator.Persistent),
                     Count = new NativeReference<AsciiRowCount>(Allocator.Persistent),
                 };
         }

@@ -23,10 +23,7 @@ namespace FastPoints.Files
         /// <summary>Bytes behind a record that decoders may load and not use.</summary>
         const int PaddingBytes = 16;
 
-        readonly string m_path;
-        readonly FileHandle m_file;
-        readonly long m_dataOffset;
-        readonly int m_recordBytes;
+        readonly FixedRecords m_file;
         NativeArray<byte> m_records;
         NativeArray<BufferedRun> m_runs;
         // The read manager keeps the pointer to its commands until the read has ended.
@@ -35,17 +32,12 @@ namespace FastPoints.Files
         ReadHandle m_read;
         bool m_isReading;
 
-        /// <param name="dataOffset">Byte of the file's first record.</param>
         /// <param name="target">Where the points go; its schema says what is wanted.</param>
         /// <param name="maxRuns">Of one request.</param>
         /// <param name="maxBytes">Of one request, at least those of the longest run.</param>
-        private protected RunRead(PointReader reader, in FileHandle file, long dataOffset, PointBatch target, int maxRuns,
-            int maxBytes, Allocator allocator)
+        private protected RunRead(in FixedRecords file, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
-            m_path = reader.Info.Path;
             m_file = file;
-            m_dataOffset = dataOffset;
-            m_recordBytes = reader.Info.RecordBytes;
             Target = target;
             m_records = new NativeArray<byte>(maxBytes + PaddingBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_runs = new NativeArray<BufferedRun>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
@@ -91,8 +83,8 @@ namespace FastPoints.Files
             for (; taken < most; taken++)
             {
                 var run = runs[first + taken];
-                long begin = m_dataOffset + run.First * m_recordBytes;
-                long end = begin + BytesOf(run, m_recordBytes);
+                long begin = m_file.DataOffset + run.First * m_file.RecordBytes;
+                long end = begin + BytesOf(run, m_file.RecordBytes);
                 bool joins = stretches > 0 && begin - stretchEnd <= gapBytes;
                 long added = joins ? end - stretchEnd : end - begin;
                 if (used + added > capacity)
@@ -107,7 +99,7 @@ namespace FastPoints.Files
                 m_runs[taken] = new BufferedRun
                 {
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
-                    StrideBytes = run.Step * m_recordBytes,
+                    StrideBytes = run.Step * m_file.RecordBytes,
                     Count = run.Count,
                     Place = run.Place,
                 };
@@ -117,7 +109,7 @@ namespace FastPoints.Files
             Stretches = stretches;
             BytesRead = used;
             Begun = ReadClock.Now;
-            m_read = AsyncReadManager.Read(m_file, new ReadCommandArray
+            m_read = AsyncReadManager.Read(m_file.Handle, new ReadCommandArray
             {
                 CommandCount = stretches,
                 ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
@@ -141,7 +133,7 @@ namespace FastPoints.Files
             if (status == ReadStatus.Complete)
                 return;
             bool isShort = status == ReadStatus.Truncated;
-            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_path, m_commands[0].Offset,
+            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_file.Path, m_commands[0].Offset,
                 isShort ? "the file became shorter while it was read"
                 : "reading " + BytesRead.ToString(CultureInfo.InvariantCulture) + " bytes from here on failed");
         }
@@ -168,6 +160,23 @@ namespace FastPoints.Files
         /// <summary>Decodes the runs behind the read.</summary>
         private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
             JobHandle read);
+    }
+
+    /// <summary>A file, open, and where its records of one length begin.</summary>
+    readonly struct FixedRecords
+    {
+        public readonly string Path;
+        public readonly FileHandle Handle;
+        public readonly long DataOffset;
+        public readonly int RecordBytes;
+
+        public FixedRecords(SourceInfo info, in FileHandle handle, long dataOffset)
+        {
+            Path = info.Path;
+            Handle = handle;
+            DataOffset = dataOffset;
+            RecordBytes = info.RecordBytes;
+        }
     }
 
     /// <summary>Evenly spaced points of a source (First, First + Step, ...) and where in a batch they go, one after the

@@ -175,8 +175,7 @@ namespace FastPoints.Files
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new AsciiRowScan(Info.Path, File, Info.FileBytes, m_sniff.DataOffset, MaxBlockBytes, 0,
-                ulong.MaxValue, MostJobs))
+            using (var scan = new AsciiRowScan(this, File, m_sniff.DataOffset, MaxBlockBytes, 0, ulong.MaxValue))
             {
                 while (scan.Next(out var handle))
                     yield return handle;

@@ -1,0 +1,87 @@
+using System.Collections.Generic;
+using FastPoints.Base;
+using FastPoints.Files;
+using FastPoints.Partition;
+using FastPoints.Points;
+
+namespace FastPoints.Convert
+{
+    /// <summary>Reads all sources into the chunks of the first partition, from where a build that was killed had come, and writes
+    /// the journal as it goes.</summary>
+    internal sealed class ReadSources
+    {
+        readonly BuildContext m_build;
+        readonly ScatterPoints m_scatter;
+        readonly BuildCheckpoints m_checkpoints;
+        readonly BuildGenerations m_generations;
+        long m_sinceCheckpoint;
+
+        /// <param name="generations">Shows a sample where reading takes long.</param>
+        public ReadSources(BuildContext build, ScatterPoints scatter, BuildCheckpoints checkpoints, BuildGenerations generations)
+        {
+            m_build = build;
+            m_scatter = scatter;
+            m_checkpoints = checkpoints;
+            m_generations = generations;
+        }
+
+        /// <summary>Work for a pump.</summary>
+        public IEnumerator<Work> Run()
+        {
+            var journal = m_checkpoints.Journal;
+            if (journal.At != BuildJournal.Stage.Read)
+                yield break;
+            for (int i = journal.Source; i < m_build.Readers.Count; i++)
+            {
+                yield return Work.Of(Read(i));
+                journal.Source = i + 1;
+                journal.Block = 0;
+            }
+            if (m_build.Files != null)
+                yield return Work.Of(m_scatter.WriteAll());
+        }
+
+        IEnumerator<Work> Read(int source)
+        {
+            var journal = m_checkpoints.Journal;
+            var reader = m_build.Readers[source];
+            var names = new List<string> { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
+            foreach (var attribute in m_build.Attributes)
+                names.Add(attribute.Name);
+            var wanted = reader.Info.Schema.Select(names.ToArray());
+            int slots = m_build.MostSlots(SourceScan.SlotsFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int),
+                m_build.Plan.ReadBytes));
+            m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
+            if (journal.Statistics.Count <= source)
+                journal.Statistics.Add(PointStatistics.None);
+            for (int block = journal.Block; block < reader.BlockCount; block = journal.Block)
+            {
+                int end = block;
+                for (; end < reader.BlockCount && m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint; end++)
+                    m_sinceCheckpoint += reader.PointsInBlock(end);
+                using (var scan = new WorkSteps(SourceScan.Run(reader, wanted, m_scatter, slots, block, end, null)))
+                {
+                    while (scan.MoveNext())
+                    {
+                        yield return scan.Current;
+                        if (m_generations.IsFirstDue)
+                            yield return Work.Of(m_generations.WriteFirst());
+                    }
+                }
+                var found = journal.Statistics[source];
+                found.Include(m_scatter.TakeStatistics());
+                journal.Statistics[source] = found;
+                journal.Block = end;
+                if (m_sinceCheckpoint < m_build.Settings.PointsPerCheckpoint)
+                    continue;
+                m_sinceCheckpoint = 0;
+                if (m_build.Files == null)
+                    continue;
+                yield return Work.Of(m_scatter.WriteAll());
+                // Reading goes on while the disk takes in what was read.
+                yield return Work.Of(m_checkpoints.Begin());
+            }
+            m_scatter.EndSource();
+        }
+    }
+}
