@@ -20,17 +20,16 @@ namespace StandIns.Graphics
         // Of one slice each, made when first asked for, and of all slices as an attachment.
         readonly ulong[] m_attachments;
 
-        GpuImage(GpuDevice device, ulong handle, in GpuAllocation allocation, VkFormat format, int width, int height, int slices,
-            bool isArray)
+        GpuImage(GpuDevice device, ulong handle, in GpuAllocation allocation, in VkImageCreateInfo create, bool isArray)
         {
             Handle = handle;
             m_allocation = allocation;
-            Format = format;
-            Width = width;
-            Height = height;
-            Slices = slices;
-            View = MakeView(device, isArray ? VkImageViewType.Type2dArray : VkImageViewType.Type2d, 0, slices);
-            m_attachments = new ulong[slices + 1];
+            Format = create.format;
+            Width = (int)create.extent.width;
+            Height = (int)create.extent.height;
+            Slices = (int)create.arrayLayers;
+            View = MakeView(device, isArray ? VkImageViewType.Type2dArray : VkImageViewType.Type2d, 0, Slices);
+            m_attachments = new ulong[Slices + 1];
         }
 
         internal bool IsDepth => Format == VkFormat.D32Sfloat;
@@ -68,7 +67,7 @@ namespace StandIns.Graphics
             }
             Vk.Check(Vk.vkBindImageMemory(device.Handle, handle, allocation.Block.Memory, allocation.Offset),
                 "vkBindImageMemory");
-            var image = new GpuImage(device, handle, allocation, format, width, height, slices, isArray);
+            var image = new GpuImage(device, handle, allocation, create, isArray);
             image.MakeGeneral(device.Queue.Open());
             image.FillUndefined(device.Queue.Open());
             return image;

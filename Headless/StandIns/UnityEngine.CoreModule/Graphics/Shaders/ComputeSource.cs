@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 
 namespace StandIns.Graphics
 {
@@ -37,6 +38,6 @@ namespace StandIns.Graphics
 
         /// <summary>A variant of a kernel.</summary>
         internal ShaderStage Kernel(string kernel, long variant) =>
-            new ShaderStage(Files, Name, Text, "comp", kernel, Keywords, variant);
+            new ShaderStage(Files, Name, Text, "comp", kernel, KeywordVariant.Names(Keywords, variant, "comp").ToArray());
     }
 }

@@ -55,26 +55,13 @@ namespace StandIns.Graphics
                 viewportCount = 1,
                 scissorCount = 1,
             };
-            // Unity's front is clockwise; what is drawn into a texture is upside down, and so the other way round.
-            var raster = new VkPipelineRasterizationStateCreateInfo
-            {
-                sType = VkStructureType.PipelineRasterizationStateCreateInfo,
-                cullMode = key.State.Cull,
-                frontFace = VkFrontFace.CounterClockwise,
-                lineWidth = 1,
-            };
+            var raster = Raster(key.State);
             var samples = new VkPipelineMultisampleStateCreateInfo
             {
                 sType = VkStructureType.PipelineMultisampleStateCreateInfo,
                 rasterizationSamples = 1,
             };
-            var depth = new VkPipelineDepthStencilStateCreateInfo
-            {
-                sType = VkStructureType.PipelineDepthStencilStateCreateInfo,
-                depthTestEnable = key.Depth != VkFormat.Undefined ? 1u : 0,
-                depthWriteEnable = key.State.WritesDepth ? 1u : 0,
-                depthCompareOp = key.State.DepthTest,
-            };
+            var depth = Depth(key);
             VkPipelineColorBlendAttachmentState* blends = stackalloc VkPipelineColorBlendAttachmentState[RenderTargets.MaxColors];
             VkFormat* formats = stackalloc VkFormat[RenderTargets.MaxColors];
             for (int i = 0; i < key.ColorCount; i++)
@@ -131,6 +118,23 @@ namespace StandIns.Graphics
                 module = module,
                 pName = entry,
             };
+
+        // Unity's front is clockwise; what is drawn into a texture is upside down, and so the other way round.
+        static VkPipelineRasterizationStateCreateInfo Raster(in FixedState state) => new VkPipelineRasterizationStateCreateInfo
+        {
+            sType = VkStructureType.PipelineRasterizationStateCreateInfo,
+            cullMode = state.Cull,
+            frontFace = VkFrontFace.CounterClockwise,
+            lineWidth = 1,
+        };
+
+        static VkPipelineDepthStencilStateCreateInfo Depth(in PipelineKey key) => new VkPipelineDepthStencilStateCreateInfo
+        {
+            sType = VkStructureType.PipelineDepthStencilStateCreateInfo,
+            depthTestEnable = key.Depth != VkFormat.Undefined ? 1u : 0,
+            depthWriteEnable = key.State.WritesDepth ? 1u : 0,
+            depthCompareOp = key.State.DepthTest,
+        };
 
         static VkPipelineColorBlendAttachmentState Blend(in FixedState state) => new VkPipelineColorBlendAttachmentState
         {

@@ -7,23 +7,18 @@ namespace StandIns.Graphics
         internal readonly int NameId;
         internal readonly int Offset;
         /// <summary>Not whole numbers.</summary>
-        internal readonly bool IsFloat;
-        internal readonly int Columns;
-        internal readonly int Rows;
+        internal bool IsFloat;
+        internal int Columns = 1;
+        internal int Rows = 1;
         /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 where it is none.</summary>
-        internal readonly int Count;
-        internal readonly int Stride;
+        internal int Count = 1;
+        internal int Stride;
 
-        internal ShaderMember(string name, int offset, bool isFloat, int columns, int rows, int count, int stride)
+        internal ShaderMember(string name, int offset)
         {
             Name = name;
             NameId = PropertyNames.IdOf(name);
             Offset = offset;
-            IsFloat = isFloat;
-            Columns = columns;
-            Rows = rows;
-            Count = count;
-            Stride = stride;
         }
 
         internal int End => Offset + (Count - 1) * Stride + (Columns > 1 ? Columns * 16 : Rows * 4);

@@ -16,15 +16,14 @@ namespace StandIns.Graphics
         internal readonly string Entry;
         internal readonly string[] Keywords;
 
-        internal ShaderStage(ShaderFiles files, string name, string source, string stage, string entry, KeywordGroup[] groups,
-            long variant)
+        internal ShaderStage(ShaderFiles files, string name, string source, string stage, string entry, string[] keywords)
         {
             Files = files;
             Name = name;
             Source = source;
             Stage = stage;
             Entry = entry;
-            Keywords = KeywordVariant.Names(groups, variant, stage).ToArray();
+            Keywords = keywords;
         }
 
         /// <summary>SPIR-V, made without a device.</summary>

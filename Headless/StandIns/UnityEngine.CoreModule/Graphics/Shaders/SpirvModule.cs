@@ -131,28 +131,27 @@ namespace StandIns.Graphics
             var members = new ShaderMember[(m_words[at] >> 16) - 2];
             for (uint i = 0; i < members.Length; i++)
             {
+                var member = new ShaderMember(m_memberNames[(type, i)], (int)m_decorations[(type, i, Decoration.Offset)]);
                 uint memberType = m_words[at + 2 + i];
-                int count = 1, stride = 0;
                 int typeAt = m_instructionOf[memberType];
                 if (OpAt(typeAt) == Op.TypeArray)
                 {
-                    stride = (int)Decorated(memberType, Decoration.ArrayStride);
-                    count = (int)m_words[m_instructionOf[m_words[typeAt + 3]] + 3];
+                    member.Stride = (int)Decorated(memberType, Decoration.ArrayStride);
+                    member.Count = (int)m_words[m_instructionOf[m_words[typeAt + 3]] + 3];
                     typeAt = m_instructionOf[m_words[typeAt + 2]];
                 }
-                int columns = 1, rows = 1;
                 if (OpAt(typeAt) == Op.TypeMatrix)
                 {
-                    columns = (int)m_words[typeAt + 3];
+                    member.Columns = (int)m_words[typeAt + 3];
                     typeAt = m_instructionOf[m_words[typeAt + 2]];
                 }
                 if (OpAt(typeAt) == Op.TypeVector)
                 {
-                    rows = (int)m_words[typeAt + 3];
+                    member.Rows = (int)m_words[typeAt + 3];
                     typeAt = m_instructionOf[m_words[typeAt + 2]];
                 }
-                members[i] = new ShaderMember(m_memberNames[(type, i)], (int)m_decorations[(type, i, Decoration.Offset)],
-                    isFloat: OpAt(typeAt) == Op.TypeFloat, columns, rows, count, stride);
+                member.IsFloat = OpAt(typeAt) == Op.TypeFloat;
+                members[i] = member;
             }
             return members;
         }

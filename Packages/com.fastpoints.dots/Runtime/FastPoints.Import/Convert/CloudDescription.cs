@@ -15,8 +15,8 @@ namespace FastPoints.Convert
     /// sources' warnings.</summary>
     internal static class CloudDescription
     {
-        /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources get
-        /// their warnings.</summary>
+        /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources
+        /// get their warnings.</summary>
         public static CloudManifest OfBuild(BuildContext build, BuildJournal journal, ScatterPoints scatter)
         {
             var found = scatter.Statistics;

@@ -96,7 +96,8 @@ namespace FastPoints.Convert
                         yield return Work.Of(reader.FindBlocks());
                     int slots = m_build.MostSlots(SourceScan.DefaultSlots);
                     yield return Work.Of(SourceSample.Read(reader, slots, m_samples.Add));
-                    job = new MeasureSampleJob { Stored = m_samples[m_samples.Count - 1].Stored, Statistics = statistics }.Schedule();
+                    var stored = m_samples[m_samples.Count - 1].Stored;
+                    job = new MeasureSampleJob { Stored = stored, Statistics = statistics }.Schedule();
                     yield return job;
                     job.Complete();
                     m_sampleStatistics.Add(statistics.Value);

@@ -57,7 +57,8 @@ namespace FastPoints.Convert
                 RecordPagePool.Of(m_build.Pool).FreeAll();
         }
 
-        /// <summary>Takes over the partition's chunks. Where there are points outside, the root grows until it has them.</summary>
+        /// <summary>Takes over the partition's chunks. Where there are points outside, the root grows until it has
+        /// them.</summary>
         IEnumerator<Work> TakeChunks()
         {
             var map = m_build.Map;

@@ -203,7 +203,8 @@ namespace FastPoints.Convert
             return hasNodes;
         }
 
-        /// <summary>Puts the region's nodes behind those that upper.bin has. The root comes last and completes the header.</summary>
+        /// <summary>Puts the region's nodes behind those that upper.bin has. The root comes last and completes the
+        /// header.</summary>
         IEnumerator<Work> WriteNodes(UpperRegion region, bool isRoot)
         {
             WriteTicket ticket = null;

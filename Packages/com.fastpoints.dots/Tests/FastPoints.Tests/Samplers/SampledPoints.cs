@@ -22,29 +22,20 @@ namespace FastPoints.Tests.Samplers
         public static unsafe SampledPoints Run(IReadOnlyList<Grid3> places, Sampler sampler, NodeSizes sizes,
             int pointsPerSlice = int.MaxValue)
         {
-            var sorted = new Grid3[places.Count];
-            long most = 0;
-            for (int i = 0; i < sorted.Length; i++)
-            {
-                sorted[i] = places[i];
-                most |= sorted[i].X | sorted[i].Y | sorted[i].Z;
-            }
-            Array.Sort(sorted, MortonOrder.Compare);
+            var sorted = Sorted(places, out int side);
             var result = new SampledPoints { Places = sorted };
-            int count = sorted.Length, side = 0;
-            while (most >> side != 0)
-                side++;
+            int count = sorted.Length;
             var layout = new RecordLayout(side > 32, default, 0);
-            var scratch = new PoissonScratch(Allocator.Persistent);
-            var random = new RandomScratch(Allocator.Persistent);
-            var givesWay = new NativeArray<byte>(count, Allocator.Persistent);
-            var records = new NativeArray<byte>(count * layout.StrideBytes, Allocator.Persistent);
-            var common = new NativeArray<byte>(count, Allocator.Persistent);
-            var priority = new NativeArray<uint>(count, Allocator.Persistent);
-            var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
-            var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
-            var slices = new SliceTimes(Allocator.Persistent);
-            var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
+            using var scratch = new PoissonScratch(Allocator.Persistent);
+            using var random = new RandomScratch(Allocator.Persistent);
+            using var givesWay = new NativeArray<byte>(count, Allocator.Persistent);
+            using var records = new NativeArray<byte>(count * layout.StrideBytes, Allocator.Persistent);
+            using var common = new NativeArray<byte>(count, Allocator.Persistent);
+            using var priority = new NativeArray<uint>(count, Allocator.Persistent);
+            using var nodeOfPoint = new NativeArray<int>(count, Allocator.Persistent);
+            using var tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
+            using var slices = new SliceTimes(Allocator.Persistent);
+            using var nodes = new NativeList<NodeDraft>(64, Allocator.Persistent);
             var averaged = new AveragedColumns
             {
                 Columns = new NativeArray<StoredColumn>(0, Allocator.Persistent),
@@ -105,17 +96,24 @@ namespace FastPoints.Tests.Samplers
             averaged.Columns.Dispose();
             averaged.AverageOfPoint.Dispose();
             averaged.Averages.Dispose();
-            nodes.Dispose();
-            slices.Dispose();
-            tops.Dispose();
-            nodeOfPoint.Dispose();
-            priority.Dispose();
-            common.Dispose();
-            records.Dispose();
-            scratch.Dispose();
-            random.Dispose();
-            givesWay.Dispose();
             return result;
+        }
+
+        /// <param name="side">log2 of the side of the smallest cube at the origin that has them all.</param>
+        static Grid3[] Sorted(IReadOnlyList<Grid3> places, out int side)
+        {
+            var sorted = new Grid3[places.Count];
+            long most = 0;
+            for (int i = 0; i < sorted.Length; i++)
+            {
+                sorted[i] = places[i];
+                most |= sorted[i].X | sorted[i].Y | sorted[i].Z;
+            }
+            Array.Sort(sorted, MortonOrder.Compare);
+            side = 0;
+            while (most >> side != 0)
+                side++;
+            return sorted;
         }
 
         /// <summary>Smallest distance between two sampled points, by the smaller of their spacings: 1 and more is

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -74,6 +75,60 @@ namespace FastPoints.Tests.SourceFeeds
             }
         }
 
+        /// <summary>What is shown at one place, looked at in every frame: once there is something to see there always
+        /// is.</summary>
+        sealed class Watched : IDisposable
+        {
+            public readonly StreamContext Stream = StreamedTestCloud.Stream();
+            public readonly FastPoints.Picture.Camera Camera = StreamedTestCloud.Overview();
+            public readonly CloudSuccession Succession;
+            public FollowedFolder Followed;
+            public bool WasSeen;
+
+            public Watched()
+            {
+                Succession = new CloudSuccession(Stream);
+            }
+
+            public void Frame()
+            {
+                long drawn = StreamedTestCloud.Frame(Stream, Camera).DrawnPoints;
+                if (Followed != null)
+                    Followed.Update();
+                else
+                    Succession.Update();
+                if (WasSeen)
+                    Assert.That(drawn, Is.GreaterThan(0));
+                WasSeen |= drawn > 0;
+            }
+
+            public void FramesUntil(Func<bool> isDone)
+            {
+                for (int i = 0; i < MostFrames && !isDone(); i++)
+                {
+                    Frame();
+                    Thread.Yield();
+                }
+            }
+
+            public void Run(IEnumerator<Work> steps, Action eachStep = null)
+            {
+                using var work = new WorkSteps(steps);
+                while (work.MoveNext())
+                {
+                    work.Current.Complete();
+                    eachStep?.Invoke();
+                    Frame();
+                }
+            }
+
+            public void Dispose()
+            {
+                Followed?.Dispose();
+                Stream.Dispose();
+            }
+        }
+
         /// <summary>One after the other at one place, and from the first picture on there is always something to see.</summary>
         [Test]
         public void Update_WavesThenABuildThenItsResult_ShowMoreAndMoreAndAreNeverGone()
@@ -90,48 +145,23 @@ namespace FastPoints.Tests.SourceFeeds
             UnsafeUtility.ForgiveLeaks();
             try
             {
-                using (var stream = StreamedTestCloud.Stream())
+                using (var watched = new Watched())
                 {
-                    var camera = StreamedTestCloud.Overview();
-                    var succession = new CloudSuccession(stream);
-                    FollowedFolder followed = null;
-                    bool wasSeen = false;
                     int waves = 0;
-                    void Frame()
-                    {
-                        long drawn = StreamedTestCloud.Frame(stream, camera).DrawnPoints;
-                        if (followed != null)
-                            followed.Update();
-                        else
-                            succession.Update();
-                        if (wasSeen)
-                            Assert.That(drawn, Is.GreaterThan(0));
-                        wasSeen |= drawn > 0;
-                    }
-
                     using (var reader = MemoryReader.Of(places, centimetres, 5000))
                     using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50_000 }))
                     {
                         preview.WaveReady += (sample, wave) =>
                         {
                             waves++;
-                            succession.Add(new TreeSource(new SampleReader(sample, "scan"), StoreLayout.ColorName));
+                            watched.Succession.Add(new TreeSource(new SampleReader(sample, "scan"), StoreLayout.ColorName));
                         };
-                        using (var work = new WorkSteps(preview.TakeSample(new StageProgress())))
-                            while (work.MoveNext())
-                            {
-                                work.Current.Complete();
-                                Frame();
-                            }
+                        watched.Run(preview.TakeSample(new StageProgress()));
                     }
-                    for (int i = 0; i < MostFrames && !(succession.IsCurrent && wasSeen); i++)
-                    {
-                        Frame();
-                        Thread.Yield();
-                    }
+                    watched.FramesUntil(() => watched.Succession.IsCurrent && watched.WasSeen);
                     Assert.That(waves, Is.GreaterThan(1));
-                    Assert.That(wasSeen, Is.True);
-                    Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(50_000));
+                    Assert.That(watched.WasSeen, Is.True);
+                    Assert.That(StreamedTestCloud.Settle(watched.Stream, watched.Camera).DrawnPoints, Is.EqualTo(50_000));
 
                     var settings = new ConvertSettings
                     {
@@ -140,28 +170,20 @@ namespace FastPoints.Tests.SourceFeeds
                         SecondsPerGeneration = 0,
                     };
                     var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
-                    using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
-                        while (work.MoveNext())
-                        {
-                            work.Current.Complete();
-                            if (followed == null && CloudFolder.IsCloud(path))
-                                followed = new FollowedFolder(succession, path, null, StoreLayout.ColorName);
-                            Frame();
-                        }
-                    followed ??= new FollowedFolder(succession, path, null, StoreLayout.ColorName);
-                    for (int i = 0; i < MostFrames && (followed.IsBuilding || !followed.IsCurrent); i++)
+                    watched.Run(ConvertCloud.Run(readers, path, settings, r => { }, null), () =>
                     {
-                        Frame();
-                        Thread.Yield();
-                    }
-                    Assert.That(followed.IsCurrent, Is.True);
-                    stream.Settings.Selection.FinestSpacingPx = 0;
-                    stream.Settings.Selection.SmallestNodePx = 0;
-                    Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
-                    Assert.That(stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct(),
-                        Is.EqualTo(new[] { followed.Cloud }));
-                    Assert.That(stream.TryTakeFailure(out _), Is.False);
-                    followed.Dispose();
+                        if (watched.Followed == null && CloudFolder.IsCloud(path))
+                            watched.Followed = new FollowedFolder(watched.Succession, path, null, StoreLayout.ColorName);
+                    });
+                    watched.Followed ??= new FollowedFolder(watched.Succession, path, null, StoreLayout.ColorName);
+                    watched.FramesUntil(() => !watched.Followed.IsBuilding && watched.Followed.IsCurrent);
+                    Assert.That(watched.Followed.IsCurrent, Is.True);
+                    watched.Stream.Settings.Selection.FinestSpacingPx = 0;
+                    watched.Stream.Settings.Selection.SmallestNodePx = 0;
+                    Assert.That(StreamedTestCloud.Settle(watched.Stream, watched.Camera).DrawnPoints, Is.EqualTo(Points));
+                    Assert.That(watched.Stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct(),
+                        Is.EqualTo(new[] { watched.Followed.Cloud }));
+                    Assert.That(watched.Stream.TryTakeFailure(out _), Is.False);
                 }
                 Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
             }

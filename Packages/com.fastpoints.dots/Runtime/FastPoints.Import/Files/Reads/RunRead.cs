@@ -133,8 +133,8 @@ namespace FastPoints.Files
             if (status == ReadStatus.Complete)
                 return;
             bool isShort = status == ReadStatus.Truncated;
-            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_file.Path, m_commands[0].Offset,
-                isShort ? "the file became shorter while it was read"
+            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_file.Path,
+                m_commands[0].Offset, isShort ? "the file became shorter while it was read"
                 : "reading " + BytesRead.ToString(CultureInfo.InvariantCulture) + " bytes from here on failed");
         }
 
