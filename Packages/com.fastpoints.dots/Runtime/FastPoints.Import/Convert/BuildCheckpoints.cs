@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
 using FastPoints.Base;
-using FastPoints.Partition;
 using FastPoints.Writing;
 using Unity.Collections;
 

@@ -5,9 +5,7 @@ using FastPoints.Base;
 using FastPoints.Nodes;
 using FastPoints.Points;
 using FastPoints.Records;
-using FastPoints.Samplers;
 using FastPoints.Store;
-using FastPoints.Writing;
 using Unity.Collections;
 using Unity.Jobs;
 

@@ -1,10 +1,5 @@
-using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using FastPoints.Files;
-using FastPoints.Partition;
-using FastPoints.Points;
-using FastPoints.Records;
 using FastPoints.Store;
 using Unity.Collections.LowLevel.Unsafe;
 

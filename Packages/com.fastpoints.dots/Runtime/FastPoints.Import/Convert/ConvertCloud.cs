@@ -4,17 +4,12 @@ using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Draw;
 using FastPoints.Files;
-using FastPoints.Nodes;
 using FastPoints.Partition;
 using FastPoints.Picture;
 using FastPoints.Points;
-using FastPoints.Records;
-using FastPoints.Samplers;
 using FastPoints.Store;
-using FastPoints.Writing;
 using Unity.Collections;
 using Unity.Jobs;
-using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Convert
 {

@@ -6,7 +6,6 @@ using FastPoints.Nodes;
 using FastPoints.Partition;
 using FastPoints.Points;
 using FastPoints.Records;
-using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Writing;
 using Unity.Collections;

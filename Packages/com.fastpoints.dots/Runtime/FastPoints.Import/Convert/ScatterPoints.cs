@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Partition;
-using FastPoints.Points;
 using FastPoints.Records;
 using Unity.Collections;
 using Unity.Jobs;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Base;
 using FastPoints.Nodes;
 using FastPoints.Points;
-using FastPoints.Records;
 using FastPoints.Samplers;
 using FastPoints.Store;
 using FastPoints.Writing;
