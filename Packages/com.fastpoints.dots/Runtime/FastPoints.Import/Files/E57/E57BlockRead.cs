@@ -8,7 +8,7 @@ namespace FastPoints.Files
 {
     /// <summary>A slot of <see cref="E57Reader"/>: the pages of a range are read, checked, decoded field by field and
     /// placed.</summary>
-    sealed class E57BlockRead : BlockRead
+    sealed class E57BlockRead : SlotRead
     {
         const int VectorRows = 6;
 
@@ -23,23 +23,15 @@ namespace FastPoints.Files
         NativeArray<double> m_vectors;
         NativeArray<byte> m_drops;
         NativeArray<byte> m_scratch;
-        NativeReference<DecodeResult> m_result;
         NativeReference<E57Anomalies> m_anomalies;
         int m_readCount;
         E57Section m_section;
         PlaceE57PointsJob m_place;
-        bool m_isBusy;
 
         public E57BlockRead(E57Reader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
-            foreach (var attribute in wanted)
-            {
-                int index = reader.Info.Schema.IndexOf(attribute.Name);
-                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
-                    throw new ArgumentException("the file has no attribute " + attribute, nameof(wanted));
-            }
             m_reader = reader;
-            Points = new PointBatch(wanted, capacity, allocator);
             m_pages = new E57PagesRead(reader, reader.MaxBlockPages, E57Scan.MaxFields, allocator);
             // Wanted columns, invalid states, and rows that no column is made of.
             int reads = wanted.Count + VectorRows + 1;
@@ -53,36 +45,17 @@ namespace FastPoints.Files
                 NativeArrayOptions.UninitializedMemory);
             m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
             m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
-            m_result = new NativeReference<DecodeResult>(allocator);
             m_anomalies = new NativeReference<E57Anomalies>(allocator);
-            Result = m_result;
         }
 
-        public override void Begin(BlockRange range)
+        protected override JobHandle Schedule(BlockRange range)
         {
-            if (m_isBusy)
-                throw new InvalidOperationException("the slot has a range in flight");
-            int points = m_reader.PointsInBlock(range.Block);
-            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > Points.Capacity)
-                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
-                    " of " + points + ", capacity " + Points.Capacity);
-            Range = range;
-            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-            Points.Count = 0;
-            m_isBusy = true;
             m_pages.Clear();
-            if (range.Count == 0)
-            {
-                m_result.Value = default;
-                m_anomalies.Value = default;
-                Decoded = default;
-                return;
-            }
             var section = m_reader.SectionOf(range.Block);
             if (section != m_section)
                 TakeSection(section);
             long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
-            Decoded = Schedule(first, range.Count);
+            return Schedule(first, range.Count);
         }
 
         /// <summary>What is read of the scan's fields.</summary>
@@ -111,7 +84,7 @@ namespace FastPoints.Files
                 Extents = m_pages.Extents,
                 ColumnTable = m_columns,
                 Columns = Points.Bytes,
-                Result = m_result,
+                Result = Result,
                 Anomalies = m_anomalies,
                 HasPositions = hasPositions,
                 IsSpherical = !section.Scan.IsCartesian,
@@ -157,7 +130,7 @@ namespace FastPoints.Files
                 RowLength = Points.Capacity,
                 Drops = m_drops,
                 Scratch = m_scratch,
-                Result = m_result,
+                Result = Result,
                 Anomalies = m_anomalies,
             };
             var done = m_pages.Begin();
@@ -171,33 +144,19 @@ namespace FastPoints.Files
             return m_place.Schedule(done);
         }
 
-        public override void Complete()
-        {
-            if (!m_isBusy)
-                throw new InvalidOperationException("the slot has no range in flight");
-            m_isBusy = false;
-            Decoded.Complete();
-            m_pages.End();
-            var result = m_result.Value;
-            Points.Count = result.Points;
-            m_reader.Warn(Range, result, m_anomalies.Value);
-        }
+        protected override void EndRead() => m_pages.End();
 
-        public override void Dispose()
+        protected override void Warn(DecodeResult result) => m_reader.Warn(Range, result, m_anomalies.Value);
+
+        protected override void DisposeMemory()
         {
-            if (!m_result.IsCreated)
-                return;
-            m_isBusy = false;
-            Decoded.Complete();
             m_pages.Dispose();
-            Points.Dispose();
             m_reads.Dispose();
             m_ranges.Dispose();
             m_columns.Dispose();
             m_vectors.Dispose();
             m_drops.Dispose();
             m_scratch.Dispose();
-            m_result.Dispose();
             m_anomalies.Dispose();
         }
     }

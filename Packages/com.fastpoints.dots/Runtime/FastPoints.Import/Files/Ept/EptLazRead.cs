@@ -32,7 +32,7 @@ namespace FastPoints.Files
                 Result, read);
         }
 
-        protected override void Warn(DecodeResult result)
+        protected override void WarnBroken(DecodeResult result)
         {
             if (result.Error == LazError.NoChunk)
                 Reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
@@ -44,7 +44,7 @@ namespace FastPoints.Files
             else if (result.Error != LazError.None)
                 Reader.WarnBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
                     result.ErrorOffset);
-            else if (Range.Count > 0 && m_decoding.PointsInFile != Reader.Block(Range.Block).NodePoints)
+            else if (m_decoding.PointsInFile != Reader.Block(Range.Block).NodePoints)
                 Reader.WarnBroken(Range.Block, "its file has another number of points than the hierarchy claims",
                     m_decoding.PointsInFile + " in the file, " + Reader.Block(Range.Block).NodePoints + " claimed", -1);
         }

@@ -7,22 +7,15 @@ namespace FastPoints.Files
 {
     /// <summary>What the slots of EPT nodes have in common: the batch, the read of a node's file, how a range begins and
     /// ends.</summary>
-    abstract class EptRead : BlockRead
+    abstract class EptRead : SlotRead
     {
-        readonly Allocator m_allocator;
-        NativeReference<DecodeResult> m_result;
-        NativeFileRead m_file;
-        int m_fileCapacity;
-        bool m_isBusy;
-        bool m_isDisposed;
+        readonly NativeFileRead m_file;
 
         protected EptRead(EptReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
-            m_allocator = allocator;
             Reader = reader;
-            Points = new PointBatch(wanted, capacity, allocator);
-            m_result = new NativeReference<DecodeResult>(allocator);
-            Result = m_result;
+            m_file = new NativeFileRead(reader.Info.Path, default, 0, allocator);
         }
 
         protected EptReader Reader { get; }
@@ -34,68 +27,44 @@ namespace FastPoints.Files
         protected abstract JobHandle Schedule(BlockRange range, in EptBlock block);
 
         /// <summary>Says what became of a range that did not give all of its points.</summary>
-        protected abstract void Warn(DecodeResult result);
-
-        public sealed override void Begin(BlockRange range)
+        protected virtual void WarnBroken(DecodeResult result)
         {
-            if (m_isBusy)
-                throw new InvalidOperationException("the slot is still reading; Complete it first");
+        }
+
+        protected sealed override JobHandle Schedule(BlockRange range)
+        {
             var block = Reader.Block(range.Block);
-            if (range.First < 0 || range.Count < 0 || range.Count > Points.Capacity || range.Count > block.Points - range.First)
-                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
-            Range = range;
-            FirstPoint = block.FirstPoint + range.First;
-            Points.Count = 0;
-            m_result.Value = default;
-            m_isBusy = true;
             bool isBehindEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Reader.EndOfNode(block);
-            Decoded = range.Count == 0 || isBehindEnd ? default : Schedule(range, block);
+            return isBehindEnd ? default : Schedule(range, block);
         }
 
         /// <summary>Reads a stretch of a block's file.</summary>
         /// <param name="padding">Bytes behind it that jobs may touch.</param>
         protected JobHandle BeginRead(in EptBlock block, long offset, int bytes, int padding)
         {
-            if (m_file == null || m_fileCapacity < bytes + padding)
-            {
-                // Nodes come to be known while slots are in use: room for the largest is made when it is met.
-                m_file?.Dispose();
-                m_fileCapacity = bytes + padding;
-                m_file = new NativeFileRead(Reader.Info.Path, default, m_fileCapacity, m_allocator);
-            }
+            // Nodes come to be known while slots are in use: room for the largest is made when it is met.
+            m_file.Reserve((long)bytes + padding);
             return m_file.Begin(Reader.PathOf(block.Level, block.Cell), offset, bytes);
         }
 
-        public sealed override void Complete()
+        protected sealed override void EndRead() => m_file.End();
+
+        protected sealed override void Warn(DecodeResult result)
         {
-            if (!m_isBusy)
-                return;
-            m_isBusy = false;
-            Decoded.Complete();
-            m_file?.End();
-            var result = m_result.Value;
-            Points.Count = result.Points;
             if (result.Error != 0)
             {
                 var block = Reader.Block(Range.Block);
                 Reader.EndNode(block, block.FirstInNode + Range.First + result.Points);
             }
-            Warn(result);
+            WarnBroken(result);
         }
 
         protected abstract void DisposeTables();
 
-        public sealed override void Dispose()
+        protected sealed override void DisposeMemory()
         {
-            if (m_isDisposed)
-                return;
-            m_isDisposed = true;
-            m_isBusy = false;
-            Decoded.Complete();
-            m_file?.Dispose();
+            m_file.Dispose();
             DisposeTables();
-            Points.Dispose();
-            m_result.Dispose();
         }
 
         /// <summary>The passes that copy the wanted columns out of the schema's records.</summary>

@@ -49,10 +49,6 @@ namespace FastPoints.Files
             return decoded;
         }
 
-        protected override void Warn(DecodeResult result)
-        {
-        }
-
         protected override void DisposeTables()
         {
             if (m_copies.IsCreated)

@@ -75,7 +75,7 @@ namespace FastPoints.Files
             return decoded;
         }
 
-        protected override void Warn(DecodeResult result)
+        protected override void WarnBroken(DecodeResult result)
         {
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;

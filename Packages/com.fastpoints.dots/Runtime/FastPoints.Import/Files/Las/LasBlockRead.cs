@@ -11,120 +11,57 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>One range of records: read as it lies in the file, then decoded by one job.</summary>
-    sealed unsafe class LasBlockRead : BlockRead
+    sealed class LasBlockRead : SlotRead
     {
         readonly LasReader m_reader;
-        readonly int m_capacity;
-        NativeArray<byte> m_records;
+        readonly NativeFileRead m_file;
         NativeArray<LasFieldCopy> m_copies;
-        // The read manager keeps the pointer to its command until the read has ended.
-        NativeArray<ReadCommand> m_command;
-        NativeReference<DecodeResult> m_result;
-        ReadHandle m_read;
-        bool m_isReading;
 
         public LasBlockRead(LasReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, CheckCapacity(reader, capacity), allocator)
         {
             m_reader = reader;
-            m_capacity = capacity;
-            long bytes = (long)capacity * reader.Info.RecordBytes;
-            if (capacity < 0 || bytes > int.MaxValue)
-                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "a slot holds at most 2 GiB of records");
-            var batch = new PointBatch(wanted, capacity, allocator);
-            try
-            {
-                var copies = LasCopyPlan.Make(reader.Layout, batch);
-                m_copies = new NativeArray<LasFieldCopy>(copies, allocator);
-            }
-            catch (ArgumentException)
-            {
-                batch.Dispose();
-                throw;
-            }
-            Points = batch;
-            m_records = new NativeArray<byte>((int)Math.Max(1, bytes), allocator, NativeArrayOptions.UninitializedMemory);
-            m_command = new NativeArray<ReadCommand>(1, allocator);
-            m_result = new NativeReference<DecodeResult>(allocator);
-            Result = m_result;
+            m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, Points), allocator);
+            m_file = new NativeFileRead(reader.Info.Path, default, (long)capacity * reader.Info.RecordBytes, allocator);
         }
 
-        public override void Begin(BlockRange range)
+        static int CheckCapacity(LasReader reader, int capacity) =>
+            capacity >= 0 && (long)capacity * reader.Info.RecordBytes <= int.MaxValue - NativeFileRead.PaddingBytes
+                ? capacity
+                : throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "a slot holds at most 2 GiB of records");
+
+        protected override JobHandle Schedule(BlockRange range)
         {
-            if (m_isReading)
-                throw new InvalidOperationException("the slot is still reading; Complete it first");
-            if (range.First < 0 || range.Count < 0 || range.Count > m_capacity
-                || range.Count > m_reader.PointsInBlock(range.Block) - range.First)
-                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
-            Range = range;
-            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-            if (range.Count == 0)
+            int recordBytes = m_reader.Info.RecordBytes;
+            var read = m_file.Begin(m_reader.File, m_reader.OffsetOfPoint(FirstPoint), range.Count * recordBytes);
+            return new DecodeLasJob
             {
-                m_result.Value = default;
-                Decoded = default;
-                return;
-            }
-            m_command[0] = new ReadCommand
-            {
-                Buffer = m_records.GetUnsafePtr(),
-                Offset = m_reader.OffsetOfPoint(FirstPoint),
-                Size = (long)range.Count * m_reader.Info.RecordBytes,
-            };
-            m_read = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
-            {
-                CommandCount = 1,
-                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
-            });
-            m_isReading = true;
-            Decoded = new DecodeLasJob
-            {
-                Records = m_records,
+                Records = m_file.Buffer,
                 Copies = m_copies,
                 Columns = Points.Bytes,
-                Result = m_result,
-                RecordBytes = m_reader.Info.RecordBytes,
+                Result = Result,
+                RecordBytes = recordBytes,
                 Count = range.Count,
-            }.Schedule(m_read.JobHandle);
+            }.Schedule(read);
         }
 
-        public override void Complete()
-        {
-            Decoded.Complete();
-            if (m_isReading)
-                CloseRead();
-            Points.Count = m_result.Value.Points;
-        }
+        protected override void Cancel() => m_file.Cancel();
 
-        public override void Dispose()
+        protected override void DisposeMemory()
         {
-            if (!m_result.IsCreated)
-                return;
-            if (m_isReading)
-            {
-                m_read.Cancel();
-                Decoded.Complete();
-                m_read.JobHandle.Complete();
-                m_read.Dispose();
-                m_isReading = false;
-            }
-            Points.Dispose();
-            m_records.Dispose();
+            m_file.Dispose();
             m_copies.Dispose();
-            m_command.Dispose();
-            m_result.Dispose();
         }
 
         /// <summary>The header's claims were held against the file's size when it was opened, so a short read means that the
         /// file has changed since: an error, and not a cloud with fewer points.</summary>
-        void CloseRead()
+        protected override void EndRead()
         {
-            m_isReading = false;
-            var status = m_read.Status;
-            long got = status == ReadStatus.Complete ? 0 : m_read.GetBytesRead();
-            m_read.Dispose();
+            var status = m_file.Close(out long got);
             if (status == ReadStatus.Complete)
                 return;
-            m_result.Value = default;
-            Points.Count = 0;
+            var result = Result;
+            result.Value = default;
             long offset = m_reader.OffsetOfPoint(FirstPoint);
             int recordBytes = m_reader.Info.RecordBytes;
             string wanted = Range.Count.ToString(CultureInfo.InvariantCulture) + " points of "

@@ -12,7 +12,7 @@ namespace FastPoints.Files
     /// One range of a block: its bytes are read (of a layered chunk only the wanted layers: first the header that says where they
     /// are, then a read that a job has planned), then a chain of slices decodes them.
     /// </summary>
-    sealed unsafe class LazBlockRead : BlockRead
+    sealed unsafe class LazBlockRead : SlotRead
     {
         /// <summary>About 4 ms of decoding on one core.</summary>
         const int SlicePoints = 16384;
@@ -23,60 +23,46 @@ namespace FastPoints.Files
         /// saved.</summary>
         const int SmallChunkBytes = 16 << 10;
 
+        const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
+
         readonly LazChunkReader m_reader;
         readonly LazFormat m_format;
-        readonly int m_capacity;
-        readonly Allocator m_allocator;
         readonly int m_tilePoints;
         readonly bool m_wantsAllLayers;
+        readonly NativeFileRead m_file;
         NativeArray<byte> m_state;
-        NativeArray<byte> m_input;
         NativeArray<byte> m_tile;
         NativeArray<LasFieldCopy> m_copies;
         NativeArray<int> m_bytesPerPoint;
         NativeArray<long> m_inputBytes;
         // The read manager keeps pointers to commands until their read has ended.
-        NativeArray<ReadCommand> m_command;
         NativeArray<ReadCommand> m_plannedCommands;
         NativeArray<ReadCommandArray> m_plannedArray;
-        NativeReference<DecodeResult> m_result;
-        ReadHandle m_read;
         ReadHandle m_plannedRead;
-        bool m_isReading;
         bool m_isPlanned;
         bool m_keepsStates;
+
+        /// <summary>What the range that begins goes on from, or null.</summary>
+        LazCheckpoint m_from;
 
         /// <summary>Byte of the file at which the input starts.</summary>
         long m_inputOffset;
 
         public LazBlockRead(LazChunkReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
             m_format = reader.Format;
-            m_capacity = capacity;
-            m_allocator = allocator;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
-            var batch = new PointBatch(wanted, capacity, allocator);
-            try
-            {
-                m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, batch), allocator);
-            }
-            catch (ArgumentException)
-            {
-                batch.Dispose();
-                throw;
-            }
-            Points = batch;
+            m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, Points), allocator);
             m_wantsAllLayers = ConfigureState(wanted, allocator);
             long inputBytes = Math.Max(reader.MaxInputBytes(), SmallChunkBytes);
-            m_input = Bytes(inputBytes + RangeCode.PaddingBytes, allocator);
-            m_tile = Bytes((long)m_tilePoints * m_format.RecordBytes, allocator);
+            m_file = new NativeFileRead(reader.Info.Path, default, inputBytes + ExtraPadding, allocator);
+            m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
+                NativeArrayOptions.UninitializedMemory);
             m_inputBytes = new NativeArray<long>(1, allocator);
-            m_command = new NativeArray<ReadCommand>(1, allocator);
             m_plannedCommands = new NativeArray<ReadCommand>(Math.Max(1, m_format.Layers.Length), allocator);
             m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
-            m_result = new NativeReference<DecodeResult>(allocator);
-            Result = m_result;
         }
 
         /// <returns>Whether there is no layer to leave out.</returns>
@@ -104,18 +90,11 @@ namespace FastPoints.Files
             return wantsAll;
         }
 
-        static NativeArray<byte> Bytes(long count, Allocator allocator)
-        {
-            if (count > int.MaxValue)
-                throw new ArgumentOutOfRangeException(nameof(count), count, "a slot holds less than 2 GiB");
-            return new NativeArray<byte>((int)Math.Max(1, count), allocator, NativeArrayOptions.UninitializedMemory);
-        }
-
         public override bool TryKeepStates() => m_keepsStates = true;
 
         internal override DecoderState KeepState(DecoderState reused)
         {
-            if (!m_keepsStates || m_isReading || Points.Count < Range.Count)
+            if (!m_keepsStates || IsBusy || Points.Count < Range.Count)
                 throw new InvalidOperationException("there is no state to go on from");
             var state = (LazCheckpoint)reused ?? new LazCheckpoint();
             state.Point = m_reader.Block(Range.Block).FirstInChunk + Range.First + Range.Count;
@@ -130,43 +109,44 @@ namespace FastPoints.Files
             return state;
         }
 
-        public override void Begin(BlockRange range) => Begin(range, null);
-
         internal override void Begin(BlockRange range, DecoderState from)
         {
-            if (m_isReading)
-                throw new InvalidOperationException("the slot is still reading; Complete it first");
-            var block = m_reader.Block(range.Block);
-            if (range.First < 0 || range.Count < 0 || range.Count > m_capacity || range.Count > block.Points - range.First)
-                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
-            Range = range;
-            FirstPoint = block.FirstPoint + range.First;
-            bool isBehindEnd = block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_reader.EndOfChunk(block);
-            if (range.Count == 0 || isBehindEnd)
+            m_from = (LazCheckpoint)from;
+            try
             {
-                m_result.Value = default;
-                Decoded = default;
-                return;
+                Begin(range);
             }
+            finally
+            {
+                m_from = null;
+            }
+        }
 
-            var checkpoint = (LazCheckpoint)from ?? m_reader.CheckpointOf(block);
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var block = m_reader.Block(range.Block);
+            if (block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_reader.EndOfChunk(block))
+                return default;
+
+            var checkpoint = m_from ?? m_reader.CheckpointOf(block);
             if (checkpoint != null && checkpoint.Point > block.FirstInChunk + range.First)
-                throw new ArgumentException("the state is of points behind the range", nameof(from));
+                throw new ArgumentException("the state is of points behind the range");
             checkpoint?.Restore(m_state);
             long start = m_inputOffset = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
             // Streams of layers are places in the input: it is the same for every range that goes on from another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
-            GrowInput(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(inputPoints)));
+            // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
+            m_file.Reserve(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(inputPoints)) + ExtraPadding);
             var decode = new DecodeLazJob
             {
-                Input = m_input,
+                Input = m_file.Buffer,
                 InputBytes = m_inputBytes,
                 State = m_state,
                 Tile = m_tile,
                 Copies = m_copies,
                 Columns = Points.Bytes,
-                Result = m_result,
+                Result = Result,
                 RecordBytes = m_format.RecordBytes,
                 TilePoints = m_tilePoints,
                 IsLayered = m_format.IsLayered,
@@ -180,17 +160,7 @@ namespace FastPoints.Files
                 FileOffset = start,
             };
             var read = Read(block, start, ref decode);
-            Decoded = Schedule(decode, read);
-        }
-
-        /// <summary>Makes room for a block that was found after the slot was made: pages of a hierarchy are read as they are
-        /// wanted.</summary>
-        void GrowInput(long bytes)
-        {
-            if (bytes <= m_input.Length - RangeCode.PaddingBytes)
-                return;
-            m_input.Dispose();
-            m_input = Bytes(bytes + RangeCode.PaddingBytes, m_allocator);
+            return Schedule(decode, read);
         }
 
         /// <summary>Starts the read of a range's input.</summary>
@@ -213,38 +183,30 @@ namespace FastPoints.Files
             var header = Read(start, Math.Min(bytes, LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length)));
             m_plannedArray[0] = new ReadCommandArray { ReadCommands = (ReadCommand*)m_plannedCommands.GetUnsafePtr() };
             var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
-            Decoded = new PlanLazReadsJob
+            var planned = new PlanLazReadsJob
             {
-                Input = m_input,
+                Input = m_file.Buffer,
                 BytesPerPoint = m_bytesPerPoint,
                 Commands = m_plannedCommands,
                 CommandArray = m_plannedArray,
                 InputBytes = m_inputBytes,
-                Buffer = (byte*)m_input.GetUnsafePtr(),
-                BufferBytes = m_input.Length - RangeCode.PaddingBytes,
+                Buffer = (byte*)m_file.Buffer.GetUnsafePtr(),
+                BufferBytes = m_file.Buffer.Length - RangeCode.PaddingBytes,
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
                 Points = decode.InputPoints,
             }.Schedule(header);
-            m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, Decoded);
+            m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, planned);
             m_isPlanned = true;
             // The read follows the plan, but nothing promises that its handle says so.
-            return JobHandle.CombineDependencies(Decoded, m_plannedRead.JobHandle);
+            return JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle);
         }
 
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            m_command[0] = new ReadCommand { Buffer = m_input.GetUnsafePtr(), Offset = offset, Size = bytes };
-            m_read = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
-            {
-                CommandCount = 1,
-                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
-            });
-            m_isReading = true;
-            Decoded = m_read.JobHandle;
-            return Decoded;
+            return m_file.Begin(m_reader.File, offset, (int)bytes);
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
@@ -259,13 +221,22 @@ namespace FastPoints.Files
             return dependency;
         }
 
-        public override void Complete()
+        protected override void EndRead()
         {
-            Decoded.Complete();
-            if (m_isReading)
-                CloseReads();
-            var result = m_result.Value;
-            Points.Count = result.Points;
+            bool isRead = m_file.Close(out _) == ReadStatus.Complete;
+            if (m_isPlanned)
+                isRead &= ClosePlanned() == ReadStatus.Complete;
+            if (isRead)
+                return;
+            var result = Result;
+            result.Value = default;
+            long offset = m_reader.ChunkOf(m_reader.Block(Range.Block)).Offset;
+            throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, offset,
+                "the file could not be read, or has become shorter since it was opened");
+        }
+
+        protected override void Warn(DecodeResult result)
+        {
             if (result.Error == LazError.None)
                 return;
             var block = m_reader.Block(Range.Block);
@@ -274,59 +245,34 @@ namespace FastPoints.Files
             m_reader.WarnBroken(Range, result);
         }
 
-        void CloseReads()
+        ReadStatus ClosePlanned()
         {
-            m_isReading = false;
-            bool isRead = Close(m_read);
-            if (m_isPlanned)
-                isRead &= Close(m_plannedRead);
             m_isPlanned = false;
-            if (isRead)
-                return;
-            m_result.Value = default;
-            Points.Count = 0;
-            long offset = m_reader.ChunkOf(m_reader.Block(Range.Block)).Offset;
-            throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, offset,
-                "the file could not be read, or has become shorter since it was opened");
+            m_plannedRead.JobHandle.Complete();
+            var status = m_plannedRead.Status;
+            m_plannedRead.Dispose();
+            return status;
         }
 
-        static bool Close(ReadHandle read)
+        protected override void Cancel()
         {
-            var status = read.Status;
-            read.Dispose();
-            return status == ReadStatus.Complete;
+            m_file.Cancel();
+            if (m_isPlanned)
+                m_plannedRead.Cancel();
         }
 
-        public override void Dispose()
+        protected override void DisposeMemory()
         {
-            if (!m_result.IsCreated)
-                return;
-            if (m_isReading)
-            {
-                m_read.Cancel();
-                if (m_isPlanned)
-                    m_plannedRead.Cancel();
-                Decoded.Complete();
-                m_read.JobHandle.Complete();
-                m_read.Dispose();
-                if (m_isPlanned)
-                {
-                    m_plannedRead.JobHandle.Complete();
-                    m_plannedRead.Dispose();
-                }
-                m_isReading = false;
-            }
-            Points.Dispose();
+            m_file.Dispose();
+            if (m_isPlanned)
+                ClosePlanned();
             m_state.Dispose();
-            m_input.Dispose();
             m_tile.Dispose();
             m_copies.Dispose();
             m_bytesPerPoint.Dispose();
             m_inputBytes.Dispose();
-            m_command.Dispose();
             m_plannedCommands.Dispose();
             m_plannedArray.Dispose();
-            m_result.Dispose();
         }
     }
 }

@@ -24,7 +24,7 @@ namespace FastPoints.Files
             var block = m_reader.Block(range.Block);
             long left = m_reader.Info.FileBytes - block.OffsetBytes;
             int bytes = (int)Math.Min((long)block.Bytes + PlyAsciiReader.MaxLineBytes, left);
-            var read = File.Begin(block.OffsetBytes, range.Count == 0 ? 0 : bytes);
+            var read = File.Begin(block.OffsetBytes, bytes);
             return new DecodePlyAsciiJob
             {
                 Input = File.Buffer,
@@ -33,7 +33,7 @@ namespace FastPoints.Files
                 BlockBytes = Math.Min(block.Bytes, File.Bytes),
                 ReachesFileEnd = bytes == left,
                 StartsInRow = block.StartsInRow,
-                RowsBefore = range.Count == 0 ? 0 : block.RowsBefore + range.First,
+                RowsBefore = block.RowsBefore + range.First,
                 Points = range.Count,
                 Steps = m_steps,
                 Output = Points.Bytes,

@@ -20,14 +20,14 @@ namespace FastPoints.Files
         protected override JobHandle Schedule(BlockRange range)
         {
             var block = m_reader.Block(range.Block);
-            var read = File.Begin(block.OffsetBytes, range.Count == 0 ? 0 : block.Bytes);
+            var read = File.Begin(block.OffsetBytes, block.Bytes);
             return new DecodePlyListsJob
             {
                 Input = File.Buffer,
                 InputOffset = block.OffsetBytes,
                 InputBytes = File.Bytes,
                 Steps = m_steps,
-                FirstPoint = range.Count == 0 ? 0 : range.First,
+                FirstPoint = range.First,
                 Points = range.Count,
                 IsBigEndian = m_reader.IsBigEndian,
                 Output = Points.Bytes,

@@ -7,31 +7,22 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the slots of Potree's own encodings have in common: the batch, one read, and how a range begins and
-    /// ends.</summary>
-    abstract class PotreeRead : BlockRead
+    /// <summary>What the slots of Potree's own encodings have in common: one read, and how a range ends.</summary>
+    abstract class PotreeRead : SlotRead
     {
-        NativeReference<DecodeResult> m_result;
-        bool m_isBusy;
-        bool m_isDisposed;
-
         protected PotreeRead(PotreeNodeReader reader, PointSchema wanted, int capacity, long inputBytes, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
-            foreach (var column in wanted)
-                reader.Layout.AttributeOf(column);
             Reader = reader;
-            Points = new PointBatch(wanted, capacity, allocator);
             try
             {
                 File = new NativeFileRead(reader.Info.Path, default, inputBytes, allocator);
             }
             catch (ArgumentException)
             {
-                Points.Dispose();
+                Dispose();
                 throw;
             }
-            m_result = new NativeReference<DecodeResult>(allocator);
-            Result = m_result;
         }
 
         protected PotreeNodeReader Reader { get; }
@@ -40,28 +31,12 @@ namespace FastPoints.Files
         /// <summary>Starts the read and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range, in PotreeBlock block);
 
-        public sealed override void Begin(BlockRange range)
-        {
-            if (m_isBusy)
-                throw new InvalidOperationException("the slot is still reading; Complete it first");
-            Reader.CheckRange(range, Points.Capacity);
-            Range = range;
-            FirstPoint = Reader.FirstPointOfBlock(range.Block) + range.First;
-            Points.Count = 0;
-            m_result.Value = default;
-            Decoded = range.Count == 0 ? default : Schedule(range, Reader.Block(range.Block));
-            m_isBusy = true;
-        }
+        protected sealed override JobHandle Schedule(BlockRange range) => Schedule(range, Reader.Block(range.Block));
 
-        public sealed override void Complete()
+        protected sealed override void EndRead() => File.End();
+
+        protected sealed override void Warn(DecodeResult result)
         {
-            if (!m_isBusy)
-                throw new InvalidOperationException("the slot has no range in flight");
-            m_isBusy = false;
-            Decoded.Complete();
-            File.End();
-            var result = m_result.Value;
-            Points.Count = result.Points;
             if (result.Error != PotreeError.None)
                 WarnBroken(result);
         }
@@ -74,17 +49,12 @@ namespace FastPoints.Files
         {
         }
 
-        public sealed override void Dispose()
+        protected sealed override void DisposeMemory()
         {
-            if (m_isDisposed)
+            if (File == null)
                 return;
-            m_isDisposed = true;
-            m_isBusy = false;
-            Decoded.Complete();
             File.Dispose();
             DisposeTables();
-            Points.Dispose();
-            m_result.Dispose();
         }
 
         /// <summary>The passes that copy the wanted plain columns out of records.</summary>

@@ -160,14 +160,6 @@ namespace FastPoints.Files
             return most;
         }
 
-        /// <summary>Throws unless a slot of so many points can take the range.</summary>
-        internal void CheckRange(BlockRange range, int capacity)
-        {
-            if (range.First < 0 || range.Count < 0 || range.Count > capacity
-                || range.Count > PointsInBlock(range.Block) - range.First)
-                throw new ArgumentOutOfRangeException(nameof(range), range.Count, "the range leaves its block or the slot");
-        }
-
         /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
         internal void WarnBroken(int block, string kind, string detail, long byteOffset)
         {

@@ -16,7 +16,7 @@ namespace FastPoints.Files
 
         string m_path;
         readonly FileHandle m_file;
-        readonly byte* m_pointer;
+        readonly Allocator m_allocator;
         NativeArray<byte> m_buffer;
         NativeArray<ReadCommand> m_command;
         ReadHandle m_handle;
@@ -26,12 +26,22 @@ namespace FastPoints.Files
         {
             m_path = path;
             m_file = file;
+            m_allocator = allocator;
+            Reserve(capacityBytes);
+            m_command = new NativeArray<ReadCommand>(1, allocator);
+        }
+
+        /// <summary>Makes room for so many bytes; what is in the buffer is lost. There is no read in flight.</summary>
+        public void Reserve(long capacityBytes)
+        {
             if (capacityBytes > int.MaxValue - PaddingBytes)
                 throw new ArgumentOutOfRangeException(nameof(capacityBytes), capacityBytes, "a read holds less than 2 GiB");
-            m_buffer = new NativeArray<byte>((int)capacityBytes + PaddingBytes, allocator,
-                NativeArrayOptions.UninitializedMemory);
-            m_command = new NativeArray<ReadCommand>(1, allocator);
-            m_pointer = (byte*)m_buffer.GetUnsafePtr();
+            int bytes = (int)capacityBytes + PaddingBytes;
+            if (bytes <= m_buffer.Length)
+                return;
+            if (m_buffer.IsCreated)
+                m_buffer.Dispose();
+            m_buffer = new NativeArray<byte>(bytes, m_allocator, NativeArrayOptions.UninitializedMemory);
         }
 
         /// <summary>The bytes, valid behind the handle that <see cref="Begin"/> gives.</summary>
@@ -73,7 +83,7 @@ namespace FastPoints.Files
         {
             Offset = offset;
             Bytes = bytes;
-            m_command[0] = new ReadCommand { Buffer = m_pointer, Offset = offset, Size = bytes };
+            m_command[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
             return bytes > 0;
         }
 
@@ -81,12 +91,7 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
         public void End()
         {
-            if (!m_isReading)
-                return;
-            m_isReading = false;
-            m_handle.JobHandle.Complete();
-            var status = m_handle.Status;
-            m_handle.Dispose();
+            var status = Close(out _);
             if (status == ReadStatus.Complete)
                 return;
             throw new PointCloudException(FailureCode.ReadFailed, m_path, Offset, status == ReadStatus.Truncated
@@ -94,16 +99,34 @@ namespace FastPoints.Files
                 : "reading " + Bytes + " bytes failed");
         }
 
+        /// <summary>Closes a read that is finished, and says how it ended.</summary>
+        /// <param name="got">Bytes that came.</param>
+        public ReadStatus Close(out long got)
+        {
+            got = Bytes;
+            if (!m_isReading)
+                return ReadStatus.Complete;
+            m_isReading = false;
+            m_handle.JobHandle.Complete();
+            var status = m_handle.Status;
+            if (status != ReadStatus.Complete)
+                got = m_handle.GetBytesRead();
+            m_handle.Dispose();
+            return status;
+        }
+
+        /// <summary>Asks a read in flight to stop early; it stays open.</summary>
+        public void Cancel()
+        {
+            if (m_isReading)
+                m_handle.Cancel();
+        }
+
         /// <summary>Jobs that use the buffer must be complete.</summary>
         public void Dispose()
         {
-            if (m_isReading)
-            {
-                m_isReading = false;
-                m_handle.Cancel();
-                m_handle.JobHandle.Complete();
-                m_handle.Dispose();
-            }
+            Cancel();
+            Close(out _);
             if (m_buffer.IsCreated)
                 m_buffer.Dispose();
             if (m_command.IsCreated)

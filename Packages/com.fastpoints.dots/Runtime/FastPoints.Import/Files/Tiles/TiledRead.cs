@@ -8,51 +8,31 @@ namespace FastPoints.Files
 {
     /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that its range lies in, and a job that makes the tile's
     /// columns the cloud's.</summary>
-    sealed class TiledRead : BlockRead
+    sealed class TiledRead : SlotRead
     {
         readonly TiledReader m_reader;
         readonly int m_capacity;
         readonly Allocator m_allocator;
-        readonly NativeReference<DecodeResult> m_noResult;
         Tile m_tile;
         BlockRead m_inner;
         NativeArray<TileColumn> m_columns;
-        bool m_isBusy;
-        bool m_isDisposed;
 
         public TiledRead(TiledReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
         {
-            foreach (var attribute in wanted)
-            {
-                int index = reader.Info.Schema.IndexOf(attribute.Name);
-                if (index < 0 || reader.Info.Schema[index].Type != attribute.Type)
-                    throw new ArgumentException("the files have no attribute " + attribute, nameof(wanted));
-            }
             m_reader = reader;
             m_capacity = capacity;
             m_allocator = allocator;
-            Points = new PointBatch(wanted, capacity, allocator);
-            m_noResult = new NativeReference<DecodeResult>(allocator);
-            Result = m_noResult;
         }
 
-        public override void Begin(BlockRange range)
+        protected override JobHandle Schedule(BlockRange range)
         {
-            if (m_isBusy)
-                throw new InvalidOperationException("the slot has a range in flight");
-            int points = m_reader.PointsInBlock(range.Block);
-            if (range.First < 0 || range.Count < 0 || range.First > points - range.Count || range.Count > m_capacity)
-                throw new ArgumentOutOfRangeException(nameof(range), "wanted points " + range.First + " + " + range.Count +
-                    " of " + points + ", capacity " + m_capacity);
             var tile = m_reader.TileOfBlock(range.Block);
             if (tile != m_tile)
                 Change(tile);
             m_inner.Begin(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
-            Range = range;
-            FirstPoint = m_reader.FirstPointOfBlock(range.Block) + range.First;
-            Points.Count = 0;
             Result = m_inner.Result;
-            Decoded = new FillTileColumnsJob
+            return new FillTileColumnsJob
             {
                 Input = m_inner.Points.Bytes,
                 Decoded = m_inner.Result,
@@ -60,19 +40,13 @@ namespace FastPoints.Files
                 Capacity = range.Count,
                 Output = Points.Bytes,
             }.ScheduleParallel(FillTileColumnsJob.PieceCount(range.Count), 1, m_inner.Decoded);
-            m_isBusy = true;
         }
 
-        public override void Complete()
+        protected override void EndRead()
         {
-            if (!m_isBusy)
-                throw new InvalidOperationException("the slot has no range in flight");
-            m_isBusy = false;
-            Decoded.Complete();
             try
             {
                 m_inner.Complete();
-                Points.Count = Math.Min(m_inner.Points.Count, Range.Count);
             }
             finally
             {
@@ -80,16 +54,7 @@ namespace FastPoints.Files
             }
         }
 
-        public override void Dispose()
-        {
-            if (m_isDisposed)
-                return;
-            m_isDisposed = true;
-            Decoded.Complete();
-            Leave();
-            Points.Dispose();
-            m_noResult.Dispose();
-        }
+        protected override void DisposeMemory() => Leave();
 
         void Change(Tile tile)
         {
@@ -125,7 +90,6 @@ namespace FastPoints.Files
         {
             if (m_tile == null)
                 return;
-            Result = m_noResult;
             m_inner?.Dispose();
             m_inner = null;
             if (m_columns.IsCreated)
