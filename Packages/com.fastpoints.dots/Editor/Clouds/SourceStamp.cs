@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Text;
 using FastPoints.Base;
@@ -104,7 +103,7 @@ namespace FastPoints.Editor
                         Bytes += files[i].Length;
                         WrittenTicks = Math.Max(WrittenTicks, files[i].LastWriteTimeUtc.Ticks);
                         names.Append(files[i].Name).Append('|')
-                            .Append(files[i].Length.ToString(CultureInfo.InvariantCulture)).Append('\n');
+                            .Append(NumberText.Of(files[i].Length)).Append('\n');
                     }
                 }
                 catch (Exception e) when (FileFailures.IsFileFailure(e))

@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Editor
@@ -27,7 +27,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>"2 ground".</summary>
-        public static string Label(int c) => c.ToString(CultureInfo.InvariantCulture) + " " +
+        public static string Label(int c) => NumberText.Of(c) + " " +
             (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
 
         /// <summary>The hidden classes after one was switched, rising; the same array where nothing changes.</summary>

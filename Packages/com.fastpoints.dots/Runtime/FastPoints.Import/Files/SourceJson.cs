@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Text;
 using FastPoints.Base;
 using Unity.Mathematics;
@@ -119,7 +118,7 @@ namespace FastPoints.Files
         {
             var objects = new List<SourceJson>();
             foreach (object item in List(name))
-                objects.Add(ToObject(item, name + "[" + objects.Count.ToString(CultureInfo.InvariantCulture) + "]"));
+                objects.Add(ToObject(item, name + "[" + NumberText.Of(objects.Count) + "]"));
             return objects;
         }
 
@@ -139,7 +138,7 @@ namespace FastPoints.Files
         {
             var list = List(name);
             if (list.Count != count)
-                throw Bad(name, count.ToString(CultureInfo.InvariantCulture) + " numbers");
+                throw Bad(name, NumberText.Of(count) + " numbers");
             var numbers = new double[count];
             for (int i = 0; i < count; i++)
                 numbers[i] = ToNumber(list[i], name);
@@ -194,7 +193,7 @@ namespace FastPoints.Files
                 case null: return "null";
                 case string text: return "\"" + OneLine(text) + "\"";
                 case bool flag: return flag ? "true" : "false";
-                case List<object> list: return "a list of " + list.Count.ToString(CultureInfo.InvariantCulture);
+                case List<object> list: return "a list of " + NumberText.Of(list.Count);
                 case Dictionary<string, object> _: return "an object";
                 default: return "another number";
             }

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
@@ -96,10 +95,11 @@ namespace FastPoints.SourceFeeds
             if (!m_state.Value.IsDamaged)
                 return MakeOutcome.Made;
             var cell = m_node.Cell;
-            string name = Text(m_node.Level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
+            string name = NumberText.Of(m_node.Level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-"
+                + NumberText.Of(cell.z);
             string path = m_source.Reader.FileOfBlock(m_node.Block, out long offset);
-            failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + Text(m_node.PointCount) +
-                " points, got " + Text(m_read.Points.Count));
+            failure = new StreamFailure(path, offset, "node " + name + " is damaged: wanted " + NumberText.Of(m_node.PointCount) +
+                " points, got " + NumberText.Of(m_read.Points.Count));
             return MakeOutcome.Damaged;
         }
 
@@ -113,8 +113,6 @@ namespace FastPoints.SourceFeeds
             if (m_state.IsCreated)
                 m_state.Dispose();
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
 
         JobHandle Schedule(JobHandle decoded)
         {

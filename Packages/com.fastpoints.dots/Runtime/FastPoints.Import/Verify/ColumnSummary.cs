@@ -1,4 +1,3 @@
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
@@ -103,8 +102,8 @@ namespace FastPoints.Verify
             if (Type == AttributeType.Float64)
                 return NumberText.Of(ColumnValues.FromOrderedBits(ordered));
             return Type == AttributeType.UInt64
-                ? ordered.ToString(CultureInfo.InvariantCulture)
-                : ((long)(ordered ^ SignBit)).ToString(CultureInfo.InvariantCulture);
+                ? NumberText.Of(ordered)
+                : NumberText.Of((long)(ordered ^ SignBit));
         }
     }
 }

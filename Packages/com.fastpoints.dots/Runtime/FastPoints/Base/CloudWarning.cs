@@ -1,4 +1,3 @@
-using System.Globalization;
 
 namespace FastPoints.Base
 {
@@ -21,6 +20,6 @@ namespace FastPoints.Base
         }
 
         public override string ToString() =>
-            ByteOffset < 0 ? Path + ": " + Text : Path + ": at byte " + ByteOffset.ToString(CultureInfo.InvariantCulture) + ": " + Text;
+            ByteOffset < 0 ? Path + ": " + Text : Path + ": at byte " + NumberText.Of(ByteOffset) + ": " + Text;
     }
 }

@@ -23,7 +23,7 @@ namespace FastPoints.Base
 
         public JsonWriter Add(string name, string value) => Raw(name, value == null ? "null" : Quoted(value));
 
-        public JsonWriter Add(string name, long value) => Raw(name, value.ToString(CultureInfo.InvariantCulture));
+        public JsonWriter Add(string name, long value) => Raw(name, NumberText.Of(value));
 
         public JsonWriter Add(string name, bool value) => Raw(name, value ? "true" : "false");
 

@@ -16,6 +16,10 @@ namespace FastPoints.Base
     /// </remarks>
     internal static class NumberText
     {
+        public static string Of(long value) => value.ToString(CultureInfo.InvariantCulture);
+
+        public static string Of(ulong value) => value.ToString(CultureInfo.InvariantCulture);
+
         public static string Of(double value)
         {
             ulong bits = math.asulong(value);

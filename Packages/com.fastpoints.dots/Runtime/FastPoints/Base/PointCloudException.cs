@@ -58,7 +58,7 @@ namespace FastPoints.Base
         static string Line(string path, long byteOffset, string what) =>
             byteOffset < 0
                 ? path + ": " + what
-                : path + ": at byte " + byteOffset.ToString(CultureInfo.InvariantCulture) + ": " + what;
+                : path + ": at byte " + NumberText.Of(byteOffset) + ": " + what;
     }
 
     /// <summary>What kind of failure a <see cref="PointCloudException"/> reports.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using FastPoints.Store;
@@ -52,8 +51,8 @@ namespace FastPoints.Picking
             switch (Attribute.Type)
             {
                 case AttributeType.Float32: return NumberText.Of(math.asfloat((uint)m_bits));
-                case AttributeType.UInt64: return m_bits.ToString(CultureInfo.InvariantCulture);
-                default: return ((long)m_bits).ToString(CultureInfo.InvariantCulture);
+                case AttributeType.UInt64: return NumberText.Of(m_bits);
+                default: return NumberText.Of((long)m_bits);
             }
         }
     }

@@ -1,5 +1,5 @@
 using System;
-using System.Globalization;
+using FastPoints.Base;
 using Unity.Mathematics;
 
 namespace FastPoints.Points
@@ -37,8 +37,8 @@ namespace FastPoints.Points
         public override int GetHashCode() => (X * 73856093 ^ Y * 19349663 ^ Z * 83492791).GetHashCode();
 
         public override string ToString() =>
-            X.ToString(CultureInfo.InvariantCulture) + ", " +
-            Y.ToString(CultureInfo.InvariantCulture) + ", " +
-            Z.ToString(CultureInfo.InvariantCulture);
+            NumberText.Of(X) + ", " +
+            NumberText.Of(Y) + ", " +
+            NumberText.Of(Z);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Store
 {
@@ -32,7 +33,7 @@ namespace FastPoints.Store
 
         /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>
         public static string GenerationName(string name, long generation) =>
-            name.Replace(".bin", "-" + generation.ToString(CultureInfo.InvariantCulture) + ".bin");
+            name.Replace(".bin", "-" + NumberText.Of(generation) + ".bin");
 
         /// <summary>A folder's path under its final name.</summary>
         public static string FinishedPath(string path) => path.EndsWith(PartSuffix, StringComparison.Ordinal)

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using Unity.Collections;
 
@@ -331,6 +330,6 @@ namespace FastPoints.Streaming
         }
 
         public override string ToString() =>
-            Path + (OffsetBytes >= 0 ? " at " + OffsetBytes.ToString(CultureInfo.InvariantCulture) : "") + ": " + What;
+            Path + (OffsetBytes >= 0 ? " at " + NumberText.Of(OffsetBytes) : "") + ": " + What;
     }
 }

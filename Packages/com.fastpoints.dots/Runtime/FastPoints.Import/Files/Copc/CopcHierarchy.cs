@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -72,7 +71,7 @@ namespace FastPoints.Files
         public void WarnRest()
         {
             if (m_untold > 0)
-                m_reader.Info.Warn(m_reader.Copc.FileOffset, Text(m_untold)
+                m_reader.Info.Warn(m_reader.Copc.FileOffset, NumberText.Of(m_untold)
                     + " more entries of the octree's hierarchy are wrong");
             m_untold = 0;
         }
@@ -153,17 +152,19 @@ namespace FastPoints.Files
         void AddPage(int4 root, long offset, long bytes, long at)
         {
             if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
-                Warn(at, "a page of the octree's hierarchy would lie at byte " + Text(offset) + " with " + Text(bytes)
-                    + " bytes, the file has " + Text(m_fileBytes) + ": its nodes are left out");
+                Warn(at, "a page of the octree's hierarchy would lie at byte " + NumberText.Of(offset) + " with "
+                    + NumberText.Of(bytes)
+                    + " bytes, the file has " + NumberText.Of(m_fileBytes) + ": its nodes are left out");
             else if (!m_pageOffsets.Add(offset))
-                Warn(at, "the page at byte " + Text(offset) + " of the octree's hierarchy is named twice: read once");
+                Warn(at, "the page at byte " + NumberText.Of(offset) + " of the octree's hierarchy is named twice: read once");
             else if (bytes > m_pageBytesLeft)
-                Warn(at, "the pages of the octree's hierarchy overlap: that at byte " + Text(offset) + " is left out");
+                Warn(at, "the pages of the octree's hierarchy overlap: that at byte " + NumberText.Of(offset) + " is left out");
             else
             {
                 if (bytes % CopcEntry.Bytes != 0)
-                    Warn(at, "the page at byte " + Text(offset) + " of the octree's hierarchy has " + Text(bytes)
-                        + " bytes, wanted a multiple of " + Text(CopcEntry.Bytes));
+                    Warn(at, "the page at byte " + NumberText.Of(offset) + " of the octree's hierarchy has "
+                        + NumberText.Of(bytes)
+                        + " bytes, wanted a multiple of " + NumberText.Of(CopcEntry.Bytes));
                 m_pageBytesLeft -= bytes;
                 m_pages.Add(root, offset, bytes);
             }
@@ -182,8 +183,9 @@ namespace FastPoints.Files
                 return;
             }
             if (bytes < entry.ByteSize)
-                Warn(at, Name(entry) + " would end at byte " + Text((long)entry.Offset + entry.ByteSize) + ", the file has "
-                    + Text(m_fileBytes) + ": cut there");
+                Warn(at, Name(entry) + " would end at byte " + NumberText.Of((long)entry.Offset + entry.ByteSize)
+                    + ", the file has "
+                    + NumberText.Of(m_fileBytes) + ": cut there");
             m_chunkBytesLeft -= bytes;
             m_reader.AddNode(entry, bytes);
         }
@@ -195,20 +197,21 @@ namespace FastPoints.Files
             if (entry.PointCount == 0)
                 return null;
             if (entry.PointCount < 0)
-                return "has " + Text(entry.PointCount) + " points: left out";
+                return "has " + NumberText.Of(entry.PointCount) + " points: left out";
             if (entry.Offset < m_reader.Header.PointsOffset || entry.Offset >= (ulong)m_fileBytes)
-                return "would start at byte " + entry.Offset.ToString(CultureInfo.InvariantCulture)
+                return "would start at byte " + NumberText.Of(entry.Offset)
                     + ", which is none of the points': left out";
             bytes = Math.Min(entry.ByteSize, m_fileBytes - (long)entry.Offset);
             if (bytes < m_reader.Format.RecordBytes || bytes > LazChunkReader.MaxLayeredChunkBytes)
-                return "has " + Text(entry.ByteSize) + " bytes: left out";
+                return "has " + NumberText.Of(entry.ByteSize) + " bytes: left out";
             if (entry.PointCount > LazChunk.MaxPoints(bytes))
-                return "claims " + Text(entry.PointCount) + " points in " + Text(bytes) + " bytes: left out";
+                return "claims " + NumberText.Of(entry.PointCount) + " points in " + NumberText.Of(bytes) + " bytes: left out";
             return bytes > m_chunkBytesLeft ? "lies where others do, all together are longer than the file: left out" : null;
         }
 
-        static string Name(CopcEntry entry) => "node " + Text(entry.Level) + "-" + Text(entry.Cell.x) + "-" + Text(entry.Cell.y)
-            + "-" + Text(entry.Cell.z);
+        static string Name(CopcEntry entry) => "node " + NumberText.Of(entry.Level) + "-" + NumberText.Of(entry.Cell.x) + "-"
+            + NumberText.Of(entry.Cell.y)
+            + "-" + NumberText.Of(entry.Cell.z);
 
         /// <summary>The first few are told; a hierarchy that is noise is not listed.</summary>
         void Warn(long at, string text)
@@ -218,7 +221,5 @@ namespace FastPoints.Files
             else
                 m_untold++;
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
@@ -61,27 +60,24 @@ namespace FastPoints.Files
         public string Trouble(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))
-                return "the octree's cube is none (half of its edge is " + Text(HalfSize) + ")";
+                return "the octree's cube is none (half of its edge is " + NumberText.Of(HalfSize) + ")";
             if (RootPageOffset > (ulong)fileBytes || RootPageBytes > (ulong)fileBytes - RootPageOffset)
-                return "the root page of the hierarchy would lie at byte " + Text(RootPageOffset) + " with "
-                    + Text(RootPageBytes) + " bytes, the file has " + Text((ulong)fileBytes);
+                return "the root page of the hierarchy would lie at byte " + NumberText.Of(RootPageOffset) + " with "
+                    + NumberText.Of(RootPageBytes) + " bytes, the file has " + NumberText.Of((ulong)fileBytes);
             return RootPageBytes < CopcEntry.Bytes
-                ? "the root page of the hierarchy has " + Text(RootPageBytes) + " bytes, wanted at least " + CopcEntry.Bytes
+                ? "the root page of the hierarchy has " + NumberText.Of(RootPageBytes) + " bytes, wanted at least "
+                    + CopcEntry.Bytes
                 : null;
         }
 
         public void AddFacts(SourceInfo info)
         {
             info.Fact("COPC version", "1.0");
-            info.Fact("COPC center", Text(Center.x) + " " + Text(Center.y) + " " + Text(Center.z));
-            info.Fact("COPC half size", Text(HalfSize));
-            info.Fact("COPC spacing", Text(Spacing));
-            info.Fact("COPC root page", Text(RootPageBytes) + " bytes at byte " + Text(RootPageOffset));
-            info.Fact("COPC GPS time", Text(MinGpsTime) + " to " + Text(MaxGpsTime));
+            info.Fact("COPC center", NumberText.Of(Center.x) + " " + NumberText.Of(Center.y) + " " + NumberText.Of(Center.z));
+            info.Fact("COPC half size", NumberText.Of(HalfSize));
+            info.Fact("COPC spacing", NumberText.Of(Spacing));
+            info.Fact("COPC root page", NumberText.Of(RootPageBytes) + " bytes at byte " + NumberText.Of(RootPageOffset));
+            info.Fact("COPC GPS time", NumberText.Of(MinGpsTime) + " to " + NumberText.Of(MaxGpsTime));
         }
-
-        static string Text(double value) => NumberText.Of(value);
-
-        static string Text(ulong value) => value.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -30,7 +30,8 @@ namespace FastPoints.Files
             if (!(spacing > 0) || double.IsInfinity(spacing))
             {
                 spacing = 2 * copc.HalfSize / UsualPointsAcross;
-                Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing) + ": taken as the edge of its cube over "
+                Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
+                    + ": taken as the edge of its cube over "
                     + UsualPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
@@ -113,7 +114,7 @@ namespace FastPoints.Files
         {
             long ofNodes = PointCount;
             Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
-                + Text(ofNodes));
+                + NumberText.Of(ofNodes));
             var known = new HashSet<long>();
             for (int c = 0; c < Chunks.Count; c++)
                 known.Add(Chunks[c].Offset);
@@ -129,7 +130,7 @@ namespace FastPoints.Files
                 found++;
             }
             if (found > 0)
-                Info.Warn(Header.PointsOffset, Text(found) + " chunks with " + Text(PointCount - ofNodes)
+                Info.Warn(Header.PointsOffset, NumberText.Of(found) + " chunks with " + NumberText.Of(PointCount - ofNodes)
                     + " points are in the LAZ chunk table and in no node: they are read behind the nodes");
             if (PointCount == 0 && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, Header.PointsOffset, "the header claims "

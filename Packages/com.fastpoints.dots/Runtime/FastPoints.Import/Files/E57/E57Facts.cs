@@ -34,7 +34,7 @@ namespace FastPoints.Files
             if (seconds > 0)
                 info.Fact("created", E57Text.GpsTime(seconds));
             AddCrs(root.Child("coordinateMetadata")?.Text, info);
-            info.Fact("scans", E57Text.Of(root.Child("data3D")?.Children.Count ?? 0));
+            info.Fact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
             AddImages(root.Child("images2D"), info);
             foreach (var child in root.Children)
                 if (child.Name.IndexOf(':') >= 0)
@@ -54,18 +54,20 @@ namespace FastPoints.Files
                 Text(info, "  " + name, node, name);
             foreach (string name in s_numbers)
                 if (node.Child(name) != null)
-                    info.Fact("  " + name, E57Text.Of(node.NumberOf(name)));
+                    info.Fact("  " + name, NumberText.Of(node.NumberOf(name)));
             foreach (string name in s_times)
                 if (node.Child(name)?.NumberOf("dateTimeValue") > 0)
                     info.Fact("  " + name, E57Text.GpsTime(node.Child(name).NumberOf("dateTimeValue")));
             AddPose(scan, info);
             if (!scan.BoundsClaimed.IsEmpty)
-                info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " + NumberText.Of(scan.BoundsClaimed.Max) +
+                info.Fact("  cartesianBounds", NumberText.Of(scan.BoundsClaimed.Min) + " to " +
+                    NumberText.Of(scan.BoundsClaimed.Max) +
                     " (the scanner's coordinates)");
             if (math.all(math.isfinite(scan.IntensityLimits)))
-                info.Fact("  intensityLimits", E57Text.Of(scan.IntensityLimits.x) + " to " + E57Text.Of(scan.IntensityLimits.y));
+                info.Fact("  intensityLimits", NumberText.Of(scan.IntensityLimits.x) + " to "
+                    + NumberText.Of(scan.IntensityLimits.y));
             if (math.all(math.isfinite(scan.ColorLimits[0])))
-                info.Fact("  colorLimits", E57Text.Of(scan.ColorLimits[0].x) + " to " + E57Text.Of(scan.ColorLimits[0].y) +
+                info.Fact("  colorLimits", NumberText.Of(scan.ColorLimits[0].x) + " to " + NumberText.Of(scan.ColorLimits[0].y) +
                     " (red)");
             var groups = node.Child("pointGroupingSchemes");
             if (groups != null && groups.Children.Count > 0)
@@ -85,7 +87,7 @@ namespace FastPoints.Files
                 info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, or " +
                     "there are more than " + E57Scan.MaxFields);
             if (schema.LeftOut.Count > MaxFieldsLeftOut)
-                info.Warn(-1, E57Text.Of(schema.LeftOut.Count) + " fields are left out");
+                info.Warn(-1, NumberText.Of(schema.LeftOut.Count) + " fields are left out");
             AddMissing(scans, info);
             info.HasBoundsClaimed = scans.Count > 0;
             foreach (var scan in scans)
@@ -124,7 +126,8 @@ namespace FastPoints.Files
                 return;
             string text = "translation " + NumberText.Of(pose.Translation);
             if (!pose.IsShift)
-                text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | " + NumberText.Of(pose.AxisZ);
+                text += ", axes " + NumberText.Of(pose.AxisX) + " | " + NumberText.Of(pose.AxisY) + " | "
+                    + NumberText.Of(pose.AxisZ);
             info.Fact("  pose", text);
         }
 
@@ -146,9 +149,9 @@ namespace FastPoints.Files
         {
             if (images == null || images.Children.Count == 0)
                 return;
-            info.Fact("images (left out)", E57Text.Of(images.Children.Count));
+            info.Fact("images (left out)", NumberText.Of(images.Children.Count));
             for (int i = 0; i < images.Children.Count && i < MaxImages; i++)
-                info.Fact("  image " + E57Text.Of(i + 1L), images.Children[i].TextOf("name") ??
+                info.Fact("  image " + NumberText.Of(i + 1L), images.Children[i].TextOf("name") ??
                     images.Children[i].TextOf("guid") ?? "without a name");
         }
 

@@ -1,3 +1,4 @@
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -79,7 +80,7 @@ namespace FastPoints.Files
             if (!E57Text.TryInteger(node.Attribute("maximum"), long.MaxValue, out Maximum))
                 return Unreadable(node, "maximum");
             if (Minimum > Maximum)
-                return "its minimum " + E57Text.Of(Minimum) + " is above its maximum " + E57Text.Of(Maximum);
+                return "its minimum " + NumberText.Of(Minimum) + " is above its maximum " + NumberText.Of(Maximum);
             Bits = 64 - math.lzcnt((ulong)Maximum - (ulong)Minimum);
             if (!IsScaled)
                 return null;
@@ -88,7 +89,7 @@ namespace FastPoints.Files
             if (!E57Text.TryReal(node.Attribute("offset"), 0, out Offset))
                 return Unreadable(node, "offset");
             return !math.isfinite(Scale) || !math.isfinite(Offset)
-                ? "scale " + E57Text.Of(Scale) + " and offset " + E57Text.Of(Offset) + " must be finite"
+                ? "scale " + NumberText.Of(Scale) + " and offset " + NumberText.Of(Offset) + " must be finite"
                 : Scale == 0 ? "its scale is 0" : null;
         }
 
@@ -121,12 +122,12 @@ namespace FastPoints.Files
                 case E57FieldKind.Float64:
                     string type = Kind == E57FieldKind.Float32 ? "Float single" : "Float double";
                     return math.isfinite(FloatMinimum) && math.isfinite(FloatMaximum) && FloatMaximum < float.MaxValue
-                        ? type + ", " + E57Text.Of(FloatMinimum) + " to " + E57Text.Of(FloatMaximum)
+                        ? type + ", " + NumberText.Of(FloatMinimum) + " to " + NumberText.Of(FloatMaximum)
                         : type;
                 default:
-                    string range = (IsScaled ? "ScaledInteger, " : "Integer, ") + E57Text.Of(Minimum) + " to " +
-                        E57Text.Of(Maximum) + ", " + Bits + " bits";
-                    return IsScaled ? range + ", scale " + E57Text.Of(Scale) + ", offset " + E57Text.Of(Offset) : range;
+                    string range = (IsScaled ? "ScaledInteger, " : "Integer, ") + NumberText.Of(Minimum) + " to " +
+                        NumberText.Of(Maximum) + ", " + Bits + " bits";
+                    return IsScaled ? range + ", scale " + NumberText.Of(Scale) + ", offset " + NumberText.Of(Offset) : range;
             }
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Base;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -51,7 +52,7 @@ namespace FastPoints.Files
                 return pose;
             }
             if (Math.Abs(lengthSq - 1) > 1e-3)
-                problem = "the pose's quaternion has a length of " + E57Text.Of(Math.Sqrt(lengthSq)) + ": it is scaled to 1";
+                problem = "the pose's quaternion has a length of " + NumberText.Of(Math.Sqrt(lengthSq)) + ": it is scaled to 1";
             if (x == 0 && y == 0 && z == 0)
                 return pose;
             double s = 2 / lengthSq;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -74,7 +73,8 @@ namespace FastPoints.Files
                     out long damagedPage);
                 if (damagedPage >= 0)
                     throw new PointCloudException(FailureCode.BadInput, source.Path, damagedPage * E57Pages.PageBytes,
-                        "the checksum of page " + E57Text.Of(damagedPage) + " is wrong, which holds a part of the XML section");
+                        "the checksum of page " + NumberText.Of(damagedPage)
+                            + " is wrong, which holds a part of the XML section");
                 var root = E57XmlTree.Parse(xml, source.Path, E57Pages.ToPhysical(header.XmlLogicalOffset));
                 if (root.Name != "e57Root")
                     throw PointCloudException.Wanted(FailureCode.BadInput, source.Path,
@@ -163,7 +163,7 @@ namespace FastPoints.Files
             }
             if (points == 0)
                 throw PointCloudException.Wanted(FailureCode.Truncated, Info.Path, -1, "points",
-                    Info.PointsClaimed.ToString(CultureInfo.InvariantCulture), 0);
+                    NumberText.Of(Info.PointsClaimed), 0);
             Info.PointsReadable = points;
             m_areBlocksKnown = true;
         }
@@ -258,7 +258,7 @@ namespace FastPoints.Files
                     info.Warn(offset, scan.Label + " is left out: " + problem);
             }
             if (leftOut > MostScansTold)
-                info.Warn(-1, E57Text.Of(leftOut) + " of " + E57Text.Of(count) + " scans are left out");
+                info.Warn(-1, NumberText.Of(leftOut) + " of " + NumberText.Of(count) + " scans are left out");
             if (sections.Count == 0 && first != null)
                 throw first;
             return sections;
@@ -271,7 +271,7 @@ namespace FastPoints.Files
             section.Records = (long)Math.Min(section.Scan.RecordsClaimed, MostRecordsWithoutBits);
             if (section.Scan.RecordsClaimed > MostRecordsWithoutBits)
                 Info.Warn(-1, section.Scan.Label + ": its records take no bytes, all being equal: " + MostRecordsWithoutBits +
-                    " of the " + section.Scan.RecordsClaimed.ToString(CultureInfo.InvariantCulture) + " claimed are given");
+                    " of the " + NumberText.Of(section.Scan.RecordsClaimed) + " claimed are given");
         }
 
         /// <summary>A scan whose points' fields lie too far apart ends before the first such block.</summary>
@@ -288,8 +288,9 @@ namespace FastPoints.Files
                     pages += endPages[i] - firstPages[i];
                 if (pages > MostBlockPages)
                 {
-                    Info.Warn(firstPages[0] * E57Pages.PageBytes, section.Scan.Label + ": wanted " + E57Text.Of(section.Records) +
-                        " points, got " + E57Text.Of(first) + ": " + E57Error.Text(E57Error.TooWide));
+                    Info.Warn(firstPages[0] * E57Pages.PageBytes, section.Scan.Label + ": wanted " +
+                        NumberText.Of(section.Records) +
+                        " points, got " + NumberText.Of(first) + ": " + E57Error.Text(E57Error.TooWide));
                     section.Records = first;
                     return;
                 }
@@ -314,7 +315,7 @@ namespace FastPoints.Files
             int mark = first.Text.LastIndexOf(" (", StringComparison.Ordinal);
             string start = mark >= 0 && first.Text.EndsWith(" so far)", StringComparison.Ordinal)
                 ? first.Text.Substring(0, mark) : first.Text;
-            Info.Warnings[index] = new CloudWarning(first.Path, first.ByteOffset, start + " (" + E57Text.Of(m_counts[key]) +
+            Info.Warnings[index] = new CloudWarning(first.Path, first.ByteOffset, start + " (" + NumberText.Of(m_counts[key]) +
                 " so far)");
         }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
 
@@ -52,7 +53,7 @@ namespace FastPoints.Files
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
 
         /// <summary>For messages: "scan 2".</summary>
-        public string Label => "scan " + E57Text.Of(Index + 1L);
+        public string Label => "scan " + NumberText.Of(Index + 1L);
 
         /// <summary>Bits of a record in all its bytestreams that are read.</summary>
         public long RecordBits

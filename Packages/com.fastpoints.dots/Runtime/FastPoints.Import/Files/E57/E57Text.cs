@@ -51,14 +51,10 @@ namespace FastPoints.Files
             return line.ToString().TrimEnd();
         }
 
-        public static string Of(double value) => NumberText.Of(value);
-
-        public static string Of(long value) => value.ToString(CultureInfo.InvariantCulture);
-
         /// <summary>A dateTimeValue: seconds of GPS time, which counts no leap seconds.</summary>
         public static string GpsTime(double seconds) =>
             seconds > 0 && seconds < 1e10
                 ? s_gpsEpoch.AddSeconds(seconds).ToString("yyyy-MM-dd HH:mm:ss", CultureInfo.InvariantCulture) + " GPS time"
-                : Of(seconds) + " s of GPS time";
+                : NumberText.Of(seconds) + " s of GPS time";
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using Unity.Collections;
 using Unity.Jobs;
@@ -144,11 +143,11 @@ namespace FastPoints.Files
             m_section.Records = records;
             if ((ulong)records < scan.RecordsClaimed)
                 m_reader.Info.Warn(E57Pages.ToPhysical(state.Position), scan.Label + ": wanted " +
-                    scan.RecordsClaimed.ToString(CultureInfo.InvariantCulture) + " points, got " + E57Text.Of(records) + ": " +
+                    NumberText.Of(scan.RecordsClaimed) + " points, got " + NumberText.Of(records) + ": " +
                     E57Error.Text(state.Error == E57Error.None ? E57Error.SectionEnds : state.Error));
             if (state.DamagedHeaders > 0)
                 m_reader.Info.Warn(state.FirstDamagedPage * E57Pages.PageBytes, scan.Label + ": the checksum of page " +
-                    E57Text.Of(state.FirstDamagedPage) + " is wrong, which holds a packet's header (" + state.DamagedHeaders +
+                    NumberText.Of(state.FirstDamagedPage) + " is wrong, which holds a packet's header (" + state.DamagedHeaders +
                     " such headers); they are read as they are");
         }
 

@@ -1,4 +1,4 @@
-using System.Globalization;
+using FastPoints.Base;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -30,8 +30,6 @@ namespace FastPoints.Files
 
         /// <summary>What the node's files are called, without their endings.</summary>
         public static string NameOf(int level, int3 cell) =>
-            Text(level) + "-" + Text(cell.x) + "-" + Text(cell.y) + "-" + Text(cell.z);
-
-        static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
+            NumberText.Of(level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-" + NumberText.Of(cell.z);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using FastPoints.Base;
 using Unity.Collections;
@@ -88,7 +87,7 @@ namespace FastPoints.Files
             if (length == FileSource.NoSuchFile)
                 problem = "there is no " + Path.GetFileName(path);
             else if (length > MaxPageBytes)
-                problem = "it has " + Text(length) + " bytes, wanted at most " + Text(MaxPageBytes);
+                problem = "it has " + NumberText.Of(length) + " bytes, wanted at most " + NumberText.Of(MaxPageBytes);
             if (problem != null)
             {
                 m_reader.Statistics.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
@@ -125,7 +124,7 @@ namespace FastPoints.Files
                 }
                 if (state.Value.IsBroken)
                     m_reader.Statistics.Add("the page of the hierarchy that begins with it is broken",
-                        name, "the first " + Text(state.Value.Entries) + " entries are read", state.Value.At, path);
+                        name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
             }
         }
 
@@ -178,7 +177,7 @@ namespace FastPoints.Files
             if (m_nodes.Count + m_pages.Count > MaxNodes)
             {
                 if (!m_isFull)
-                    m_reader.Info.Warn(-1, "the hierarchy has more than " + Text(MaxNodes)
+                    m_reader.Info.Warn(-1, "the hierarchy has more than " + NumberText.Of(MaxNodes)
                         + " nodes and pages: the others are left out");
                 m_isFull = true;
                 return;
@@ -194,7 +193,8 @@ namespace FastPoints.Files
             if (!m_nodes.Add(entry.Key))
                 m_reader.Statistics.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
             else if (entry.Points < 0)
-                m_reader.Statistics.Add("has a number of points that is none", entry.Name, Text(entry.Points), entry.At, path);
+                m_reader.Statistics.Add("has a number of points that is none", entry.Name, NumberText.Of(entry.Points), entry.At,
+                    path);
             else
                 AddNode(entry, length);
         }
@@ -210,7 +210,7 @@ namespace FastPoints.Files
             if (bytes <= 0)
             {
                 m_reader.Statistics.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
-                    entry.Name, Text(entry.Points) + " points", -1, path);
+                    entry.Name, NumberText.Of(entry.Points) + " points", -1, path);
                 m_reader.AddNode(entry, 0, 0);
                 return;
             }
@@ -218,10 +218,11 @@ namespace FastPoints.Files
             long points = Math.Min(entry.Points, MostPoints(bytes));
             if (points < entry.Points)
                 m_reader.Statistics.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
-                    + Text(entry.Points) + ", got room for " + Text(points) + " in " + Text(bytes) + " bytes", -1, path);
+                    + NumberText.Of(entry.Points) + ", got room for " + NumberText.Of(points) + " in " + NumberText.Of(bytes)
+                    + " bytes", -1, path);
             else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
                 m_reader.Statistics.Add("its file holds more than the points that the hierarchy claims", entry.Name,
-                    "wanted " + Text(points * m_index.RecordBytes) + " bytes, got " + Text(bytes), -1, path);
+                    "wanted " + NumberText.Of(points * m_index.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
             m_reader.AddNode(entry, points, bytes);
         }
 
@@ -235,7 +236,5 @@ namespace FastPoints.Files
             return m_index.DataType == EptDataType.Laszip
                 ? LazChunk.MaxPoints(bytes) : bytes * MaxZstandardRatio / m_index.RecordBytes;
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -71,7 +71,7 @@ namespace FastPoints.Files
             info.Fact("data type", json.Text("dataType"));
             info.Fact("span", NumberText.Of(json.Number("span", 0)));
             info.Fact("spacing", NumberText.Of(index.Spacing));
-            info.Fact("schema bytes a point", index.RecordBytes.ToString(CultureInfo.InvariantCulture));
+            info.Fact("schema bytes a point", NumberText.Of(index.RecordBytes));
             return index;
         }
 
@@ -146,13 +146,13 @@ namespace FastPoints.Files
                 name = s_columnNames.TryGetValue(name, out string usual) ? usual : name;
                 string unique = name;
                 for (int number = 2; m_fields.ContainsKey(unique); number++)
-                    unique = name + " (" + number.ToString(CultureInfo.InvariantCulture) + ")";
+                    unique = name + " (" + NumberText.Of(number) + ")";
                 m_fields.Add(unique, new LasField(unique, type, (int)bytes, scale, offset));
                 columns.Add(new PointAttribute(unique, type, scale, offset));
                 bytes += type.SizeOf();
                 if (bytes > MaxRecordBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "bytes of a point",
-                        "at most " + MaxRecordBytes.ToString(CultureInfo.InvariantCulture), bytes);
+                        "at most " + NumberText.Of(MaxRecordBytes), bytes);
             }
             foreach (string axis in s_axes)
                 if (!m_fields.ContainsKey(axis))

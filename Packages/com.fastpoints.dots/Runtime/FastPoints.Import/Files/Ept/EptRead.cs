@@ -1,4 +1,3 @@
-using System;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.Jobs;

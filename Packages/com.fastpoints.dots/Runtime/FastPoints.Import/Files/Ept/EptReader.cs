@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -132,8 +131,8 @@ namespace FastPoints.Files
             if (m_tree.IsWhole)
                 yield break;
             yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
-            string found = "ept.json claims " + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture)
-                + " points, the nodes that are there hold " + m_pointCount.ToString(CultureInfo.InvariantCulture);
+            string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
+                + " points, the nodes that are there hold " + NumberText.Of(m_pointCount);
             if (m_pointCount == 0 && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, -1, found);
             if ((ulong)m_pointCount != Info.PointsClaimed)

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Burst;
@@ -64,9 +63,9 @@ namespace FastPoints.Files
             result.Value = default;
             long offset = m_reader.OffsetOfPoint(FirstPoint);
             int recordBytes = m_reader.Info.RecordBytes;
-            string wanted = Range.Count.ToString(CultureInfo.InvariantCulture) + " points of "
-                + recordBytes.ToString(CultureInfo.InvariantCulture) + " bytes";
-            string came = (got / recordBytes).ToString(CultureInfo.InvariantCulture);
+            string wanted = NumberText.Of(Range.Count) + " points of "
+                + NumberText.Of(recordBytes) + " bytes";
+            string came = NumberText.Of(got / recordBytes);
             throw PointCloudException.Wanted(status == ReadStatus.Truncated ? FailureCode.Truncated : FailureCode.ReadFailed,
                 m_reader.Info.Path, offset, status == ReadStatus.Truncated ? "the file became shorter" : "the read failed",
                 wanted, came);

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
@@ -16,11 +15,11 @@ namespace FastPoints.Files
         {
             ulong claimed = header.PointsClaimed;
             if (header.Has64BitCount && header.LegacyCount != 0 && header.LegacyCount != header.Count)
-                info.Warn(LasHeader.At.LegacyCount, "the 32-bit point count is " + Text(header.LegacyCount)
-                    + ", the 64-bit one " + Text(header.Count) + ": " + Text(claimed) + " is used");
+                info.Warn(LasHeader.At.LegacyCount, "the 32-bit point count is " + NumberText.Of(header.LegacyCount)
+                    + ", the 64-bit one " + NumberText.Of(header.Count) + ": " + NumberText.Of(claimed) + " is used");
             if (header.PointsOffset < header.HeaderBytes)
-                info.Warn(LasHeader.At.PointsOffset, "the points start at byte " + Text(header.PointsOffset)
-                    + ", inside the header of " + Text((ulong)header.HeaderBytes) + " bytes");
+                info.Warn(LasHeader.At.PointsOffset, "the points start at byte " + NumberText.Of(header.PointsOffset)
+                    + ", inside the header of " + NumberText.Of((ulong)header.HeaderBytes) + " bytes");
 
             long start = header.PointsOffset;
             long room = Math.Max(0, fileBytes - start);
@@ -35,8 +34,9 @@ namespace FastPoints.Files
             long bytes = Math.Max(0, end - start);
             long readable = bytes / header.RecordBytes;
             long cut = bytes % header.RecordBytes;
-            string story = "the header claims " + Text(claimed) + " points, the file holds " + Text((ulong)readable)
-                + (cut == 0 ? "" : " and " + Text((ulong)cut) + " of the " + Text((ulong)header.RecordBytes)
+            string story = "the header claims " + NumberText.Of(claimed) + " points, the file holds "
+                + NumberText.Of((ulong)readable)
+                + (cut == 0 ? "" : " and " + NumberText.Of((ulong)cut) + " of the " + NumberText.Of((ulong)header.RecordBytes)
                     + " bytes of the next");
             if (readable == 0)
                 throw new PointCloudException(FailureCode.Truncated, info.Path, start, story);
@@ -108,17 +108,18 @@ namespace FastPoints.Files
                 Section(header.EvlrOffset, LasHeader.At.EvlrOffset, "the first EVLR", header, pointsEnd, ref end, info);
             long rest = end - pointsEnd;
             if (rest >= header.RecordBytes)
-                info.Warn(header.PointsClaimedAt, "behind the " + Text(header.PointsClaimed)
-                    + " points that the header claims lie " + Text((ulong)rest) + " bytes, room for "
-                    + Text((ulong)(rest / header.RecordBytes)) + " more");
+                info.Warn(header.PointsClaimedAt, "behind the " + NumberText.Of(header.PointsClaimed)
+                    + " points that the header claims lie " + NumberText.Of((ulong)rest) + " bytes, room for "
+                    + NumberText.Of((ulong)(rest / header.RecordBytes)) + " more");
             else if (rest > 0)
-                info.Fact("bytes behind the points", Text((ulong)rest));
+                info.Fact("bytes behind the points", NumberText.Of((ulong)rest));
         }
 
         static void Section(ulong at, int field, string name, LasHeader header, long pointsEnd, ref long end, SourceInfo info)
         {
             if (at > header.PointsOffset && at < (ulong)pointsEnd)
-                info.Warn(field, name + " would start at byte " + Text(at) + ", among the points: the point count is believed");
+                info.Warn(field, name + " would start at byte " + NumberText.Of(at)
+                    + ", among the points: the point count is believed");
             else if (at >= (ulong)pointsEnd && at < (ulong)end)
                 end = (long)at;
         }
@@ -129,8 +130,6 @@ namespace FastPoints.Files
         // Writers round the box to the step, or print it with few digits: two steps are no contradiction.
         static bool Contains(BoundsGeo box, BoundsGeo seen, double3 step) =>
             math.all(seen.Min >= box.Min - 2 * step) && math.all(seen.Max <= box.Max + 2 * step);
-
-        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
 
         static string Text(BoundsGeo box) => Text(box.Min) + " .. " + Text(box.Max);
 

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 
@@ -49,7 +48,7 @@ namespace FastPoints.Files
                 if (type > 3 * s_types.Length)
                 {
                     info.Warn(fileOffset + TypeAt, "extra bytes \"" + name + "\": wanted a data type of 0 to 30, got "
-                        + Text(type) + ": it and what follows are read as single bytes");
+                        + NumberText.Of(type) + ": it and what follows are read as single bytes");
                     return fields;
                 }
                 // Type 0 has no type: its options are its length in bytes.
@@ -58,20 +57,21 @@ namespace FastPoints.Files
                 int bytes = components * component.SizeOf();
                 if (bytes > recordBytes - at)
                 {
-                    info.Warn(fileOffset, "extra bytes \"" + name + "\": wanted " + Text(bytes) + " bytes of the record, got "
-                        + Text(recordBytes - at) + ": what is left is read as single bytes");
+                    info.Warn(fileOffset, "extra bytes \"" + name + "\": wanted " + NumberText.Of(bytes)
+                        + " bytes of the record, got "
+                        + NumberText.Of(recordBytes - at) + ": what is left is read as single bytes");
                     return fields;
                 }
                 for (int i = 0; i < components; i++)
                 {
                     double scale = type != 0 && (options & ScaleOption) != 0 ? Number(entries, entry, ScaleAt, i, 1, info) : 1;
                     double offset = type != 0 && (options & OffsetOption) != 0 ? Number(entries, entry, OffsetAt, i, 0, info) : 0;
-                    string fieldName = components == 1 && type != 0 ? name : name + "[" + Text(i) + "]";
+                    string fieldName = components == 1 && type != 0 ? name : name + "[" + NumberText.Of(i) + "]";
                     fields.Add(new LasField(fieldName, component, at, scale, offset));
                     at += component.SizeOf();
                 }
                 string description = entries.Text(entry + DescriptionAt, DescriptionBytes, "extra bytes description");
-                info.Fact("extra bytes " + name, (components == 1 ? "" : Text(components) + " x ") + component
+                info.Fact("extra bytes " + name, (components == 1 ? "" : NumberText.Of(components) + " x ") + component
                     + (description.Length > 0 ? ", " + description : ""));
             }
             return fields;
@@ -103,7 +103,5 @@ namespace FastPoints.Files
                 + NumberText.Of(value) + ": read as " + NumberText.Of(otherwise));
             return otherwise;
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

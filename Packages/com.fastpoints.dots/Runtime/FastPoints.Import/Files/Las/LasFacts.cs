@@ -19,30 +19,30 @@ namespace FastPoints.Files
             AddText("system identifier", header.SystemIdentifier, info);
             AddText("generating software", header.GeneratingSoftware, info);
             if (header.CreationYear != 0 || header.CreationDay != 0)
-                info.Fact("created", "day " + Text(header.CreationDay) + " of " + Text(header.CreationYear));
-            info.Fact("file source id", Text(header.FileSourceId));
+                info.Fact("created", "day " + NumberText.Of(header.CreationDay) + " of " + NumberText.Of(header.CreationYear));
+            info.Fact("file source id", NumberText.Of(header.FileSourceId));
             info.Fact("global encoding", Encoding(header.GlobalEncoding));
             var guid = new Guid(header.Guid);
             if (guid != Guid.Empty)
                 info.Fact("project GUID", guid.ToString());
-            info.Fact("header bytes", Text((ulong)header.HeaderBytes));
-            info.Fact("offset to points", Text(header.PointsOffset));
-            info.Fact("record bytes", Text((ulong)header.RecordBytes));
+            info.Fact("header bytes", NumberText.Of((ulong)header.HeaderBytes));
+            info.Fact("offset to points", NumberText.Of(header.PointsOffset));
+            info.Fact("record bytes", NumberText.Of((ulong)header.RecordBytes));
             info.Fact("scale", Numbers(header.Scale.x, header.Scale.y, header.Scale.z));
             info.Fact("offset", Numbers(header.Offset.x, header.Offset.y, header.Offset.z));
             if (header.Has64BitCount && header.LegacyCount != 0)
-                info.Fact("32-bit point count", Text(header.LegacyCount));
+                info.Fact("32-bit point count", NumberText.Of(header.LegacyCount));
             info.Fact("points by return", ByReturn(header));
             if (header.WaveformOffset != 0)
-                info.Fact("start of waveform data", Text(header.WaveformOffset));
+                info.Fact("start of waveform data", NumberText.Of(header.WaveformOffset));
             if (header.HasBytes(LasHeader.BytesOf(5)))
             {
                 info.Fact("GPS time", Numbers(header.MinGpsTime, header.MaxGpsTime));
-                info.Fact("time offset", Text(header.TimeOffset));
+                info.Fact("time offset", NumberText.Of(header.TimeOffset));
             }
             foreach (var record in vlrs.Records)
-                info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + Text(record.RecordId) + ", "
-                    + Text((ulong)record.DataBytes) + " bytes"
+                info.Fact(record.IsExtended ? "EVLR" : "VLR", record.UserId + "/" + NumberText.Of(record.RecordId) + ", "
+                    + NumberText.Of((ulong)record.DataBytes) + " bytes"
                     + (record.Description.Length > 0 ? ", " + record.Description : ""));
         }
 
@@ -66,17 +66,15 @@ namespace FastPoints.Files
             var counts = new List<string>();
             if (header.HasBytes(LasHeader.At.MaxGpsTime))
                 foreach (ulong count in header.ByReturn)
-                    counts.Add(Text(count));
+                    counts.Add(NumberText.Of(count));
             else
                 foreach (uint count in header.LegacyByReturn)
-                    counts.Add(Text(count));
+                    counts.Add(NumberText.Of(count));
             while (counts.Count > 1 && counts[counts.Count - 1] == "0")
                 counts.RemoveAt(counts.Count - 1);
             return string.Join(" ", counts);
         }
 
         static string Numbers(params double[] values) => string.Join(" ", Array.ConvertAll(values, NumberText.Of));
-
-        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

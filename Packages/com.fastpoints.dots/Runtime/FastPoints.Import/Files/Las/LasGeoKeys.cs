@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -41,7 +41,7 @@ namespace FastPoints.Files
             var text = PayloadOf(vlrs, LasVlr.GeoAsciiParamsRecord, directory);
             if (!directory.Has(0, EntryBytes))
             {
-                info.Warn(record.DataOffset, "GeoTIFF keys: wanted at least 8 bytes, got " + Text(directory.Length));
+                info.Warn(record.DataOffset, "GeoTIFF keys: wanted at least 8 bytes, got " + NumberText.Of(directory.Length));
                 return;
             }
             int count = CountOf(directory, record, info);
@@ -49,8 +49,8 @@ namespace FastPoints.Files
             for (int i = 1; i <= count; i++)
                 keys.Read(i, directory, doubles, text, record.DataOffset, info);
             if (keys.Empty > 0)
-                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + Text(keys.Empty)
-                    + " times among " + Text(count) + " keys: left out");
+                info.Warn(record.DataOffset, "GeoTIFF key 0, which there is none of, stands " + NumberText.Of(keys.Empty)
+                    + " times among " + NumberText.Of(count) + " keys: left out");
             keys.Fill(crs);
         }
 
@@ -60,12 +60,12 @@ namespace FastPoints.Files
             int version = directory.UInt16(0, "GeoTIFF key directory version");
             int count = directory.UInt16(6, "GeoTIFF key count");
             if (version != 1)
-                info.Warn(record.DataOffset, "GeoTIFF keys: wanted directory version 1, got " + Text(version));
+                info.Warn(record.DataOffset, "GeoTIFF keys: wanted directory version 1, got " + NumberText.Of(version));
             if (directory.Has(EntryBytes, count * EntryBytes))
                 return count;
             int room = directory.Length / EntryBytes - 1;
-            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + Text(count) + " keys, there is room for "
-                + Text(room));
+            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + NumberText.Of(count) + " keys, there is room for "
+                + NumberText.Of(room));
             return room;
         }
 
@@ -176,9 +176,8 @@ namespace FastPoints.Files
         }
 
         static void Misplaced(int key, int location, int value, long at, SourceInfo info) =>
-            info.Warn(at, "GeoTIFF key " + Text(key) + " points to " + Text(location) + "/" + Text(value)
+            info.Warn(at, "GeoTIFF key " + NumberText.Of(key) + " points to " + NumberText.Of(location) + "/"
+                + NumberText.Of(value)
                 + ", where the file has nothing: left out");
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

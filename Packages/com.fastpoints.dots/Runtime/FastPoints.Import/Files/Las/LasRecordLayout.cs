@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Files
@@ -27,7 +27,7 @@ namespace FastPoints.Files
             }
             DescribedBytes = end;
             for (int i = end; i < recordBytes; i++)
-                Add(new LasField("ExtraBytes[" + (i - end).ToString(CultureInfo.InvariantCulture) + "]", AttributeType.UInt8, i));
+                Add(new LasField("ExtraBytes[" + NumberText.Of(i - end) + "]", AttributeType.UInt8, i));
 
             var attributes = new List<PointAttribute>(m_fields.Count);
             foreach (var field in m_fields)
@@ -59,7 +59,7 @@ namespace FastPoints.Files
             // is numbered.
             string name = field.Name;
             for (int number = 2; m_indexOfName.ContainsKey(name); number++)
-                name = field.Name + " (" + number.ToString(CultureInfo.InvariantCulture) + ")";
+                name = field.Name + " (" + NumberText.Of(number) + ")";
             if (name != field.Name)
                 field = new LasField(name, field.Type, field.ByteOffset, field.Scale, field.Offset);
             m_indexOfName.Add(name, m_fields.Count);

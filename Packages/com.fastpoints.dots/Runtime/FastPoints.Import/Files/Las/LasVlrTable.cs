@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -37,8 +37,8 @@ namespace FastPoints.Files
             if (header.EvlrCount == 0)
                 return table;
             if (header.EvlrOffset < header.PointsOffset || header.EvlrOffset > (ulong)source.Length)
-                info.Warn(LasHeader.At.EvlrOffset, "the header claims " + Text(header.EvlrCount) + " EVLRs from byte "
-                    + header.EvlrOffset.ToString(CultureInfo.InvariantCulture) + ", which is not behind the points: left out");
+                info.Warn(LasHeader.At.EvlrOffset, "the header claims " + NumberText.Of(header.EvlrCount) + " EVLRs from byte "
+                    + NumberText.Of(header.EvlrOffset) + ", which is not behind the points: left out");
             else
                 table.Walk((long)header.EvlrOffset, source.Length, header.EvlrCount, true, LasHeader.At.EvlrCount);
             return table;
@@ -58,8 +58,8 @@ namespace FastPoints.Files
         {
             if (record.DataBytes <= MaxPayloadBytes)
                 return m_source.ReadAtMost(record.DataOffset, (int)record.DataBytes);
-            m_info.Warn(record.Offset, record.UserId + "/" + Text(record.RecordId) + ": wanted at most "
-                + Text(MaxPayloadBytes) + " bytes, got " + Text(record.DataBytes) + ": left out");
+            m_info.Warn(record.Offset, record.UserId + "/" + NumberText.Of(record.RecordId) + ": wanted at most "
+                + NumberText.Of(MaxPayloadBytes) + " bytes, got " + NumberText.Of(record.DataBytes) + ": left out");
             return new ByteReader(Array.Empty<byte>(), m_source.Path, record.DataOffset);
         }
 
@@ -71,8 +71,8 @@ namespace FastPoints.Files
             {
                 if (at + headerBytes > end || m_records.Count == MaxRecords)
                 {
-                    m_info.Warn(countAt, "the header claims " + Text(count) + " " + kind + "s, there is room for "
-                        + Text(i) + (extended ? " in the file" : " before the points") + ": the others are left out");
+                    m_info.Warn(countAt, "the header claims " + NumberText.Of(count) + " " + kind + "s, there is room for "
+                        + NumberText.Of(i) + (extended ? " in the file" : " before the points") + ": the others are left out");
                     return;
                 }
                 var bytes = m_source.Read(at, headerBytes, kind);
@@ -91,8 +91,8 @@ namespace FastPoints.Files
                 record.DataBytes = (long)Math.Min(claimed, (ulong)room);
                 if (claimed > (ulong)room)
                 {
-                    m_info.Warn(at, kind + " " + Text(i + 1) + " of " + Text(count) + ": wanted "
-                        + claimed.ToString(CultureInfo.InvariantCulture) + " bytes, got " + Text(room)
+                    m_info.Warn(at, kind + " " + NumberText.Of(i + 1) + " of " + NumberText.Of(count) + ": wanted "
+                        + NumberText.Of(claimed) + " bytes, got " + NumberText.Of(room)
                         + (extended ? " before the end of the file" : " before the points") + ": it and the next are left out");
                     return;
                 }
@@ -100,8 +100,6 @@ namespace FastPoints.Files
                 at = record.DataOffset + record.DataBytes;
             }
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 
     /// <summary>One (extended) variable length record: whose it is, what it is, where its bytes lie.</summary>

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
+using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
@@ -162,15 +162,15 @@ namespace FastPoints.Files
         {
             if (!m_toldBlocks.Add(range.Block))
                 return;
-            string chunk = "chunk " + Text(Block(range.Block).Chunk);
+            string chunk = "chunk " + NumberText.Of(Block(range.Block).Chunk);
             Info.Warn(result.ErrorOffset, result.Error == LazError.EndMismatch
                 ? chunk + " does not end where its stream does: some of its points are not what was written"
                 : result.Error == LazError.GoesOn
                 ? chunk + " has bytes behind its last point: the file is cut or claims too few points, or some of them are not "
                     + "what was written"
                 : result.Error == LazError.NoChunk
-                ? chunk + ": wanted " + Text(range.Count) + " points, got bytes that are no chunk's"
-                : chunk + ": wanted " + Text(range.Count) + " points, got " + Text(result.Points)
+                ? chunk + ": wanted " + NumberText.Of(range.Count) + " points, got bytes that are no chunk's"
+                : chunk + ": wanted " + NumberText.Of(range.Count) + " points, got " + NumberText.Of(result.Points)
                     + ": the others are not in the file");
         }
 
@@ -249,8 +249,6 @@ namespace FastPoints.Files
             }
             LasClaims.CheckBounds(Header, Source, offsets, Info);
         }
-
-        private protected static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 
     /// <summary>A block of a LAZ file: a chunk, or a part of one that is too long.</summary>

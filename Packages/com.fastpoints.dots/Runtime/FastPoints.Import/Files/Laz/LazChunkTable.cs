@@ -1,5 +1,5 @@
 using System;
-using System.Globalization;
+using FastPoints.Base;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
@@ -76,7 +76,8 @@ namespace FastPoints.Files
                 table.Chunks.Clear();
             info.Warn(at, "chunk table: " + trouble + (canWalk
                 ? ": the chunks are looked for one after the other"
-                : ": without it chunks of varying size cannot be told apart; " + Text(table.Chunks.Count) + " are known"));
+                : ": without it chunks of varying size cannot be told apart; " + NumberText.Of(table.Chunks.Count)
+                    + " are known"));
             return table;
         }
 
@@ -94,22 +95,23 @@ namespace FastPoints.Files
                 start = OffsetAt(at);
             }
             if (start == pointsOffset || start == 0)
-                return "its offset was never written (" + Text(start) + ")";
+                return "its offset was never written (" + NumberText.Of(start) + ")";
             if (start < FirstChunkOffset || start > m_source.Length - TableHeaderBytes)
-                return "wanted an offset of " + Text(FirstChunkOffset) + " to " + Text(m_source.Length - TableHeaderBytes)
-                    + ", got " + Text(start);
+                return "wanted an offset of " + NumberText.Of(FirstChunkOffset) + " to "
+                    + NumberText.Of(m_source.Length - TableHeaderBytes)
+                    + ", got " + NumberText.Of(start);
 
             at = start;
             var header = m_source.Read(start, TableHeaderBytes, "chunk table");
             uint version = header.UInt32(0, "chunk table version");
             if (version != 0)
-                return "wanted version 0, got " + Text(version);
+                return "wanted version 0, got " + NumberText.Of(version);
             long count = header.UInt32(4, "number of chunks");
             long room = (start - FirstChunkOffset) / m_format.RecordBytes;
             if (count > room)
-                return "claims " + Text(count) + " chunks, there is room for " + Text(room);
+                return "claims " + NumberText.Of(count) + " chunks, there is room for " + NumberText.Of(room);
             if (count > int.MaxValue)
-                return "claims " + Text(count) + " chunks, at most " + Text(int.MaxValue) + " are read";
+                return "claims " + NumberText.Of(count) + " chunks, at most " + NumberText.Of(int.MaxValue) + " are read";
             if (count == 0)
                 return m_pointsClaimed == 0 ? null : "claims no chunks, the header claims points";
             return ReadEntries(start, count);
@@ -148,18 +150,20 @@ namespace FastPoints.Files
                             lastPoints += IntegerModel.Decode(model, 32, 2, 0, ref value, ref length, ref next);
                         lastBytes += IntegerModel.Decode(model, 32, 2, 1, ref value, ref length, ref next);
                         if (next > end)
-                            return "ends within the entry of chunk " + Text(i);
+                            return "ends within the entry of chunk " + NumberText.Of(i);
                         var chunk = new LazChunk { Offset = offset, Bytes = (uint)lastBytes, Points = (uint)lastPoints };
                         if (!isVariable)
                             chunk.Points = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                         if (chunk.Bytes > start - offset)
-                            return "chunk " + Text(i) + " would end at byte " + Text(offset + chunk.Bytes)
+                            return "chunk " + NumberText.Of(i) + " would end at byte " + NumberText.Of(offset + chunk.Bytes)
                                 + ", in or behind the table";
                         if (chunk.Bytes < m_format.RecordBytes && chunk.Points > 0)
-                            return "chunk " + Text(i) + " has " + Text(chunk.Bytes) + " bytes, wanted at least a record of "
-                                + Text(m_format.RecordBytes);
+                            return "chunk " + NumberText.Of(i) + " has " + NumberText.Of(chunk.Bytes)
+                                + " bytes, wanted at least a record of "
+                                + NumberText.Of(m_format.RecordBytes);
                         if (chunk.Points > LazChunk.MaxPoints(chunk.Bytes))
-                            return "chunk " + Text(i) + " claims " + Text(chunk.Points) + " points in " + Text(chunk.Bytes)
+                            return "chunk " + NumberText.Of(i) + " claims " + NumberText.Of(chunk.Points) + " points in "
+                                + NumberText.Of(chunk.Bytes)
                                 + " bytes";
                         offset += chunk.Bytes;
                         pointsLeft -= Math.Min(pointsLeft, (ulong)chunk.Points);
@@ -169,7 +173,8 @@ namespace FastPoints.Files
                             m_emptyChunks++;
                     }
                     if (offset < start)
-                        m_info.Warn(offset, Text(start - offset) + " bytes between the last chunk and the chunk table belong to "
+                        m_info.Warn(offset, NumberText.Of(start - offset)
+                            + " bytes between the last chunk and the chunk table belong to "
                             + "none");
                 }
             return null;
@@ -190,23 +195,20 @@ namespace FastPoints.Files
         {
             ulong sum = (ulong)Chunks.PointCount;
             if (m_emptyChunks > 0)
-                m_info.Warn(FirstChunkOffset, "the chunk table has " + Text(m_emptyChunks)
+                m_info.Warn(FirstChunkOffset, "the chunk table has " + NumberText.Of(m_emptyChunks)
                     + " chunks more than the points that the header claims: left out");
             if (sum == m_pointsClaimed)
                 return;
             if (m_format.HasVariableChunks)
             {
-                m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + Text(m_pointsClaimed) + " points, the chunk table "
-                    + Text(sum) + ": the table is believed");
+                m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
+                    + " points, the chunk table "
+                    + NumberText.Of(sum) + ": the table is believed");
                 return;
             }
             // With chunks of one size only the header says how many points the last one has.
-            m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + Text(m_pointsClaimed)
-                + " points, the chunks in the table have room for " + Text(sum));
+            m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
+                + " points, the chunks in the table have room for " + NumberText.Of(sum));
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
-
-        static string Text(ulong number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

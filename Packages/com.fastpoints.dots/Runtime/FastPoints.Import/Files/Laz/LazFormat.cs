@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 
 namespace FastPoints.Files
@@ -81,14 +80,15 @@ namespace FastPoints.Files
             int count = bytes.UInt16(32, "LASzip items");
             if (count == 0 || count > PointwiseChunk.MaxItems)
                 throw PointCloudException.Wanted(FailureCode.BadInput, path, at + 32, "LASzip items",
-                    "1 to " + Text(PointwiseChunk.MaxItems), count);
+                    "1 to " + NumberText.Of(PointwiseChunk.MaxItems), count);
 
             var format = new LazFormat
             {
                 Compressor = (LazCompressor)compressor,
                 ChunkPoints = bytes.UInt32(12, "LASzip chunk size"),
-                WriterVersion = Text(bytes.UInt8(4, "LASzip version")) + "." + Text(bytes.UInt8(5, "LASzip version")) + "."
-                    + Text(bytes.UInt16(6, "LASzip version")),
+                WriterVersion = NumberText.Of(bytes.UInt8(4, "LASzip version")) + "."
+                    + NumberText.Of(bytes.UInt8(5, "LASzip version")) + "."
+                    + NumberText.Of(bytes.UInt16(6, "LASzip version")),
                 Items = new LazItem[count],
                 RecordBytes = las.Header.RecordBytes,
             };
@@ -126,8 +126,9 @@ namespace FastPoints.Files
             info.Fact("LASzip version", WriterVersion);
             info.Fact("LASzip compressor", Compressor.ToString());
             info.Fact("LASzip chunk points", Compressor == LazCompressor.Pointwise ? "none"
-                : HasVariableChunks ? "variable" : Text(ChunkPoints));
-            info.Fact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v" + Text(item.Version))));
+                : HasVariableChunks ? "variable" : NumberText.Of(ChunkPoints));
+            info.Fact("LASzip items", string.Join(", ", Array.ConvertAll(Items, item => item.Type + " v"
+                + NumberText.Of(item.Version))));
         }
 
         static LazItem ReadItem(ByteReader bytes, int at, int recordOffset, LazCompressor compressor)
@@ -147,7 +148,7 @@ namespace FastPoints.Files
                     + item.Type, wanted, size);
             if (wanted == 0 && (size == 0 || size > MaxExtraBytes))
                 throw PointCloudException.Wanted(FailureCode.Unsupported, bytes.Path, offset + 2, "bytes of LASzip item "
-                    + item.Type, "1 to " + Text(MaxExtraBytes), size);
+                    + item.Type, "1 to " + NumberText.Of(MaxExtraBytes), size);
             if (compressor != LazCompressor.None && !LazItem.IsVersionKnown(item.Type, version))
                 throw PointCloudException.Wanted(FailureCode.Unsupported, bytes.Path, offset + 4, "version of LASzip item "
                     + item.Type, "a known one", version);
@@ -176,10 +177,10 @@ namespace FastPoints.Files
             string items = string.Join(" + ", got);
             if (items != wanted || !isExtraLast)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at,
-                    "LASzip items of point format " + Text(las.Header.PointFormat), wanted, items);
+                    "LASzip items of point format " + NumberText.Of(las.Header.PointFormat), wanted, items);
             if (bytes != format.RecordBytes)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, at, "bytes of the LASzip items",
-                    Text(format.RecordBytes) + " (the record length)", bytes);
+                    NumberText.Of(format.RecordBytes) + " (the record length)", bytes);
         }
 
         /// <summary>The item types of a point format, extra bytes aside.</summary>
@@ -202,7 +203,5 @@ namespace FastPoints.Files
                 items.Add(LazItemType.WavePacket14);
             return string.Join(" + ", items);
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 
 namespace FastPoints.Files
@@ -139,10 +138,10 @@ namespace FastPoints.Files
             for (int c = 0; Format.IsLayered && Chunks.MaxBytes > MaxLayeredChunkBytes && c < Chunks.Count; c++)
                 if (Chunks[c].Bytes > MaxLayeredChunkBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset, "bytes of a layered chunk",
-                        "at most " + Text(MaxLayeredChunkBytes), Chunks[c].Bytes);
+                        "at most " + NumberText.Of(MaxLayeredChunkBytes), Chunks[c].Bytes);
             if (Chunks.Count == 0 && !isLost && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, start, "the header claims "
-                    + Info.PointsClaimed.ToString(CultureInfo.InvariantCulture) + " points, the file holds none");
+                    + NumberText.Of(Info.PointsClaimed) + " points, the file holds none");
             return isLost;
         }
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 
 namespace FastPoints.Files
@@ -99,8 +98,9 @@ namespace FastPoints.Files
                     && (m_format.HasVariableChunks || points <= m_format.ChunkPoints);
                 if (!isChunk || there > LazReader.MaxLayeredChunkBytes)
                 {
-                    m_reader.Info.Warn(at, "there is no chunk here (" + Text(points) + " points in " + Text(bytes) + " bytes): "
-                        + Text(chunks.Count) + " chunks were found before it");
+                    m_reader.Info.Warn(at, "there is no chunk here (" + NumberText.Of(points) + " points in "
+                        + NumberText.Of(bytes) + " bytes): "
+                        + NumberText.Of(chunks.Count) + " chunks were found before it");
                     break;
                 }
                 chunks.Add(new LazChunk { Offset = at, Bytes = there, Points = points });
@@ -170,8 +170,9 @@ namespace FastPoints.Files
                     CloseChunk(c, firstCheckpoint);
                     if (stream.Point == chunk.Points)
                         continue;
-                    m_reader.Info.Warn(stream.FileOffset, "chunk " + Text(c) + ": wanted " + Text(chunk.Points) + " points, got "
-                        + Text(stream.Point) + ": the others are not in the file");
+                    m_reader.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
+                        + " points, got "
+                        + NumberText.Of(stream.Point) + ": the others are not in the file");
                     chunks.SetPoints(c, stream.Point);
                 }
             }
@@ -234,10 +235,8 @@ namespace FastPoints.Files
             ulong points = (ulong)chunks.PointCount;
             if (points != m_reader.Info.PointsClaimed)
                 m_reader.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
-                    + m_reader.Info.PointsClaimed.ToString(CultureInfo.InvariantCulture) + " points, the file holds "
-                    + points.ToString(CultureInfo.InvariantCulture));
+                    + NumberText.Of(m_reader.Info.PointsClaimed) + " points, the file holds "
+                    + NumberText.Of(points));
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

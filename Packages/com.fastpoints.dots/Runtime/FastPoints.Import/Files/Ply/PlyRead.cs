@@ -1,8 +1,6 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.Jobs;
 
 namespace FastPoints.Files
 {

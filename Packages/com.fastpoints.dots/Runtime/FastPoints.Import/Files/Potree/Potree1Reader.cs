@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Points;
@@ -260,7 +259,7 @@ namespace FastPoints.Files
                 if (m_recordAt + RecordBytes > m_records.Length)
                 {
                     Statistics.Add("the hierarchy that begins with it ends early",
-                        PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz), "wanted child " + Text(child) + " of " +
+                        PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz), "wanted child " + NumberText.Of(child) + " of " +
                         PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
                     m_parents.Clear();
                     return;
@@ -336,7 +335,7 @@ namespace FastPoints.Files
             long points = 0;
             PointsClaimed += node.Claimed;
             if (node.Bytes < 0 && node.Claimed > 0)
-                Statistics.Add("its file is missing: its points are left out", name, "wanted " + Text(node.Claimed), -1,
+                Statistics.Add("its file is missing: its points are left out", name, "wanted " + NumberText.Of(node.Claimed), -1,
                     node.Path);
             if (node.Problem != null)
                 Statistics.Add("its file cannot be read: its points are left out", name, node.Problem);
@@ -346,8 +345,8 @@ namespace FastPoints.Files
                 points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
                 if (points != node.Claimed || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
                     Statistics.Add("its file does not hold what the hierarchy says", name,
-                        "wanted " + Text(node.Claimed) + " points, got " + Text(points) + (m_layout == null ? ""
-                            : " and " + Text(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
+                        "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
+                            : " and " + NumberText.Of(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
             }
             AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
@@ -362,7 +361,7 @@ namespace FastPoints.Files
                     var header = LasHeader.Read(source);
                     if (source.Length > MaxLasBytes)
                         throw PointCloudException.Wanted(FailureCode.Unsupported, node.Path, -1, "bytes of a node",
-                            "at most " + Text(MaxLasBytes), source.Length);
+                            "at most " + NumberText.Of(MaxLasBytes), source.Length);
                     long most = header.IsCompressed ? LazChunk.MaxPoints(source.Length) : source.Length / header.RecordBytes;
                     most = Math.Min(most, Math.Min(MaxNodePoints, MaxNodeBytes / header.RecordBytes));
                     node.PointsOfLas = (long)Math.Min(header.PointsClaimed, (ulong)most);
@@ -397,7 +396,7 @@ namespace FastPoints.Files
                     points.Add(parent, 0);
             }
             if (odd > 0)
-                info.Warn(-1, "\"hierarchy\": " + Text(odd) + " entries are no name and count, or come twice: left out");
+                info.Warn(-1, "\"hierarchy\": " + NumberText.Of(odd) + " entries are no name and count, or come twice: left out");
             if (info.PointsClaimed == 0)
                 info.PointsClaimed = claimed;
             var list = new List<(string, long)>();
@@ -425,10 +424,8 @@ namespace FastPoints.Files
                     "names that are known", index.UnknownAttribute);
             int at = index.Attributes.IndexOf(null);
             index.Attributes[at] = PotreeAttribute.Make(index.UnknownAttribute, "uint8", (int)unknown, null, null, out _);
-            index.Info.Warn(-1, "attribute \"" + index.UnknownAttribute + "\" is not known: its " + Text(unknown)
+            index.Info.Warn(-1, "attribute \"" + index.UnknownAttribute + "\" is not known: its " + NumberText.Of(unknown)
                 + " bytes are read as they are");
         }
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

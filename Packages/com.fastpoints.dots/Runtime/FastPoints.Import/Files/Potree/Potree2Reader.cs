@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Threading;
 using FastPoints.Base;
@@ -222,7 +221,7 @@ namespace FastPoints.Files
             if (m_nodesLost > 0)
                 Statistics.Add("the page of the hierarchy that begins with it ends early",
                     PotreeNames.NameOf(m_pageRoot.w, m_pageRoot.xyz),
-                    Text(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchyPath);
+                    NumberText.Of(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchyPath);
             m_nodesLost = 0;
         }
 
@@ -273,7 +272,8 @@ namespace FastPoints.Files
             if (!isInFile || isPageRoot || m_recordsLeft <= 0)
             {
                 Statistics.Add("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
-                    "wanted " + Text(bytes) + " bytes at byte " + Text(offset) + (isPageRoot ? ", which is itself" : ""), where,
+                    "wanted " + NumberText.Of(bytes) + " bytes at byte " + NumberText.Of(offset)
+                        + (isPageRoot ? ", which is itself" : ""), where,
                     m_hierarchyPath);
                 return;
             }
@@ -299,14 +299,15 @@ namespace FastPoints.Files
         string FindProblem(ref long points, long offset, long bytes)
         {
             long claimed = points;
-            string story = "wanted " + Text(points) + " points in " + Text(bytes) + " bytes at byte " + Text(offset) + ", got ";
+            string story = "wanted " + NumberText.Of(points) + " points in " + NumberText.Of(bytes) + " bytes at byte "
+                + NumberText.Of(offset) + ", got ";
             // Without octree.bin the claims are shown as they are.
             long room = HasPoints ? m_octreeBytes : long.MaxValue;
             if (offset < 0 || bytes < 0 || offset > room || bytes > room - m_octreeBytesClaimed)
             {
                 points = 0;
                 return story + (bytes <= room && offset <= room && offset >= 0
-                    ? "bytes that other nodes have taken" : Text(room) + " bytes in the file");
+                    ? "bytes that other nodes have taken" : NumberText.Of(room) + " bytes in the file");
             }
             if (IsBrotli)
             {
@@ -315,15 +316,13 @@ namespace FastPoints.Files
                     bytes > MaxStreamBytes ? 0 : bytes * MaxPointsPerByte);
                 if (isCut || points > most)
                     points = 0;
-                return points > 0 ? null : story + (isCut ? Text(room - offset) + " bytes before the end of the file"
-                    : "room for " + Text(most));
+                return points > 0 ? null : story + (isCut ? NumberText.Of(room - offset) + " bytes before the end of the file"
+                    : "room for " + NumberText.Of(most));
             }
             points = Math.Min(points, Math.Min(bytes, room - offset) / m_layout.RecordBytes);
-            return points == claimed ? null : story + "room for " + Text(points);
+            return points == claimed ? null : story + "room for " + NumberText.Of(points);
         }
 
         static string BesideIndex(string index, string name) => Path.Combine(Path.GetDirectoryName(index) ?? "", name);
-
-        static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using System.Globalization;
+using FastPoints.Base;
 using FastPoints.Points;
 
 namespace FastPoints.Files
@@ -69,7 +69,8 @@ namespace FastPoints.Files
                 return attribute;
             if (!isKnown || bytes % attribute.Type.SizeOf() != 0)
             {
-                oddity = "attribute \"" + name + "\": " + Text(bytes) + " bytes of type \"" + typeName + "\": read as single bytes";
+                oddity = "attribute \"" + name + "\": " + NumberText.Of(bytes) + " bytes of type \"" + typeName
+                    + "\": read as single bytes";
                 attribute.Type = AttributeType.UInt8;
             }
             int elements = bytes / attribute.Type.SizeOf();
@@ -83,7 +84,8 @@ namespace FastPoints.Files
             }
             attribute.Columns = new PointAttribute[elements];
             for (int i = 0; i < elements; i++)
-                attribute.Columns[i] = new PointAttribute(elements == 1 ? name : name + "[" + Text(i) + "]", attribute.Type,
+                attribute.Columns[i] = new PointAttribute(elements == 1 ? name : name + "[" + NumberText.Of(i)
+                    + "]", attribute.Type,
                     At(scales, i, 1), At(offsets, i, 0));
             return attribute;
         }
@@ -95,7 +97,7 @@ namespace FastPoints.Files
             Type = AttributeType.UInt8;
             Columns = new PointAttribute[Bytes];
             for (int i = 0; i < Bytes; i++)
-                Columns[i] = new PointAttribute(Name + "[" + Text(i) + "]", Type);
+                Columns[i] = new PointAttribute(Name + "[" + NumberText.Of(i) + "]", Type);
         }
 
         /// <summary>Of the attributes that are more than a list of numbers, if it is one of them in the form that these
@@ -152,8 +154,6 @@ namespace FastPoints.Files
 
         static double At(double[] values, int index, double otherwise) =>
             values != null && index < values.Length ? values[index] : otherwise;
-
-        static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
     }
 
     /// <summary>How a Potree attribute's bytes become columns.</summary>

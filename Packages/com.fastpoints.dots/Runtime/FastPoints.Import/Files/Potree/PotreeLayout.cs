@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 
@@ -29,7 +28,7 @@ namespace FastPoints.Files
                 bytes += attribute.Bytes;
                 if (bytes > MaxRecordBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, path, -1, "bytes of a point",
-                        "at most " + MaxRecordBytes.ToString(CultureInfo.InvariantCulture), bytes);
+                        "at most " + NumberText.Of(MaxRecordBytes), bytes);
                 for (int i = 0; i < attribute.Columns.Length; i++)
                     columns.Add(AddColumn(attribute, i));
                 m_attributes.Add(attribute);
@@ -67,7 +66,7 @@ namespace FastPoints.Files
             // Two attributes of one name happen; columns are found by name, so a later one is numbered.
             string name = column.Name;
             for (int number = 2; m_fieldOfColumn.ContainsKey(name); number++)
-                name = column.Name + " (" + number.ToString(CultureInfo.InvariantCulture) + ")";
+                name = column.Name + " (" + NumberText.Of(number) + ")";
             if (name != column.Name)
                 attribute.Columns[index] = column = new PointAttribute(name, column.Type, column.Scale, column.Offset);
             int offset = attribute.RecordOffset + (attribute.IsPackedNormal ? 0 : index * column.Type.SizeOf());

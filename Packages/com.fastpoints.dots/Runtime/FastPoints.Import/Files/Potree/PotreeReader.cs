@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
@@ -131,7 +130,7 @@ namespace FastPoints.Files
         {
             if (m_tree.NodeCount < MaxNodes)
                 return false;
-            Info.Warn(next, "the hierarchy has more than " + MaxNodes.ToString(CultureInfo.InvariantCulture)
+            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes)
                 + " nodes: the others are left out");
             return true;
         }

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 
 namespace FastPoints.Files
@@ -40,7 +39,7 @@ namespace FastPoints.Files
                     "node " + node + ": " + what + (detail != null ? ": " + detail : "")));
                 return;
             }
-            var others = new CloudWarning(m_info.Path, -1, (kind.Count - MostTold).ToString(CultureInfo.InvariantCulture)
+            var others = new CloudWarning(m_info.Path, -1, NumberText.Of(kind.Count - MostTold)
                 + " more nodes: " + what);
             if (kind.Warning < 0)
             {

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Burst;
@@ -135,7 +134,7 @@ namespace FastPoints.Files
             bool isShort = status == ReadStatus.Truncated;
             throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_file.Path,
                 m_commands[0].Offset, isShort ? "the file became shorter while it was read"
-                : "reading " + BytesRead.ToString(CultureInfo.InvariantCulture) + " bytes from here on failed");
+                : "reading " + NumberText.Of(BytesRead) + " bytes from here on failed");
         }
 
         /// <summary>Cancels what is in flight, waits for it, frees the memory. May run twice.</summary>

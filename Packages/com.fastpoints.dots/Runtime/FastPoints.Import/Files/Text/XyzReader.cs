@@ -126,7 +126,7 @@ namespace FastPoints.Files
             info.Fact("separator", m_sniff.Dialect.Name);
             info.Fact("decimals", string.Join(", ", m_decimals));
             if (m_sniff.HeaderLines > 0)
-                info.Fact("header lines", m_sniff.HeaderLines.ToString(CultureInfo.InvariantCulture));
+                info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
         /// <summary>The digits that the sample has, as many as a coordinate on the grid has room for.</summary>
@@ -184,8 +184,8 @@ namespace FastPoints.Files
                 m_areAllFound = true;
                 Info.PointsReadable = scan.Points;
                 if (m_sniff.CountClaimed >= 0 && m_sniff.CountClaimed != scan.Points)
-                    Info.Warn(0, "points: wanted " + m_sniff.CountClaimed.ToString(CultureInfo.InvariantCulture) + ", got " +
-                        scan.Points.ToString(CultureInfo.InvariantCulture) + " lines");
+                    Info.Warn(0, "points: wanted " + NumberText.Of(m_sniff.CountClaimed) + ", got " +
+                        NumberText.Of(scan.Points) + " lines");
             }
         }
 
@@ -274,7 +274,7 @@ namespace FastPoints.Files
             }
             m_countOf[kind] += count;
             Info.Warnings[m_warningOf[kind]] = new CloudWarning(Info.Path, m_firstOf[kind],
-                m_countOf[kind].ToString(CultureInfo.InvariantCulture) + text);
+                NumberText.Of(m_countOf[kind]) + text);
         }
 
         static string TextOf(XyzError error)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using FastPoints.Base;
 
 namespace FastPoints.Files
 {
@@ -79,7 +80,7 @@ namespace FastPoints.Files
         {
             var formats = new List<string>();
             foreach (var format in m_formats)
-                formats.Add(format.Key + " (" + format.Value.ToString(CultureInfo.InvariantCulture) + ")");
+                formats.Add(format.Key + " (" + NumberText.Of(format.Value) + ")");
             m_info.Format = m_formats.Count == 1 ? new List<string>(m_formats.Keys)[0] : "several formats";
             m_info.Facts.Insert(0, new KeyValuePair<string, string>("files",
                 tiles.ToString("N0", CultureInfo.InvariantCulture) + ": " + string.Join(", ", formats)));
