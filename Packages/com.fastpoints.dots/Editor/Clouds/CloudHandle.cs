@@ -143,13 +143,13 @@ namespace FastPoints.Editor
                 CloudPath = json.Text("cloud"),
                 Sources = json.Texts("sources"),
                 IsOctree = json.Flag("octree"),
-                Origin = json.Has("origin") ? Place(json, "origin") : (double3?)null,
+                Origin = json.Has("origin") ? json.Vector("origin") : (double3?)null,
                 OriginUp = AxisOf(json, "originUp"),
                 Stamp = stamp == null ? null : SourceStamp.Read(stamp),
                 Warnings = json.Has("warnings") ? json.Texts("warnings") : new List<string>(),
                 Format = json.TextOrNull("sourceFormat"),
                 Points = json.Long("points"),
-                BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(Place(bounds, "min"), Place(bounds, "max")),
+                BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(bounds.Vector("min"), bounds.Vector("max")),
                 Crs = json.TextOrNull("crs"),
                 MetresPerUnit = json.Double("metresPerUnit"),
             };
@@ -165,14 +165,6 @@ namespace FastPoints.Editor
                 return UpAxis.Z;
             return Enum.TryParse(text, out UpAxis axis) && Enum.IsDefined(typeof(UpAxis), axis) ? axis
                 : throw json.Wrong(name, "wanted X, Y or Z, got \"" + text + "\"");
-        }
-
-        static double3 Place(JsonMembers json, string name)
-        {
-            var three = json.Doubles(name);
-            if (three.Count != 3 || !math.all(math.isfinite(new double3(three[0], three[1], three[2]))))
-                throw json.Wrong(name, "wanted three finite numbers");
-            return new double3(three[0], three[1], three[2]);
         }
     }
 }

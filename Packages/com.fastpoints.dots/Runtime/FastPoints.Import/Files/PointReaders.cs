@@ -104,7 +104,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>The octree that a JSON index is the head of; null for other JSON.</summary>
-        static PointReader OpenIndex(SourceJson index)
+        static PointReader OpenIndex(JsonMembers index)
         {
             if (index.IsObject("hierarchy") && index.Has("encoding"))
                 return Potree2Reader.Open(index);
@@ -118,7 +118,7 @@ namespace FastPoints.Files
             return null;
         }
 
-        static PointCloudException NoOctree(SourceJson index) =>
+        static PointCloudException NoOctree(JsonMembers index) =>
             new PointCloudException(FailureCode.Unsupported, index.Path, 0,
                 "this is JSON, but no point cloud's: wanted Potree's metadata.json or cloud.js, got the members "
                     + string.Join(", ", index.Names));

@@ -71,16 +71,31 @@ namespace FastPoints.Base
         public static bool IsNumber(object value) =>
             value is Number n && NumberText.TryRead(n.Text, out double result) && !double.IsInfinity(result);
 
-        static string Describe(object value)
+        /// <summary>A value that must be text.</summary>
+        public static string ToText(object value) =>
+            value as string ?? throw new FormatException("wanted text, got " + Describe(value));
+
+        /// <summary>A value as messages name it.</summary>
+        public static string Describe(object value)
         {
             switch (value)
             {
                 case null: return "null";
                 case Number n: return n.Text;
-                case string s: return "\"" + s + "\"";
+                case string s: return "\"" + OneLine(s) + "\"";
                 case bool b: return b ? "true" : "false";
-                default: return value is List<object> ? "an array" : "an object";
+                default: return value is List<object> ? "a list" : "an object";
             }
+        }
+
+        /// <summary>Text without control characters, for messages and names.</summary>
+        public static string OneLine(string text)
+        {
+            char[] line = text.ToCharArray();
+            for (int i = 0; i < line.Length; i++)
+                if (char.IsControl(line[i]))
+                    line[i] = ' ';
+            return new string(line);
         }
 
         object Value(int depth)

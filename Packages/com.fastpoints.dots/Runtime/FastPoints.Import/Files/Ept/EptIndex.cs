@@ -42,7 +42,7 @@ namespace FastPoints.Files
 
         /// <exception cref="PointCloudException">A member is missing or of another type, or names a kind of data that is not
         /// known.</exception>
-        public static EptIndex Read(SourceJson json)
+        public static EptIndex Read(JsonMembers json)
         {
             var info = new SourceInfo
             {
@@ -50,7 +50,7 @@ namespace FastPoints.Files
                 FileBytes = json.FileBytes,
                 Format = "EPT",
                 Version = json.Text("version", "0.0.0"),
-                PointsClaimed = (ulong)Math.Max(0, json.Whole("points", 0)),
+                PointsClaimed = (ulong)Math.Max(0, json.Long("points", 0)),
             };
             var index = new EptIndex
             {
@@ -82,7 +82,7 @@ namespace FastPoints.Files
                 ? field
                 : throw new ArgumentException("the cloud has no attribute " + column);
 
-        static EptDataType ReadDataType(SourceJson json)
+        static EptDataType ReadDataType(JsonMembers json)
         {
             string name = json.Text("dataType");
             switch (name)
@@ -99,7 +99,7 @@ namespace FastPoints.Files
             }
         }
 
-        void ReadCube(SourceJson json)
+        void ReadCube(JsonMembers json)
         {
             Cube = Box(json.Numbers("bounds", 6));
             if (Cube.IsEmpty)
@@ -119,7 +119,7 @@ namespace FastPoints.Files
 
         static BoundsGeo Box(double[] n) => new BoundsGeo(new double3(n[0], n[1], n[2]), new double3(n[3], n[4], n[5]));
 
-        void ReadSchema(SourceJson json)
+        void ReadSchema(JsonMembers json)
         {
             var columns = new List<PointAttribute>();
             var transform = PositionTransform.Identity;
@@ -163,10 +163,10 @@ namespace FastPoints.Files
             Info.RecordBytes = DataType == EptDataType.Binary ? RecordBytes : 0;
         }
 
-        static AttributeType ReadType(SourceJson dimension)
+        static AttributeType ReadType(JsonMembers dimension)
         {
             string type = dimension.Text("type");
-            long size = dimension.Whole("size");
+            long size = dimension.Long("size");
             if (type == "float" || type == "floating")
                 switch (size)
                 {
@@ -195,7 +195,7 @@ namespace FastPoints.Files
             }
         }
 
-        static void ReadCrs(SourceJson json, SourceInfo info)
+        static void ReadCrs(JsonMembers json, SourceInfo info)
         {
             if (!json.IsObject("srs"))
                 return;

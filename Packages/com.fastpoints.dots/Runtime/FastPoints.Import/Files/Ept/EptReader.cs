@@ -48,7 +48,7 @@ namespace FastPoints.Files
         /// <summary>Reads ept.json and, where nodes are LAZ, the header of one.</summary>
         /// <exception cref="PointCloudException">The index is not sound, or names data that are not known; no node's LAZ file can
         /// be read.</exception>
-        internal static EptReader Open(SourceJson json)
+        internal static EptReader Open(JsonMembers json)
         {
             var index = EptIndex.Read(json);
             if (index.DataType != EptDataType.Laszip)

@@ -44,7 +44,7 @@ namespace FastPoints.Files
         public string UnknownAttribute { get; private set; }
 
         /// <exception cref="PointCloudException">Something that the points need is missing or of the wrong kind.</exception>
-        public static Potree1Index Read(SourceJson json)
+        public static Potree1Index Read(JsonMembers json)
         {
             string version = json.Text("version", "");
             if (!TryMinor(version, out int minor) || minor < 4 || minor > 8)
@@ -56,7 +56,7 @@ namespace FastPoints.Files
                 FileBytes = json.FileBytes,
                 Format = "Potree",
                 Version = version,
-                PointsClaimed = (ulong)Math.Max(0, json.Whole("points", 0)),
+                PointsClaimed = (ulong)Math.Max(0, json.Long("points", 0)),
             };
             var box = Box(json.Object("boundingBox"));
             var index = new Potree1Index { Info = info, Cube = PotreeIndexes.Cube(box, json) };
@@ -67,7 +67,8 @@ namespace FastPoints.Files
             info.HasBoundsClaimed = true;
             info.BoundsClaimed = json.IsObject("tightBoundingBox") ? Box(json.Object("tightBoundingBox")) : box;
             index.OctreeFolder = json.Text("octreeDir", "data");
-            index.StepSize = (int)Math.Max(1, Math.Min(PotreeReader.MaxLevels, json.Whole("hierarchyStepSize", PotreeReader.MaxLevels)));
+            long stepSize = json.Long("hierarchyStepSize", PotreeReader.MaxLevels);
+            index.StepSize = (int)Math.Max(1, Math.Min(PotreeReader.MaxLevels, stepSize));
             index.Hierarchy = json.IsList("hierarchy") ? json.List("hierarchy") : null;
             index.ReadAttributes(json);
             PotreeIndexes.ReadProjection(json, info);
@@ -76,7 +77,7 @@ namespace FastPoints.Files
             return index;
         }
 
-        void ReadAttributes(SourceJson json)
+        void ReadAttributes(JsonMembers json)
         {
             if (json.IsText("pointAttributes"))
             {
@@ -95,7 +96,7 @@ namespace FastPoints.Files
             }
             foreach (object item in list)
             {
-                string name = SourceJson.OneLine(item as string ?? throw json.Bad("pointAttributes", "names"));
+                string name = JsonReader.OneLine(item as string ?? throw json.Bad("pointAttributes", "names"));
                 if (s_named.TryGetValue(name, out var known))
                 {
                     Attributes.Add(PotreeAttribute.Make(name, known.Type, known.Bytes, null, null, out _));
@@ -109,7 +110,7 @@ namespace FastPoints.Files
             }
         }
 
-        static BoundsGeo Box(SourceJson json) => new BoundsGeo(
+        static BoundsGeo Box(JsonMembers json) => new BoundsGeo(
             new double3(json.Number("lx"), json.Number("ly"), json.Number("lz")),
             new double3(json.Number("ux"), json.Number("uy"), json.Number("uz")));
 

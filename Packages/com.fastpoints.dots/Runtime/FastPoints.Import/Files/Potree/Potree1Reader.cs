@@ -79,7 +79,7 @@ namespace FastPoints.Files
         /// <summary>Reads cloud.js and, where nodes are LAS or LAZ, one node's header; of the hierarchy the first page.</summary>
         /// <exception cref="PointCloudException">The index is not sound, of a version that is not read, or no node is
         /// there.</exception>
-        internal static Potree1Reader Open(SourceJson json)
+        internal static Potree1Reader Open(JsonMembers json)
         {
             var index = Potree1Index.Read(json);
             var files = Potree1Files.Find(index);

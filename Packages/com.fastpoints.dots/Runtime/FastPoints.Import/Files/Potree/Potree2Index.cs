@@ -16,7 +16,7 @@ namespace FastPoints.Files
         public bool IsBrotli { get; private set; }
 
         /// <exception cref="PointCloudException">Something that the points need is missing or of the wrong kind.</exception>
-        public static Potree2Index Read(SourceJson json)
+        public static Potree2Index Read(JsonMembers json)
         {
             string encoding = json.Text("encoding");
             if (encoding != "DEFAULT" && encoding != "BROTLI" && encoding != "UNCOMPRESSED")
@@ -27,7 +27,7 @@ namespace FastPoints.Files
                 FileBytes = json.FileBytes,
                 Format = "Potree",
                 Version = json.Text("version", "2"),
-                PointsClaimed = (ulong)System.Math.Max(0, json.Whole("points", 0)),
+                PointsClaimed = (ulong)System.Math.Max(0, json.Long("points", 0)),
             };
             info.Transform.Scale = PotreeIndexes.UsableScale(json.Vector("scale"), json);
             info.Transform.Offset = json.Vector("offset");
@@ -37,7 +37,7 @@ namespace FastPoints.Files
                 Info = info,
                 Cube = PotreeIndexes.Cube(new BoundsGeo(box.Vector("min"), box.Vector("max")), json),
                 IsBrotli = encoding == "BROTLI",
-                FirstChunkBytes = json.Object("hierarchy").Whole("firstChunkSize"),
+                FirstChunkBytes = json.Object("hierarchy").Long("firstChunkSize"),
             };
             index.Spacing = PotreeIndexes.Spacing(json, index.Cube);
             index.Layout = new PotreeLayout(ReadAttributes(json, info), json.Path);
@@ -52,7 +52,7 @@ namespace FastPoints.Files
             return index;
         }
 
-        static List<PotreeAttribute> ReadAttributes(SourceJson json, SourceInfo info)
+        static List<PotreeAttribute> ReadAttributes(JsonMembers json, SourceInfo info)
         {
             var attributes = new List<PotreeAttribute>();
             info.BoundsClaimed = new BoundsGeo(json.Object("boundingBox").Vector("min"), json.Object("boundingBox").Vector("max"));

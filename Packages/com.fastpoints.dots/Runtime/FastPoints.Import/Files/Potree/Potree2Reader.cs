@@ -75,7 +75,7 @@ namespace FastPoints.Files
         /// <summary>Reads metadata.json; the hierarchy is read when it is asked for, but for its first page.</summary>
         /// <exception cref="PointCloudException">The index is not sound, names an encoding that is not known, or has no hierarchy
         /// beside it.</exception>
-        internal static Potree2Reader Open(SourceJson json)
+        internal static Potree2Reader Open(JsonMembers json)
         {
             var index = Potree2Index.Read(json);
             string path = BesideIndex(json.Path, HierarchyName);

@@ -11,12 +11,12 @@ namespace FastPoints.Files
     {
         /// <summary>One object of the list of attributes.</summary>
         /// <param name="elementsName">What the index calls the count of elements.</param>
-        public static PotreeAttribute ReadAttribute(SourceJson item, string elementsName, SourceInfo info)
+        public static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
         {
-            long bytes = item.Whole("size");
+            long bytes = item.Long("size");
             if (bytes < 1 || bytes > PotreeAttribute.MaxElements * 8)
                 throw item.Bad("size", "1 to " + PotreeAttribute.MaxElements * 8 + " bytes");
-            long elements = item.Whole(elementsName, 1);
+            long elements = item.Long(elementsName, 1);
             double[] scales = item.IsNumbers("scale", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
                 ? item.Numbers("scale", (int)elements) : null;
             double[] offsets = item.IsNumbers("offset", (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements)))
@@ -35,24 +35,24 @@ namespace FastPoints.Files
 
         /// <summary>A scale that keeps points apart.</summary>
         /// <exception cref="PointCloudException">It is zero or negative: no writer's.</exception>
-        public static double3 UsableScale(double3 scale, SourceJson json) =>
+        public static double3 UsableScale(double3 scale, JsonMembers json) =>
             math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
                 "numbers above 0", NumberText.Of(scale));
 
         /// <exception cref="PointCloudException">It has no volume to divide.</exception>
-        public static BoundsGeo Cube(BoundsGeo box, SourceJson json) =>
+        public static BoundsGeo Cube(BoundsGeo box, JsonMembers json) =>
             !box.IsEmpty ? box : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"",
                 "a box", "a maximum below the minimum");
 
         /// <summary>As the index says; converters take 1/128 of the cube's edge where it does not.</summary>
-        public static double Spacing(SourceJson json, BoundsGeo cube)
+        public static double Spacing(JsonMembers json, BoundsGeo cube)
         {
             double spacing = json.Number("spacing", 0);
             return spacing > 0 ? spacing : math.cmax(cube.Size) / 128;
         }
 
         /// <summary>The CRS, which is a text of any kind: well-known text, a PROJ string, a code.</summary>
-        public static void ReadProjection(SourceJson json, SourceInfo info)
+        public static void ReadProjection(JsonMembers json, SourceInfo info)
         {
             string text = json.Text("projection", "").Trim();
             if (text.Length == 0 || WktCoordinateSystem.Read(text, info.Crs))
@@ -63,7 +63,7 @@ namespace FastPoints.Files
                 info.Crs.Epsg = code;
         }
 
-        public static void AddFact(SourceJson json, string name, SourceInfo info)
+        public static void AddFact(JsonMembers json, string name, SourceInfo info)
         {
             string text = json.Text(name, "");
             if (text.Length > 0)
