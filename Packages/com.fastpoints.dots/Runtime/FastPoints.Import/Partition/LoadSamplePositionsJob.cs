@@ -29,22 +29,7 @@ namespace FastPoints.Partition
                 Stored[i] = new double3(Load(bytes, X, i), Load(bytes, Y, i), Load(bytes, Z, i));
         }
 
-        static double Load(byte* bytes, PointColumn column, int index)
-        {
-            byte* values = bytes + column.OffsetBytes;
-            switch (column.Type)
-            {
-                case AttributeType.UInt8: return values[index];
-                case AttributeType.Int8: return ((sbyte*)values)[index];
-                case AttributeType.UInt16: return ((ushort*)values)[index];
-                case AttributeType.Int16: return ((short*)values)[index];
-                case AttributeType.UInt32: return ((uint*)values)[index];
-                case AttributeType.Int32: return ((int*)values)[index];
-                case AttributeType.UInt64: return ((ulong*)values)[index];
-                case AttributeType.Int64: return ((long*)values)[index];
-                case AttributeType.Float32: return ((float*)values)[index];
-                default: return ((double*)values)[index];
-            }
-        }
+        static double Load(byte* bytes, PointColumn column, int index) =>
+            ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, index);
     }
 }

@@ -39,16 +39,7 @@ namespace FastPoints.Records
         {
             ulong bits = 0;
             OrderedBits.Store(ordered, type, (byte*)&bits);
-            switch (type)
-            {
-                case AttributeType.Int8: return (sbyte)bits;
-                case AttributeType.Int16: return (short)bits;
-                case AttributeType.Int32: return (int)bits;
-                case AttributeType.Int64: return (long)bits;
-                case AttributeType.Float32: return math.asfloat((uint)bits);
-                case AttributeType.Float64: return math.asdouble(bits);
-                default: return bits;
-            }
+            return ColumnValues.ToDouble((byte*)&bits, type, 0);
         }
     }
 }

@@ -49,7 +49,7 @@ namespace FastPoints.Records
                         choice.Sources[i].Z = axes[i];
                     var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
                     isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
-                    RangeOf(type, out long least, out long most);
+                    type.RangeOf(out long least, out long most);
                     long a = least * axes[i].Factor + axes[i].Shift, b = most * axes[i].Factor + axes[i].Shift;
                     lowest = Math.Min(lowest, Math.Min(a, b));
                     highest = Math.Max(highest, Math.Max(a, b));
@@ -150,18 +150,5 @@ namespace FastPoints.Records
 
         /// <summary>The power of two at or below a positive number; very low for zero.</summary>
         static int Exponent(double value) => value > 0 ? (int)Math.Floor(Math.Log(value, 2)) : -1000;
-
-        static void RangeOf(AttributeType type, out long least, out long most)
-        {
-            switch (type)
-            {
-                case AttributeType.UInt8: least = 0; most = byte.MaxValue; break;
-                case AttributeType.Int8: least = sbyte.MinValue; most = sbyte.MaxValue; break;
-                case AttributeType.UInt16: least = 0; most = ushort.MaxValue; break;
-                case AttributeType.Int16: least = short.MinValue; most = short.MaxValue; break;
-                case AttributeType.UInt32: least = 0; most = uint.MaxValue; break;
-                default: least = int.MinValue; most = int.MaxValue; break;
-            }
-        }
     }
 }

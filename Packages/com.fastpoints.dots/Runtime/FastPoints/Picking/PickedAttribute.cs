@@ -29,17 +29,12 @@ namespace FastPoints.Picking
         /// </summary>
         public double Value => Stored * Attribute.Scale + Attribute.Offset;
 
-        double Stored
+        unsafe double Stored
         {
             get
             {
-                switch (Attribute.Type)
-                {
-                    case AttributeType.Float32: return math.asfloat((uint)m_bits);
-                    case AttributeType.Float64: return math.asdouble(m_bits);
-                    case AttributeType.UInt64: return m_bits;
-                    default: return (long)m_bits;
-                }
+                ulong bits = m_bits;
+                return ColumnValues.ToDouble((byte*)&bits, Attribute.Type, 0);
             }
         }
 

@@ -50,11 +50,9 @@ namespace FastPoints.Points
 
             int taken = 0;
             int step = Step(count);
-            double value;
             for (long i = 0; i < count; i += step)
             {
-                ColumnValues.ToDoubles(column, type, (int)i, 1, &value);
-                value = value * scale + offset;
+                double value = ColumnValues.ToDouble(column, type, (int)i) * scale + offset;
                 if (value - value == 0)
                     keys[taken++] = ColumnValues.OrderedBits(value);
             }

@@ -62,6 +62,14 @@ namespace FastPoints.Points
             }
         }
 
+        /// <summary>One of them: for few values.</summary>
+        public static double ToDouble(byte* column, AttributeType type, int index)
+        {
+            double value;
+            ToDoubles(column, type, index, 1, &value);
+            return value;
+        }
+
         /// <summary>Stored values as 64 bits: integers are sign-extended; floats keep their bits, extended by zeros.</summary>
         public static void ToBits(byte* column, AttributeType type, int first, int count, ulong* bits)
         {

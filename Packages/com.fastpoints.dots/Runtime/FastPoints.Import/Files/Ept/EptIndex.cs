@@ -167,32 +167,13 @@ namespace FastPoints.Files
         {
             string type = dimension.Text("type");
             long size = dimension.Long("size");
-            if (type == "float" || type == "floating")
-                switch (size)
-                {
-                    case 4:
-                        return AttributeType.Float32;
-                    case 8:
-                        return AttributeType.Float64;
-                    default:
-                        throw dimension.Bad("size", "4 or 8 for a float");
-                }
-            bool isSigned = type == "signed";
-            if (!isSigned && type != "unsigned")
+            bool isFloat = type == "float" || type == "floating", isSigned = type == "signed";
+            if (!isFloat && !isSigned && type != "unsigned")
                 throw dimension.Bad("type", "signed, unsigned or float");
-            switch (size)
-            {
-                case 1:
-                    return isSigned ? AttributeType.Int8 : AttributeType.UInt8;
-                case 2:
-                    return isSigned ? AttributeType.Int16 : AttributeType.UInt16;
-                case 4:
-                    return isSigned ? AttributeType.Int32 : AttributeType.UInt32;
-                case 8:
-                    return isSigned ? AttributeType.Int64 : AttributeType.UInt64;
-                default:
-                    throw dimension.Bad("size", "1, 2, 4 or 8");
-            }
+            if (size != 4 && size != 8 && (isFloat || size != 1 && size != 2))
+                throw dimension.Bad("size", isFloat ? "4 or 8 for a float" : "1, 2, 4 or 8");
+            return !isFloat ? AttributeTypes.Integer((int)size, isSigned)
+                : size == 4 ? AttributeType.Float32 : AttributeType.Float64;
         }
 
         static void ReadCrs(JsonMembers json, SourceInfo info)

@@ -19,21 +19,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Whether bits that <see cref="Load"/> gave are a negative number of this type.</summary>
-        public static bool IsNegative(ulong bits, AttributeType type)
-        {
-            switch (type)
-            {
-                case AttributeType.Int8:
-                    return (bits & 0x80) != 0;
-                case AttributeType.Int16:
-                    return (bits & 0x8000) != 0;
-                case AttributeType.Int32:
-                    return (bits & 0x80000000) != 0;
-                case AttributeType.Int64:
-                    return (bits & 0x8000000000000000) != 0;
-                default:
-                    return false;
-            }
-        }
+        public static bool IsNegative(ulong bits, AttributeType type) =>
+            type.IsSigned() && !type.IsFloat() && (bits >> 8 * type.SizeOf() - 1 & 1) != 0;
     }
 }
