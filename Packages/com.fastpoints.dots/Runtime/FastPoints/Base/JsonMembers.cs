@@ -21,8 +21,12 @@ namespace FastPoints.Base
         }
 
         JsonMembers(Dictionary<string, object> members, JsonMembers parent, string name)
-            : this(members, parent.Path, parent.m_isForeign, parent.FileBytes) =>
-            m_prefix = parent.m_prefix + name + ".";
+            : this(members, parent.Path, parent.m_isForeign, parent.FileBytes)
+        {
+            // In files of our own no name means two things.
+            if (m_isForeign)
+                m_prefix = parent.m_prefix + name + ".";
+        }
 
         /// <summary>Of the file.</summary>
         public string Path { get; }
