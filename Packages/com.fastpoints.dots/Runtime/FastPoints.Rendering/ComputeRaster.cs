@@ -58,7 +58,8 @@ namespace FastPoints.Rendering
         }
 
         /// <param name="buffers">The buffers that draws read; the bank is set here.</param>
-        public void Record(CommandBuffer commands, in RenderView view, DrawList list, in RasterBuffers buffers, GraphicsNodePool pool)
+        public void Record(CommandBuffer commands, in RenderView view, DrawList list, in RasterBuffers buffers,
+            GraphicsNodePool pool)
         {
             MakeBuffers(view);
             commands.SetComputeVectorParam(m_shader, ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));

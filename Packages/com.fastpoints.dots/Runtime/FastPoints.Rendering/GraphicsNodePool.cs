@@ -26,7 +26,8 @@ namespace FastPoints.Rendering
         /// <param name="limitBytes">Limit of the banks; upload buffers (<see cref="UploadBytes"/>) come on top.</param>
         /// <param name="bankBytes">No node may be larger.</param>
         /// <param name="bytesPerUpload">The usual upload of one frame.</param>
-        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes, int bytesPerUpload = 4 << 20)
+        public GraphicsNodePool(ComputeShader copyPages, long limitBytes, int bankBytes = DefaultBankBytes,
+            int bytesPerUpload = 4 << 20)
             : base(limitBytes, (int)math.min(bankBytes, math.min(LargestBankBytes, SystemInfo.maxGraphicsBufferSize)))
         {
             int pages = PagesFor(bytesPerUpload);

@@ -30,8 +30,10 @@ namespace FastPoints.Rendering
         readonly GrowingBuffer m_nodeOfInstance = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));
         readonly GrowingBuffer m_arguments = new GrowingBuffer(GraphicsBuffer.Target.IndirectArguments,
             GraphicsBuffer.IndirectDrawArgs.size);
-        readonly GrowingBuffer m_sizeNodes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
-        readonly GrowingBuffer m_clipBoxes = new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
+        readonly GrowingBuffer m_sizeNodes =
+            new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuSizeNode>());
+        readonly GrowingBuffer m_clipBoxes =
+            new GrowingBuffer(GraphicsBuffer.Target.Structured, UnsafeUtility.SizeOf<GpuClipBox>());
         readonly PointLayer m_layer = new PointLayer();
         readonly ComputeRaster m_raster;
         readonly GrowingBuffer m_palettes = new GrowingBuffer(GraphicsBuffer.Target.Raw, sizeof(uint));

@@ -41,7 +41,8 @@ namespace FastPoints.Scenes
                 }
                 yield return Work.Of(TerrestrialScan.Run(points, seed, Keep, progress));
 
-                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }.Schedule();
+                ordering = new OrderReturnsJob { Returns = returns, Order = order, Seed = seed, ReturnOfPlace = returnOfPlace }
+                    .Schedule();
                 yield return ordering;
                 ordering.Complete();
                 for (int first = 0; first < points; first += PlacesAtOnce)

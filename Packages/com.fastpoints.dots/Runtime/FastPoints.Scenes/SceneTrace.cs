@@ -15,8 +15,8 @@ namespace FastPoints.Scenes
         public const byte StreetFurniture = 64;
         public const byte Vehicle = 65;
 
-        const float FloorHeight = 3, WindowPitch = 2.6f, WindowHalf = 0.6f, WindowSill = 0.95f, WindowTop = 2.35f, WindowDepth = 0.18f;
-        const float EavesOverhang = 0.5f, GableOverhang = 0.35f, WallBelowGround = 1.5f;
+        const float FloorHeight = 3, WindowPitch = 2.6f, WindowHalf = 0.6f, WindowSill = 0.95f, WindowTop = 2.35f;
+        const float WindowDepth = 0.18f, EavesOverhang = 0.5f, GableOverhang = 0.35f, WallBelowGround = 1.5f;
 
         static float3 ToObject(in SceneObject o, float3 v) =>
             new float3(v.x * o.Heading.x + v.y * o.Heading.y, v.y * o.Heading.x - v.x * o.Heading.y, v.z);
@@ -224,7 +224,8 @@ namespace FastPoints.Scenes
             float radius = math.length(fromCenter);
             var cell = (int3)math.floor((at - o.Center) / 0.45f);
             float clump = SceneHash.OfCell(cell, o.Seed);
-            return clump < 0.4f + 0.5f * math.saturate((radius - 0.7f) * 3.5f) ? 0.02f : math.saturate(0.25f + radius * radius) * clump;
+            bool isGap = clump < 0.4f + 0.5f * math.saturate((radius - 0.7f) * 3.5f);
+            return isGap ? 0.02f : math.saturate(0.25f + radius * radius) * clump;
         }
     }
 

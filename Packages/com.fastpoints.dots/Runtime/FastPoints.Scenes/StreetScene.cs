@@ -141,8 +141,8 @@ namespace FastPoints.Scenes
                 float scale = Between(0.92f, 1.12f);
                 Add(SceneShape.Box, foot + new float3(0, 0, 0.22f), new float3(2.1f, 0.86f, 0.62f) * scale, heading, color,
                     SceneTrace.Vehicle);
-                Add(SceneShape.Box, foot + new float3(0, 0, 0.22f + 0.62f * scale), new float3(1.15f, 0.74f, 0.55f) * scale, heading,
-                    color * 0.25f, SceneTrace.Vehicle);
+                Add(SceneShape.Box, foot + new float3(0, 0, 0.22f + 0.62f * scale), new float3(1.15f, 0.74f, 0.55f) * scale,
+                    heading, color * 0.25f, SceneTrace.Vehicle);
                 for (int wheel = 0; wheel < 4; wheel++)
                 {
                     var at = new float3((wheel & 1) == 0 ? 1.35f : -1.35f, (wheel & 2) == 0 ? 0.72f : -0.72f, 0) * scale;

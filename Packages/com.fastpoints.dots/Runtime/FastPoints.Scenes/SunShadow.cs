@@ -61,7 +61,8 @@ namespace FastPoints.Scenes
                 var low = OnPlane(o.Center - new float3(0, 0, drop));
                 var high = OnPlane(o.Center + new float3(0, 0, rise));
                 var first = math.max(0, (int2)math.floor((math.min(low, high) - o.Reach - Corner) / CellSize));
-                var last = math.min(new int2(CellsX, CellsY) - 1, (int2)math.floor((math.max(low, high) + o.Reach - Corner) / CellSize));
+                var last = (int2)math.floor((math.max(low, high) + o.Reach - Corner) / CellSize);
+                last = math.min(new int2(CellsX, CellsY) - 1, last);
                 for (int y = first.y; y <= last.y; y++)
                     for (int x = first.x; x <= last.x; x++)
                     {
@@ -71,7 +72,8 @@ namespace FastPoints.Scenes
                         if (o.Shape == SceneShape.Crown)
                         {
                             // Light falls through the gaps between the leaves.
-                            if (!SceneTrace.CrownSpan(o, from, -sun, out var span) || SceneHash.OfCell(new int3(x, y, 7), o.Seed) < 0.22f)
+                            if (!SceneTrace.CrownSpan(o, from, -sun, out var span) ||
+                                SceneHash.OfCell(new int3(x, y, 7), o.Seed) < 0.22f)
                                 continue;
                             distance = (span.x + span.y) * 0.5f;
                         }

@@ -127,7 +127,8 @@ namespace FastPoints.Scenes
                 if (m_countOfLine.Length < lines || m_returns.Length < lines * returnsPerLine)
                 {
                     Dispose();
-                    m_returns = new NativeArray<ScanReturn>(lines * returnsPerLine, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+                    m_returns = new NativeArray<ScanReturn>(lines * returnsPerLine, Allocator.Persistent,
+                        NativeArrayOptions.UninitializedMemory);
                     m_countOfLine = new NativeArray<int>(lines, Allocator.Persistent);
                     m_count = new NativeReference<int>(Allocator.Persistent);
                 }

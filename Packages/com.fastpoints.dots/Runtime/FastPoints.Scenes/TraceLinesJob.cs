@@ -149,7 +149,8 @@ namespace FastPoints.Scenes
 
         static SceneHit LeafHit(in SceneObject o, float distance, float3 at, ref uint random)
         {
-            var normal = new float3(SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random));
+            var normal =
+                new float3(SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random), SceneHash.NextNormal(ref random));
             // Leaves look to the light more often than not.
             normal = math.normalize(normal + new float3(0, 0, 0.6f) + 1e-4f);
             float depth = math.length((at - o.Center) / o.Half);
@@ -163,8 +164,8 @@ namespace FastPoints.Scenes
             };
         }
 
-        ScanReturn Return(in SceneHit hit, float3 origin, float3 direction, float elevation, int line, int ray, int number, int count,
-            ref uint random)
+        ScanReturn Return(in SceneHit hit, float3 origin, float3 direction, float elevation, int line, int ray, int number,
+            int count, ref uint random)
         {
             float incidence = math.abs(math.dot(hit.Normal, direction));
             // A slanted or far surface spreads the echo.

@@ -23,8 +23,8 @@ namespace FastPoints.Entities
         PointCloudAsset m_cloud;
 
         [SerializeField]
-        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets. Where readers are loaded, any " +
-            "point cloud.")]
+        [Tooltip("Without a cloud above, the .fastpoints folder: absolute, or below StreamingAssets. Where readers are " +
+            "loaded, any point cloud.")]
         string m_path;
 
         [SerializeField]
@@ -95,7 +95,8 @@ namespace FastPoints.Entities
         public Entity Entity => m_entity.Value;
 
         /// <summary>What went wrong when the cloud was opened, in a line; null where nothing did.</summary>
-        public string Error => m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
+        public string Error =>
+            m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
 
         /// <summary>The space that the transform moves, where the cloud is shown.</summary>
         public bool TryGetSpace(out UnitySpace space)

@@ -32,12 +32,12 @@ namespace FastPoints.Entities
 
         public PointShape Shape = PointShape.Square;
 
-        [Tooltip("Pixels: the same near and far. World: a length, smaller farther away. Adaptive: as far apart as points are, so " +
-            "that surfaces close.")]
+        [Tooltip("Pixels: the same near and far. World: a length, smaller farther away. Adaptive: as far apart as points are, " +
+            "so that surfaces close.")]
         public PointSizeMode SizeMode = PointSizeMode.Pixels;
 
         [Min(0)]
-        [Tooltip("Edge of a point's square, diameter of its disc: in pixels; in world units; or, adaptive, in distances between points.")]
+        [Tooltip("Edge of a point's square, diameter of its disc: in pixels, world units, or (adaptive) distances of points.")]
         public float Size = 2;
 
         [Range(1, 64)]

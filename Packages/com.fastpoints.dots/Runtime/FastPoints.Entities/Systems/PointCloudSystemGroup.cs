@@ -122,7 +122,8 @@ namespace FastPoints.Entities
         internal void KeepViews() => m_views.AddRange(m_lastViews.AsArray());
 
         unsafe bool HasMoved(NativeArray<StreamView> next) => next.Length > 0 && (next.Length != m_lastViews.Length ||
-            UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(), (long)next.Length * sizeof(StreamView)) != 0);
+            UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
+                (long)next.Length * sizeof(StreamView)) != 0);
 
         /// <summary>With the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()

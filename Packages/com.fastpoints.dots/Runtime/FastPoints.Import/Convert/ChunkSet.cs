@@ -251,7 +251,8 @@ namespace FastPoints.Convert
                         room = partRecords;
                     }
                     long count = Math.Min(room, run.Count - done);
-                    m_chunks[m_chunks.Count - 1].Add(new RecordRange { File = run.File, First = run.First + done, Count = count });
+                    var part = new RecordRange { File = run.File, First = run.First + done, Count = count };
+                    m_chunks[m_chunks.Count - 1].Add(part);
                     m_files.Share(run.File);
                     done += count;
                     room -= count;

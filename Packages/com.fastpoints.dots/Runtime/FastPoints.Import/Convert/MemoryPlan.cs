@@ -74,7 +74,8 @@ namespace FastPoints.Convert
                 ReadBytes = Math.Min(Files.SourceScan.MaxSlotBytes, memoryBytes / 4),
                 IndexBytes = memoryBytes / 10 * 9,
                 PointsPerChunk = pointsPerChunk,
-                IndexBytesPerPoint = 37 + 3 * (long)strideBytes + (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint) +
+                IndexBytesPerPoint = 37 + 3 * (long)strideBytes +
+                    (settings.Sampler == Sampler.Random ? 0 : PoissonBytesPerPoint) +
                     (settings.Sampler == Sampler.Average ? AverageBytesPerPoint : 0),
             };
             if (pointsPerChunk <= 0)

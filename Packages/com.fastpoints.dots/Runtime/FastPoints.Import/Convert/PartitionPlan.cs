@@ -78,7 +78,8 @@ namespace FastPoints.Convert
             using (density)
             {
                 long target = plan.PointsPerChunk;
-                while (target < plan.PointsPerPartition && PartitionMap.CountChunks(density, target) > plan.MostPages / PagesPerChunk)
+                while (target < plan.PointsPerPartition &&
+                    PartitionMap.CountChunks(density, target) > plan.MostPages / PagesPerChunk)
                     target *= 2;
                 return PartitionMap.Plan(cube, density, Math.Min(target, plan.PointsPerPartition));
             }

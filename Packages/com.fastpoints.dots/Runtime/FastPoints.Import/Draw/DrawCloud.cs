@@ -87,8 +87,8 @@ namespace FastPoints.Draw
         {
             var schema = m_reader.Info.Schema;
             if (mode == ColorMode.Rgb)
-                return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red, AttributeNames.Green,
-                    AttributeNames.Blue);
+                return schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z,
+                    AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue);
             return ColorModes.AttributeOf(mode) is string attribute
                 ? schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, attribute)
                 : schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);

@@ -115,7 +115,8 @@ namespace FastPoints.Draw
             Plan = new PicturePlan(m_options.Picture, Ranges, Sample.Transform);
             int most = PreviewSample.MaxPoints(Sample.Points.Schema);
             if (m_options.Points > most && Sample.PointsInSource > most)
-                Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " + most);
+                Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " +
+                    most);
             if (Sample.NonFinite > 0)
                 Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
         }
@@ -226,7 +227,8 @@ namespace FastPoints.Draw
             {
                 Sample.Method = "lines of stretches all over the file";
                 if (m_options.Quick && estimate.StandardError > 0)
-                    m_reader.Info.Warn(0, "the lines were not counted: " + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
+                    m_reader.Info.Warn(0, "the lines were not counted: "
+                        + estimate.Points.ToString("N0", CultureInfo.InvariantCulture)
                         + " is an estimate with a standard error of "
                         + estimate.StandardError.ToString("N0", CultureInfo.InvariantCulture));
             }

@@ -34,8 +34,8 @@ namespace FastPoints.Nodes
 
         void Run()
         {
-            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner, (byte*)CommonCubeLog2.GetUnsafePtr(),
-                (uint*)Priority.GetUnsafePtr());
+            Sampling.Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner,
+                (byte*)CommonCubeLog2.GetUnsafePtr(), (uint*)Priority.GetUnsafePtr());
         }
     }
 }

@@ -45,8 +45,8 @@ namespace FastPoints.Preview
                 UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + ((long)FirstPlace + First) * size,
                     from + ColumnsOfDecoded[column].OffsetBytes + (long)First * size, (long)count * size);
             }
-            UnsafeUtility.MemSet((byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled) + FirstPlace + First, 1,
-                count);
+            var filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
+            UnsafeUtility.MemSet(filled + FirstPlace + First, 1, count);
         }
     }
 }

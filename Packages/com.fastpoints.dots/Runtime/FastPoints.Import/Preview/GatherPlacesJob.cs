@@ -45,7 +45,8 @@ namespace FastPoints.Preview
                 }
                 for (int column = 0; run > 0 && column < Columns.Length; column++)
                     ColumnCopy.Scatter((byte*)Sample.GetUnsafeReadOnlyPtr() + Columns[column].OffsetBytes,
-                        (byte*)Target.GetUnsafePtr() + ColumnsOfTarget[column].OffsetBytes, Columns[column].Type.SizeOf(), from, to, run);
+                        (byte*)Target.GetUnsafePtr() + ColumnsOfTarget[column].OffsetBytes,
+                        Columns[column].Type.SizeOf(), from, to, run);
                 for (int i = 0; i < run; i++)
                     TargetFilled[to[i]] = 1;
             }

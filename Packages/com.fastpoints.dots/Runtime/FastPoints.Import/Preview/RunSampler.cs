@@ -42,7 +42,8 @@ namespace FastPoints.Preview
         }
 
         RunSampler(PointReader reader, int wanted, uint seed, RunPlan plan)
-            : base(reader, plan.PlaceCount, plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
+            : base(reader, plan.PlaceCount,
+                plan.RunCount + " runs of evenly spaced points, one in each stratum of the file, in waves")
         {
             m_wanted = wanted;
             m_seed = seed;
@@ -81,7 +82,8 @@ namespace FastPoints.Preview
                     continue;
                 m_plan.RunOf(stratum, rank, out var run, out _);
                 m_runs.Add(run);
-                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxStretchPoints * Reader.Info.RecordBytes, Allocator.Persistent);
+                m_reads[rank] = Reader.CreateRunRead(Buffer.Points, 1, m_plan.MaxStretchPoints * Reader.Info.RecordBytes,
+                    Allocator.Persistent);
                 m_reads[rank].Begin(m_runs.AsArray(), rank, 1, 0);
                 rank++;
             }
@@ -99,7 +101,8 @@ namespace FastPoints.Preview
             if (!m_pace.IsSlow)
                 yield break;
             m_plan = new RunPlan(Reader.PointCount, m_wanted, Reader.Info.RecordBytes, m_seed, m_pace.PointsPerRun);
-            Sample.Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of the file, in waves";
+            Sample.Method = m_plan.RunCount + " long runs of evenly spaced points, as reads take long, one in each stratum of " +
+                "the file, in waves";
         }
 
         void Allocate(int slots)

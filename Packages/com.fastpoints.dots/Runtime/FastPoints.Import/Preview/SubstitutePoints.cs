@@ -61,8 +61,8 @@ namespace FastPoints.Preview
             int count, long firstPoint, SampleStrata strata, JobHandle inputDeps)
         {
             for (int first = 0; first < count; first += SampleBuffer.PointsPerSlice)
-                inputDeps = ScheduleAppend(points, columns, result, first, first + SampleBuffer.PointsPerSlice, firstPoint, strata,
-                    inputDeps);
+                inputDeps = ScheduleAppend(points, columns, result, first, first + SampleBuffer.PointsPerSlice, firstPoint,
+                    strata, inputDeps);
             return inputDeps;
         }
 

@@ -201,7 +201,8 @@ namespace FastPoints.Records
         }
 
         /// <summary>The usual type of colours and intensity, and the one whose halves are looked at.</summary>
-        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride, ref AttributeStatistics statistics)
+        static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride,
+            ref AttributeStatistics statistics)
         {
             uint min = ushort.MaxValue, max = 0, or = 0, notDoubled = statistics.NotDoubled;
             int copied = 0;

@@ -5,8 +5,8 @@ namespace FastPoints.Records
 {
     /// <summary>
     /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined
-    /// and are given back without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a time may
-    /// change a list.
+    /// and are given back without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a time
+    /// may change a list.
     /// </summary>
     internal unsafe struct RecordPages
     {

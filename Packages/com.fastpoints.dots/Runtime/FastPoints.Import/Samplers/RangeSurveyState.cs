@@ -2,8 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>A <see cref="RangeSurvey"/> at points of which nodes above may have taken any: in slices, as a chunk's first range
-    /// has all of its points. Blittable.</summary>
+    /// <summary>A <see cref="RangeSurvey"/> at points of which nodes above may have taken any: in slices, as a chunk's first
+    /// range has all of its points. Blittable.</summary>
     internal unsafe struct RangeSurveyState
     {
         public SampledRange Range;

@@ -92,7 +92,8 @@ namespace FastPoints.Verify
             var min = new Grid3(long.MaxValue, long.MaxValue, long.MaxValue);
             var max = new Grid3(long.MinValue, long.MinValue, long.MinValue);
             int done = 0;
-            for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount && verdict.What == NodeCheckResult.Fault.None; b++)
+            int end = node.FirstBlock + node.BlockCount;
+            for (int b = node.FirstBlock; b < end && verdict.What == NodeCheckResult.Fault.None; b++)
             {
                 var position = ViewOf(node.Host, 0);
                 int count = position.PointsOf(b);

@@ -40,7 +40,8 @@ namespace FastPoints.Writing
         public long Bytes => Interlocked.Read(ref m_bytes);
 
         /// <summary>0 to 1; 0 to the end where nobody knows the length.</summary>
-        public double Share => Work.Status == TaskStatus.RanToCompletion ? 1 : m_lengthBytes > 0 ? (double)Bytes / m_lengthBytes : 0;
+        public double Share =>
+            Work.Status == TaskStatus.RanToCompletion ? 1 : m_lengthBytes > 0 ? (double)Bytes / m_lengthBytes : 0;
 
         /// <summary>Calls it off; the work ends by itself.</summary>
         public void Dispose() => m_cancellation.Cancel();

@@ -11,8 +11,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Writing
 {
     /// <summary>
-    /// One thread that writes files, in the order in which they are queued. Each file is complete or absent: written under another
-    /// name, flushed, renamed. After a failure nothing is written any more.
+    /// One thread that writes files, in the order in which they are queued. Each file is complete or absent: written under
+    /// another name, flushed, renamed. After a failure nothing is written any more.
     /// </summary>
     sealed unsafe class WriteQueue
     {
@@ -144,7 +144,8 @@ namespace FastPoints.Writing
                 catch (Exception e)
                 {
                     // Whatever it is: who waits for the ticket would wait for ever if it ended the thread.
-                    Failure = FileFailures.IsFileFailure(e) ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
+                    Failure = FileFailures.IsFileFailure(e)
+                        ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
                 }
                 order.Ticket.Finish(Failure);
             }

@@ -43,8 +43,8 @@ namespace FastPoints.Base
         {
             if (failure is AggregateException several)
                 failure = several.GetBaseException();
-            return failure as PointCloudException ??
-                new PointCloudException(FailureCode.Unexpected, path, -1, failure.GetType().Name + ": " + failure.Message, failure);
+            return failure as PointCloudException ?? new PointCloudException(FailureCode.Unexpected, path, -1,
+                failure.GetType().Name + ": " + failure.Message, failure);
         }
 
         /// <summary>
@@ -53,7 +53,8 @@ namespace FastPoints.Base
         public string Story => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
 
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
-        public bool IsBadInput => Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
+        public bool IsBadInput =>
+            Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 
         static string Line(string path, long byteOffset, string what) =>
             byteOffset < 0

@@ -86,7 +86,8 @@ namespace FastPoints.Picking
             int count = positions.PointsOf(block);
             for (int axis = 0; axis < 3; axis++)
                 positions.UnpackWide(block, axis, values + axis * stride);
-            ulong minX = positions.MinimumOf(block, 0), minY = positions.MinimumOf(block, 1), minZ = positions.MinimumOf(block, 2);
+            ulong minX = positions.MinimumOf(block, 0), minY = positions.MinimumOf(block, 1);
+            ulong minZ = positions.MinimumOf(block, 2);
             var clips = (LocalClip*)Clips.GetUnsafeReadOnlyPtr();
             // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
             // the origin.

@@ -32,8 +32,8 @@ namespace FastPoints.Picture
 
         /// <param name="lengthsPerUnit">Length of a CRS unit along each axis: for a cloud in degrees, the horizontal and
         /// vertical ones differ.</param>
-        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx, UpAxis upAxis,
-            double fovDegrees, double3 lengthsPerUnit)
+        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
+            UpAxis upAxis, double fovDegrees, double3 lengthsPerUnit)
         {
             if (lengthsPerUnit.Equals(new double3(1, 1, 1)))
                 return FrameLengths(view, bounds, outline, widthPx, heightPx, upAxis, fovDegrees);
@@ -50,8 +50,8 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        static Camera FrameLengths(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx, UpAxis upAxis,
-            double fovDegrees)
+        static Camera FrameLengths(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
+            UpAxis upAxis, double fovDegrees)
         {
             bool isPoint = bounds.IsEmpty || !(math.cmax(bounds.Size) > 0);
             bounds = Solid(bounds);

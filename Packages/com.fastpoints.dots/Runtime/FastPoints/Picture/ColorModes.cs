@@ -38,7 +38,8 @@ namespace FastPoints.Picture
         {
             var names = new List<string>
             {
-                AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Intensity, AttributeNames.Classification,
+                AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Intensity,
+                AttributeNames.Classification,
             };
             if (AttributeOf(wanted) is string name && !names.Contains(name))
                 names.Add(name);

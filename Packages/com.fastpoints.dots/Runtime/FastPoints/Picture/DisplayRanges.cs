@@ -362,7 +362,8 @@ namespace FastPoints.Picture
                 return;
             double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
             LengthsPerUnit = new double3(MetresPerDegree * math.cos(math.radians(latitude)), MetresPerDegree, 1);
-            Assumptions.Add("X and Y are taken for degrees, Z for metres" + (IsInDegrees ? ": the CRS says so" : ", by their size"));
+            Assumptions.Add("X and Y are taken for degrees, Z for metres" +
+                (IsInDegrees ? ": the CRS says so" : ", by their size"));
         }
 
         unsafe double3[] OutlineOf(PointBatch points, PositionTransform transform)

@@ -84,8 +84,10 @@ namespace FastPoints.Picture
         /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
         public const string StyleHelp =
             "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource (the last two of converted clouds), " +
-            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], points=square|round|paraboloid|splat (the last of converted clouds), " +
-            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, background=RRGGBB[AA], up=x|y|z";
+            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
+            "points=square|round|paraboloid|splat (the last of converted clouds), " +
+            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, holes=fill|keep, " +
+            "background=RRGGBB[AA], up=x|y|z";
 
         /// <summary>Sets one option from text, as the command line's <c>--style</c> has it.</summary>
         /// <param name="error">What was wanted, or null.</param>
@@ -104,8 +106,8 @@ namespace FastPoints.Picture
                 case "size":
                     if (!TrySize(value))
                         error = "size: wanted auto, 1 to " + NumberText.Of(PointDrawing.MaxSizePx) +
-                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances between points as in " +
-                            "adaptive:1.2; got " + value;
+                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances " +
+                            "between points as in adaptive:1.2; got " + value;
                     break;
                 case "points":
                     if (value != "square" && value != "round" && value != "paraboloid" && value != "splat")

@@ -21,8 +21,9 @@ namespace FastPoints.Picture
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
             SizePx = options.PointSizePx >= 1 ? Math.Min(options.PointSizePx, PointDrawing.MaxSizePx) : PointSizing.MinPx;
-            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust, Thinned(ranges.Outline, options.OutlinePoints),
-                options.WidthPx, options.HeightPx, options.UpAxis, options.FovDegrees, ranges.LengthsPerUnit);
+            Camera = options.Camera ?? CameraFraming.Frame(options.View, ranges.Robust,
+                Thinned(ranges.Outline, options.OutlinePoints), options.WidthPx, options.HeightPx, options.UpAxis,
+                options.FovDegrees, ranges.LengthsPerUnit);
             Assumptions = new List<string>(ranges.Assumptions);
             if (options.Color == ColorMode.Auto)
                 Assumptions.Add("coloured by " + Mode.ToString().ToLowerInvariant());

@@ -33,8 +33,8 @@ namespace FastPoints.Picture
         internal StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
             m_stream = stream;
-            m_pool = stream.Pool as MemoryNodePool ??
-                throw new ArgumentException("wanted a pool in ordinary memory, got " + stream.Pool.GetType().Name, nameof(stream));
+            m_pool = stream.Pool as MemoryNodePool ?? throw new ArgumentException(
+                "wanted a pool in ordinary memory, got " + stream.Pool.GetType().Name, nameof(stream));
             m_cloud = cloud;
             m_plan = plan;
             var layout = stream.Clouds[cloud].Source.Layout;

@@ -30,8 +30,8 @@ namespace FastPoints.Points
             int capacity = ColumnQuantiles.ValuesTaken(Count);
             var keys = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
             var scratch = new NativeArray<ulong>(capacity, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
-            Found.Value = ColumnQuantiles.Measure(Found.Value.Range, column, Column.Type, Count, Scale, Offset, LowShare, HighShare,
-                (ulong*)keys.GetUnsafePtr(), (ulong*)scratch.GetUnsafePtr());
+            Found.Value = ColumnQuantiles.Measure(Found.Value.Range, column, Column.Type, Count, Scale, Offset, LowShare,
+                HighShare, (ulong*)keys.GetUnsafePtr(), (ulong*)scratch.GetUnsafePtr());
             scratch.Dispose();
             keys.Dispose();
         }

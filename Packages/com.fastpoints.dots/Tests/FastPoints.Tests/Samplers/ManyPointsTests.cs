@@ -81,7 +81,8 @@ namespace FastPoints.Tests.Samplers
                 Block = 77,
                 PeakBytes = Points
             };
-            journal.Statistics.Add(new PointStatistics { Count = Points, Checksum = 1UL << 63, Max = new Grid3(1L << 59, 5, -1) });
+            var max = new Grid3(1L << 59, 5, -1);
+            journal.Statistics.Add(new PointStatistics { Count = Points, Checksum = 1UL << 63, Max = max });
             journal.Attributes = new[] { AttributeStatistics.None };
             journal.Records.Add(Points);
             journal.Chunks.Add(new BuildJournal.Chunk

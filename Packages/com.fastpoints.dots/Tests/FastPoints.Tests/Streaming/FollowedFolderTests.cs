@@ -58,8 +58,8 @@ namespace FastPoints.Tests.Streaming
             {
                 int generations = 0;
                 long seen = 0, most = 0;
-                using (var work = new WorkSteps(ConvertCloud.Run(new[] { MemoryReader.Of(places, centimetres, 5000) }, path, settings, r => { },
-                    null)))
+                var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
+                using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
                 {
                     while (work.MoveNext())
                     {

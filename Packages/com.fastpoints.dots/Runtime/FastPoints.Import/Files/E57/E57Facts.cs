@@ -84,8 +84,8 @@ namespace FastPoints.Files
             if (info.Schema.Has(AttributeNames.ReturnNumber))
                 info.Fact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
             for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsLeftOut; i++)
-                info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, or " +
-                    "there are more than " + E57Scan.MaxFields);
+                info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, " +
+                    "or there are more than " + E57Scan.MaxFields);
             if (schema.LeftOut.Count > MaxFieldsLeftOut)
                 info.Warn(-1, NumberText.Of(schema.LeftOut.Count) + " fields are left out");
             AddMissing(scans, info);

@@ -78,7 +78,8 @@ namespace FastPoints.Files
             }
         }
 
-        static void Copy2(byte* source, int stride, ushort* column0, ushort* column1, ushort* column2, int values, int count, bool isBigEndian)
+        static void Copy2(byte* source, int stride, ushort* column0, ushort* column1, ushort* column2, int values, int count,
+            bool isBigEndian)
         {
             if (values == 3 && !isBigEndian)
             {
@@ -100,7 +101,8 @@ namespace FastPoints.Files
             }
         }
 
-        static void Copy4(byte* source, int stride, uint* column0, uint* column1, uint* column2, int values, int count, bool isBigEndian)
+        static void Copy4(byte* source, int stride, uint* column0, uint* column1, uint* column2, int values, int count,
+            bool isBigEndian)
         {
             if (values == 3 && !isBigEndian)
             {
@@ -130,7 +132,8 @@ namespace FastPoints.Files
             }
         }
 
-        static void Copy8(byte* source, int stride, ulong* column0, ulong* column1, ulong* column2, int values, int count, bool isBigEndian)
+        static void Copy8(byte* source, int stride, ulong* column0, ulong* column1, ulong* column2, int values, int count,
+            bool isBigEndian)
         {
             if (values == 3 && !isBigEndian)
             {

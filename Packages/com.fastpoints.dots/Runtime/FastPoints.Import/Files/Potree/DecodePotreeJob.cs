@@ -28,8 +28,8 @@ namespace FastPoints.Files
         {
             byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)First * RecordBytes;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            LasRecords.ToColumns(records, RecordBytes, Count, (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, columns,
-                First);
+            LasRecords.ToColumns(records, RecordBytes, Count, (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
+                columns, First);
             var result = First == 0 ? default : Result.Value;
             for (int axis = 0; axis < 3; axis++)
                 if (Special.Position[axis] >= 0 && Shift[axis] != 0)

@@ -43,7 +43,8 @@ namespace FastPoints.Files
             foreach (string folder in FoldersIn(home))
                 if (TryAt(folder, out string at))
                 {
-                    index.Info.Warn(-1, "the nodes are not in \"" + index.OctreeFolder + "\" but in \"" + Path.GetFileName(folder) + "\"");
+                    index.Info.Warn(-1,
+                        "the nodes are not in \"" + index.OctreeFolder + "\" but in \"" + Path.GetFileName(folder) + "\"");
                     return new Potree1Files(at, extension, isFlat, index.StepSize);
                 }
             throw new PointCloudException(FailureCode.NotFound, index.Info.Path, -1, "the nodes are not there: wanted r"

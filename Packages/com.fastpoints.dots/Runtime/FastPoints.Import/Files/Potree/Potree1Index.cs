@@ -17,7 +17,8 @@ namespace FastPoints.Files
             { "RGB_PACKED", (3, "uint8") }, { "INTENSITY", (2, "uint16") }, { "CLASSIFICATION", (1, "uint8") },
             { "NORMAL_SPHEREMAPPED", (2, "uint8") }, { "NORMAL_OCT16", (2, "uint8") }, { "NORMAL", (12, "float") },
             { "NORMAL_FLOATS", (12, "float") }, { "RETURN_NUMBER", (1, "uint8") }, { "NUMBER_OF_RETURNS", (1, "uint8") },
-            { "SOURCE_ID", (2, "uint16") }, { "GPS_TIME", (8, "double") }, { "INDICES", (4, "uint32") }, { "SPACING", (4, "float") },
+            { "SOURCE_ID", (2, "uint16") }, { "GPS_TIME", (8, "double") }, { "INDICES", (4, "uint32") },
+            { "SPACING", (4, "float") },
         };
 
         public SourceInfo Info { get; private set; }

@@ -383,7 +383,8 @@ namespace FastPoints.Files
             foreach (object item in hierarchy)
             {
                 if (!(item is List<object> pair) || pair.Count < 2 || !(pair[0] is string name) || !JsonReader.IsNumber(pair[1])
-                    || !PotreeNames.TryParse(name, MaxLevels, out _, out _) || points.TryGetValue(name, out long before) && before > 0)
+                    || !PotreeNames.TryParse(name, MaxLevels, out _, out _)
+                    || points.TryGetValue(name, out long before) && before > 0)
                 {
                     odd++;
                     continue;

@@ -20,7 +20,8 @@ namespace FastPoints.Files
         {
             string encoding = json.Text("encoding");
             if (encoding != "DEFAULT" && encoding != "BROTLI" && encoding != "UNCOMPRESSED")
-                throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "encoding", "DEFAULT or BROTLI", encoding);
+                throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "encoding", "DEFAULT or BROTLI",
+                    encoding);
             var info = new SourceInfo
             {
                 Path = json.Path,
@@ -55,7 +56,8 @@ namespace FastPoints.Files
         static List<PotreeAttribute> ReadAttributes(JsonMembers json, SourceInfo info)
         {
             var attributes = new List<PotreeAttribute>();
-            info.BoundsClaimed = new BoundsGeo(json.Object("boundingBox").Vector("min"), json.Object("boundingBox").Vector("max"));
+            var box = json.Object("boundingBox");
+            info.BoundsClaimed = new BoundsGeo(box.Vector("min"), box.Vector("max"));
             foreach (var item in json.Objects("attributes"))
             {
                 var attribute = PotreeIndexes.ReadAttribute(item, "numElements", info);

@@ -86,7 +86,8 @@ namespace FastPoints.Files
             long octreeBytes = octree.Exists ? octree.Length : -1;
             index.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
             if (octreeBytes < 0)
-                index.Info.Warn(-1, "there is no " + OctreeName + " beside it: the hierarchy can be shown, but there are no points to read");
+                index.Info.Warn(-1, "there is no " + OctreeName
+                    + " beside it: the hierarchy can be shown, but there are no points to read");
             var reader = new Potree2Reader(index, path, bytes, octreeBytes);
             try
             {
@@ -140,7 +141,8 @@ namespace FastPoints.Files
             return m_octreePath;
         }
 
-        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) => read.Begin(Octree, offset, bytes);
+        internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
+            read.Begin(Octree, offset, bytes);
 
         internal override int3 ShiftOf(int block) => default;
 

@@ -30,7 +30,8 @@ namespace FastPoints.Files
         };
 
         static readonly string[] s_axes = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
-        static readonly string[] s_colors = { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha };
+        static readonly string[] s_colors =
+            { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha };
         static readonly string[] s_normals = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
         /// <summary>As the index names it.</summary>

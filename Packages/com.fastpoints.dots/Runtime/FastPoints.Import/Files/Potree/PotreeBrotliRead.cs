@@ -130,7 +130,8 @@ namespace FastPoints.Files
             m_decompressor.Failure = null;
             if (failure != null)
                 throw new PointCloudException(FailureCode.Unsupported, Reader.Info.Path, result.ErrorOffset,
-                    "Brotli cannot be decompressed here (Decompressors.Brotli takes another decompressor): " + failure.Message, failure);
+                    "Brotli cannot be decompressed here (Decompressors.Brotli takes another decompressor): " + failure.Message,
+                    failure);
             Reader.WarnBroken(Range.Block, "its Brotli stream is broken: its points are left out", null, result.ErrorOffset);
         }
 

@@ -49,7 +49,8 @@ namespace FastPoints.Files
         {
             for (int i = 0; i < count; i++, from += stride)
             {
-                var normal = IsOctahedral ? PotreeNormals.FromOctahedron(from[0], from[1]) : PotreeNormals.FromSphereMap(from[0], from[1]);
+                var normal = IsOctahedral
+                    ? PotreeNormals.FromOctahedron(from[0], from[1]) : PotreeNormals.FromSphereMap(from[0], from[1]);
                 for (int axis = 0; axis < 3; axis++)
                     if (Normal[axis] >= 0)
                         ((float*)(columns + Normal[axis]))[first + i] = normal[axis];

@@ -44,7 +44,8 @@ namespace FastPoints.Files
             {
                 if (IsFirst)
                     slot.Decompressor.Start();
-                var input = new ReadOnlySpan<byte>((byte*)Input.GetUnsafeReadOnlyPtr() + state.Consumed, InputBytes - state.Consumed);
+                byte* start = (byte*)Input.GetUnsafeReadOnlyPtr() + state.Consumed;
+                var input = new ReadOnlySpan<byte>(start, InputBytes - state.Consumed);
                 var output = new Span<byte>(Output.GetUnsafePtr(), Wanted);
                 bool isSound = slot.Decompressor.Decode(input, output, out int consumed, out int written);
                 state.Consumed += consumed;

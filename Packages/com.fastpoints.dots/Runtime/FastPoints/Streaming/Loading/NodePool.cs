@@ -24,7 +24,8 @@ namespace FastPoints.Streaming
         protected NodePool(long limitBytes, int bankBytes)
         {
             if (bankBytes < PageBytes || bankBytes > LargestBankBytes)
-                throw new ArgumentOutOfRangeException(nameof(bankBytes), bankBytes, "wanted " + PageBytes + " to " + LargestBankBytes);
+                throw new ArgumentOutOfRangeException(nameof(bankBytes), bankBytes,
+                    "wanted " + PageBytes + " to " + LargestBankBytes);
             m_pagesPerBank = bankBytes / PageBytes;
             LimitBytes = limitBytes;
         }

@@ -42,7 +42,8 @@ namespace FastPoints.Streaming
             Up.Directions(out var east, out var north, out var up);
             // The matrix has a column for each of the cloud's axes.
             var fromCloud = math.transpose(new double3x3(east, up, north));
-            var linear = math.mul(new double3x3(localToWorld.c0.xyz, localToWorld.c1.xyz, localToWorld.c2.xyz), fromCloud) * Scale;
+            var toWorld = new double3x3(localToWorld.c0.xyz, localToWorld.c1.xyz, localToWorld.c2.xyz);
+            var linear = math.mul(toWorld, fromCloud) * Scale;
             var fromOrigin = grid.ToGeo(root.Corner) - OriginGeo;
             return new CloudPlacement(linear, localToWorld.c3.xyz + math.mul(linear, fromOrigin));
         }

@@ -43,8 +43,8 @@ namespace FastPoints.Tests.Support
 
         /// <summary>Reads ranges in the order given, each to its place among the records.</summary>
         /// <returns>Points read.</returns>
-        internal static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges, PointSchema wanted,
-            int slots, byte[] records)
+        internal static long Read(PointReader reader, LasRecordLayout layout, IReadOnlyList<BlockRange> ranges,
+            PointSchema wanted, int slots, byte[] records)
         {
             var reads = new BlockRead[Math.Max(1, Math.Min(slots, ranges.Count))];
             long points = 0;
