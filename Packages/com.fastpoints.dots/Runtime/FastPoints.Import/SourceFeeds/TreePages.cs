@@ -74,7 +74,8 @@ namespace FastPoints.SourceFeeds
         public PointCloudException Update()
         {
             // Jobs that build pages read what would be added to.
-            if (m_reading == null && m_wanted == None || !m_step.IsCompleted || !m_building.IsCompleted)
+            if (m_reading == null && m_wanted == None || !WorkPump.HasEnded(m_step) ||
+                !WorkPump.HasEnded(m_building))
                 return null;
             m_step.Complete();
             m_building.Complete();

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Base
 {
@@ -121,6 +122,15 @@ namespace FastPoints.Base
 
         public bool IsDone { get; private set; }
 
+        /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
+        /// thread.</summary>
+        internal static bool HasEnded(JobHandle job)
+        {
+            if (JobsUtility.JobWorkerCount == 0)
+                job.Complete();
+            return job.IsCompleted;
+        }
+
         /// <summary>
         /// Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
         /// </summary>
@@ -128,7 +138,7 @@ namespace FastPoints.Base
         public bool Tick(double budgetMs)
         {
             m_tickWatch.Restart();
-            while (!IsDone && m_awaited.IsCompleted && m_tickWatch.Elapsed.TotalMilliseconds < budgetMs)
+            while (!IsDone && HasEnded(m_awaited) && m_tickWatch.Elapsed.TotalMilliseconds < budgetMs)
                 Step();
             JobHandle.ScheduleBatchedJobs();
             return IsDone;

@@ -2,7 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
+using Unity.Collections;
+using Unity.Jobs;
 
 namespace FastPoints.Tests.Base
 {
@@ -46,6 +49,42 @@ namespace FastPoints.Tests.Base
             {
                 "begin 3", "begin 2", "begin 1", "end 1", "free 1", "end 2", "free 2", "end 3", "free 3",
             }));
+        }
+
+        [Test]
+        public void Tick_JobWithoutWorkers_RunsIt()
+        {
+            using (new WorkerCount(0))
+            using (var value = new NativeReference<int>(Allocator.Persistent))
+            {
+                var pump = new WorkPump(Setting(value));
+                for (int tick = 0; tick < 1000 && !pump.IsDone; tick++)
+                    pump.Tick(2);
+                bool isDone = pump.IsDone;
+                pump.Cancel();
+                Assert.That(isDone, Is.True);
+                Assert.That(value.Value, Is.EqualTo(7));
+            }
+        }
+
+        static IEnumerator<Work> Setting(NativeReference<int> value)
+        {
+            var job = new SetJob { Value = value }.Schedule();
+            try
+            {
+                yield return job;
+            }
+            finally
+            {
+                job.Complete();
+            }
+        }
+
+        struct SetJob : IJob
+        {
+            public NativeReference<int> Value;
+
+            public void Execute() => Value.Value = 7;
         }
 
         [Test]

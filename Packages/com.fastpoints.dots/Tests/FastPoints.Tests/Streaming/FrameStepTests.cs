@@ -5,6 +5,7 @@ using System.Linq;
 using FastPoints.Points;
 using FastPoints.Store;
 using FastPoints.Streaming;
+using FastPoints.Tests.Support;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -52,6 +53,17 @@ namespace FastPoints.Tests.Streaming
 
         static HashSet<(int, int, int)> Drawn(StreamContext stream) =>
             new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));
+
+        [Test]
+        public void Run_WithoutWorkers_DrawsWhatIsSelected()
+        {
+            using (new WorkerCount(0))
+            {
+                var stats = StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 30, 0.6));
+                Assert.That(stats.DrawnNodes, Is.GreaterThan(1));
+            }
+            Assert.That(Failures(), Is.Empty);
+        }
 
         /// <summary>Planes that lie one after the other in the file, and planes with others between them, which are left out or
         /// read along.</summary>

@@ -1,4 +1,5 @@
 using System;
+using FastPoints.Base;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -9,7 +10,8 @@ namespace FastPoints.Streaming
 {
     /// <summary>
     /// One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
-    /// read in as few pieces as possible, or a node that is made. Main thread; only <see cref="Await"/> waits.
+    /// read in as few pieces as possible, or a node that is made. Main thread; where there are job workers, only
+    /// <see cref="Await"/> waits.
     /// </summary>
     internal sealed unsafe class NodeFetch : IDisposable
     {
@@ -158,7 +160,7 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!m_maker.Done.IsCompleted)
+            if (!WorkPump.HasEnded(m_maker.Done))
                 return false;
             outcome = m_maker.End(out failure);
             bytes = m_maker.BytesRead;
@@ -180,7 +182,7 @@ namespace FastPoints.Streaming
         {
             page = default;
             problem = default;
-            if (!m_building.IsCompleted)
+            if (!WorkPump.HasEnded(m_building))
                 return false;
             m_building.Complete();
             problem = m_problem.Value;

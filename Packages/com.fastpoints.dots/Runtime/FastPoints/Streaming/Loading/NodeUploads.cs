@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Base;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;
@@ -31,7 +32,7 @@ namespace FastPoints.Streaming
         /// <summary>Completes what the last frames' job copied, if the job is done.</summary>
         public void TryEnd(ref FrameStats stats)
         {
-            if (IsUnderWay && m_job.IsCompleted)
+            if (IsUnderWay && WorkPump.HasEnded(m_job))
                 End(ref stats);
         }
 
