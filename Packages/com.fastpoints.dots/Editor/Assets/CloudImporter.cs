@@ -9,12 +9,13 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What the importers of handles and of point cloud files have in common. They read headers and nothing else, and
-    /// nothing but the asset's own file, and know no settings, so that they run in import workers and their results may come from
-    /// a cache.</summary>
+    /// <summary>
+    /// The common base of the importers of handles and of point cloud files. They read only headers of the asset's own file and
+    /// use no settings, so that they run in import workers and their results may come from a cache.
+    /// </summary>
     internal abstract class CloudImporter : ScriptedImporter
     {
-        /// <summary>Raised where the asset comes out otherwise.</summary>
+        /// <summary>Raised when the imported asset changes.</summary>
         protected const int Version = 4;
 
         [Tooltip("The axis of the file that points up.")]
@@ -25,8 +26,8 @@ namespace FastPoints.Editor
         public double MetresPerUnit;
 
         /// <summary>Reads the asset's file.</summary>
-        /// <param name="guid">The asset's.</param>
-        /// <exception cref="Base.PointCloudException">It is not what its name says.</exception>
+        /// <param name="guid">The asset's GUID.</param>
+        /// <exception cref="Base.PointCloudException">The file is not what its name says.</exception>
         protected abstract CloudHandle Describe(AssetImportContext context, string guid);
 
         public override void OnImportAsset(AssetImportContext ctx)
@@ -40,7 +41,7 @@ namespace FastPoints.Editor
             }
             catch (Base.PointCloudException e)
             {
-                // The asset is there all the same: what refers to it goes on referring to it.
+                // The asset still exists, so that references to it stay valid.
                 ctx.LogImportError(e.Message);
             }
             ctx.AddObjectToAsset("cloud", asset);
@@ -59,7 +60,7 @@ namespace FastPoints.Editor
             asset.Up = UpAxis;
             asset.UnitMetres = MetresPerUnit;
             asset.Points = handle.Points;
-            // Infinity is no number that Unity's text files keep.
+            // Unity's text files cannot store infinity.
             var bounds = handle.BoundsGeo.IsEmpty ? new BoundsGeo(1, -1) : handle.BoundsGeo;
             asset.BoundsMin = bounds.Min;
             asset.BoundsMax = bounds.Max;
@@ -67,7 +68,7 @@ namespace FastPoints.Editor
             asset.MetresPerUnit = handle.MetresPerUnit;
         }
 
-        /// <summary>Where the cloud was shown first; another axis has another floor.</summary>
+        /// <summary>Where the cloud was first shown; another up axis has another floor.</summary>
         double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
             : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
             : UnitySpace.Of(handle.BoundsGeo, handle.MetresPerUnit, UpAxis).OriginGeo;

@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The inspector of a cloud's asset: what it is, how far it is converted, and what can be done with it.</summary>
+    /// <summary>
+    /// The inspector of a cloud's asset: what it is, the state of its conversion, and what can be done with it.
+    /// </summary>
     [CustomEditor(typeof(CloudImporter), true)]
     internal sealed class CloudImporterEditor : ScriptedImporterEditor
     {
@@ -27,7 +29,7 @@ namespace FastPoints.Editor
             Look();
         }
 
-        /// <summary>While its cloud is converted or verified.</summary>
+        /// <summary>Repaints while its cloud is converted or verified.</summary>
         public override bool RequiresConstantRepaint() => m_wasInQueue || PointCloudImports.Current.Checks.IsChecking;
 
         public override void OnInspectorGUI()
@@ -50,7 +52,7 @@ namespace FastPoints.Editor
             DrawSettings();
         }
 
-        /// <summary>What the importer is told: applied when somebody says so.</summary>
+        /// <summary>Draws the importer's settings, which take effect when the user applies them.</summary>
         void DrawSettings()
         {
             serializedObject.Update();
@@ -60,7 +62,7 @@ namespace FastPoints.Editor
             ApplyRevertGUI();
         }
 
-        /// <summary>Reads what is drawn: not at every repaint.</summary>
+        /// <summary>Collects what is drawn, but not at every repaint.</summary>
         void Look()
         {
             m_handle = null;

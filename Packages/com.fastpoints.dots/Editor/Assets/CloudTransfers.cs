@@ -9,8 +9,9 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Converted clouds on their way out of the project and into it: copies on threads of the pool, each with a line
-    /// in the Progress window.</summary>
+    /// <summary>
+    /// Copies converted clouds out of the project and into it: on threads of the pool, each with a line in the Progress window.
+    /// </summary>
     internal sealed class CloudTransfers : IDisposable
     {
         sealed class Transfer
@@ -19,7 +20,7 @@ namespace FastPoints.Editor
             public string To;
             public int Progress;
 
-            /// <summary>Unity itself ends what was cancelled in its window: nothing more is said of it.</summary>
+            /// <summary>Unity itself ends what was cancelled in its window: nothing more is reported.</summary>
             public bool IsCancelled;
             public Action<string> Done;
         }
@@ -28,8 +29,10 @@ namespace FastPoints.Editor
 
         public bool IsCopying => m_transfers.Count > 0;
 
-        /// <summary>Copies a finished cloud out: <c>NAME.fastpoints</c> in a folder, with a number where that is taken.</summary>
-        /// <returns>The copy's folder, which is there when the copy is whole.</returns>
+        /// <summary>
+        /// Copies a finished cloud out to <c>NAME.fastpoints</c> in a folder, with a number if that is taken.
+        /// </summary>
+        /// <returns>The copy's folder, which exists when the copy is complete.</returns>
         public string Export(string cloud, string folder)
         {
             string to = FreeName(cloud, folder);
@@ -37,15 +40,15 @@ namespace FastPoints.Editor
             return to;
         }
 
-        /// <summary>Copies a finished cloud to where the project has its own.</summary>
-        /// <param name="done">Gets the copy's folder when it is whole.</param>
+        /// <summary>Copies a finished cloud to the project's folder of clouds.</summary>
+        /// <param name="done">Gets the copy's folder when it is complete.</param>
         public void Import(string cloud, ProjectPaths paths, Action<string> done)
         {
             Directory.CreateDirectory(paths.Clouds);
             Begin("Import ", cloud, FreeName(cloud, paths.Clouds), done);
         }
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Called once an update of the editor.</summary>
         public void Update()
         {
             for (int i = m_transfers.Count - 1; i >= 0; i--)
@@ -62,7 +65,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Calls off what goes on; copies that are not whole go.</summary>
+        /// <summary>Cancels running copies; incomplete ones are deleted.</summary>
         public void Dispose()
         {
             foreach (var transfer in m_transfers)
@@ -111,7 +114,7 @@ namespace FastPoints.Editor
                 Progress.Finish(transfer.Progress, status);
         }
 
-        /// <summary>No copy takes a name that another one is under way to.</summary>
+        /// <summary>A free name, which no running copy uses either.</summary>
         string FreeName(string cloud, string folder)
         {
             string PathOf(string name) => Path.Combine(folder, name + StoreFormat.FolderExtension);

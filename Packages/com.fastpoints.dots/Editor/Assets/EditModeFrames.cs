@@ -4,8 +4,10 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>In edit mode worlds are updated only when something in the scene changes: clouds that come need frames of their
-    /// own, and views that are drawn again.</summary>
+    /// <summary>
+    /// Makes frames in edit mode, where worlds are updated only when something in the scene changes: clouds that are loading
+    /// need frames of their own, and views that are redrawn.
+    /// </summary>
     [InitializeOnLoad]
     internal static class EditModeFrames
     {
@@ -17,11 +19,11 @@ namespace FastPoints.Editor
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
             EditorApplication.update += Update;
-            // Components see in their updates what has become of their fields.
+            // Components notice in their updates how their fields have changed.
             Undo.undoRedoPerformed += EditorApplication.QueuePlayerLoopUpdate;
         }
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Called once an update of the editor.</summary>
         public static void Update()
         {
             if (EditorApplication.isPlaying || !Wants(World.DefaultGameObjectInjectionWorld))

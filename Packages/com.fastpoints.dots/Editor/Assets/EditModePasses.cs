@@ -3,8 +3,9 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Clouds are drawn in edit mode too, in whatever pipelines are installed: their assemblies are known by the
-    /// attribute alone.</summary>
+    /// <summary>
+    /// Draws clouds in edit mode too, in all installed pipelines: their assemblies are found by the attribute alone.
+    /// </summary>
     [InitializeOnLoad]
     internal static class EditModePasses
     {

@@ -5,18 +5,20 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Has converted clouds verified, one at a time, with a line in the Progress window; what has come of it is in the
-    /// Console and is kept for inspectors.</summary>
+    /// <summary>
+    /// Verifies converted clouds, one at a time, with a line in the Progress window. The result is written to the Console and
+    /// kept for inspectors.
+    /// </summary>
     internal sealed class EditorChecks : IDisposable
     {
         int m_progress;
 
-        /// <summary>The last one; null where there was none.</summary>
+        /// <summary>The last check; null if there was none.</summary>
         public CloudCheck Check { get; private set; }
 
         public bool IsChecking => Check != null && !Check.IsDone;
 
-        /// <summary>Begins with a folder; one that goes on is broken off.</summary>
+        /// <summary>Begins with a folder; a check in progress is broken off.</summary>
         public void Begin(string path)
         {
             Dispose();
@@ -32,7 +34,7 @@ namespace FastPoints.Editor
             });
         }
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Called once an update of the editor.</summary>
         public void Update(double budgetMs)
         {
             if (!IsChecking)
@@ -48,7 +50,7 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + Check.Path + ": " + Check.Describe());
         }
 
-        /// <summary>Breaks off what goes on.</summary>
+        /// <summary>Breaks off the check in progress.</summary>
         public void Dispose()
         {
             if (!IsChecking)

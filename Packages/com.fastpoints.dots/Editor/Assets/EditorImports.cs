@@ -11,8 +11,10 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Between the assets of a project and its queue of imports: makes handles, asks for conversions, shows how far they
-    /// are, and tells assets and scenes what has come of them.</summary>
+    /// <summary>
+    /// Connects the assets of a project to its queue of imports: it makes handles, requests conversions, shows their progress,
+    /// and passes results on to assets and scenes.
+    /// </summary>
     public sealed class EditorImports : IDisposable
     {
         static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
@@ -38,7 +40,7 @@ namespace FastPoints.Editor
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
 
-        /// <summary>Clouds that somebody wants verified.</summary>
+        /// <summary>Clouds that are being copied out and in.</summary>
         internal EditorChecks Checks { get; } = new EditorChecks();
 
         /// <summary>Clouds that are copied out and in.</summary>
@@ -47,10 +49,10 @@ namespace FastPoints.Editor
         /// <summary>Pictures of clouds for the Project window.</summary>
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
-        /// <summary>Bytes of a file that may be copied into the project.</summary>
+        /// <summary>The largest file in bytes that may be copied into the project.</summary>
         public long MostCopiedBytes => (long)m_settings.CopiedMiB << 20;
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Called once an update of the editor.</summary>
         public void Update(DateTime nowUtc)
         {
             Queue.Tick(m_settings.UpdateMs, nowUtc);
@@ -69,8 +71,8 @@ namespace FastPoints.Editor
 
         /// <summary>Makes a handle for a file or folder that stays where it is.</summary>
         /// <param name="source">One cloud.</param>
-        /// <param name="folder">Of the handle: in <c>Assets</c>.</param>
-        /// <returns>The asset; null where it could not be made, which is logged.</returns>
+        /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
+        /// <returns>The asset; null if it could not be made, which is logged.</returns>
         public PointCloudAsset Take(string source, string folder)
         {
             try
@@ -92,10 +94,10 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>A point cloud file in <c>Assets</c> was imported.</summary>
+        /// <summary>Handles the import of a point cloud file in <c>Assets</c>.</summary>
         public void TakePointFile(string asset)
         {
-            // An asset is imported anew to show its picture, too: what was cancelled stays so.
+            // An asset is also reimported to show its picture: a cancelled conversion stays cancelled.
             if (m_isShowing)
                 return;
             var handle = OfPointFile(asset);
@@ -112,8 +114,8 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Copies an asset's converted cloud to a folder outside: a name is found for it.</summary>
-        /// <returns>The copy's folder, which is there when the copy is whole; null where nothing can be copied, which is
+        /// <summary>Copies an asset's converted cloud to a folder outside, under a free name.</summary>
+        /// <returns>The copy's folder, which exists when the copy is complete; null if nothing can be copied, which is
         /// logged.</returns>
         public string Export(PointCloudAsset asset, string folder)
         {
@@ -124,9 +126,10 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is
-        /// whole.</summary>
-        /// <param name="folder">Of the handle: in <c>Assets</c>.</param>
+        /// <summary>
+        /// Copies a converted cloud into the project's place, and makes a handle for the copy when it is complete.
+        /// </summary>
+        /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
             if (CloudSources.IsConverted(cloud))
@@ -135,7 +138,7 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + cloud + ": wanted a converted cloud, a folder with " + StoreFormat.ManifestName);
         }
 
-        /// <summary>Has an asset's cloud converted, for the first time or again.</summary>
+        /// <summary>Converts an asset's cloud, for the first time or again.</summary>
         public void Convert(string asset) => Convert(asset, HandleOf(asset));
 
         /// <summary>What an asset says of its cloud.</summary>
@@ -154,8 +157,9 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>Has the picture of a handle's cloud drawn: of the cloud where it is converted, of its files where it is
-        /// not.</summary>
+        /// <summary>
+        /// Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its files.
+        /// </summary>
         internal void AddThumbnail(CloudHandle handle)
         {
             string cloud = Paths.Absolute(handle.CloudPath);
@@ -165,7 +169,7 @@ namespace FastPoints.Editor
                 Thumbnails.AddFiles(cloud, handle.Sources.ConvertAll(Paths.Absolute));
         }
 
-        /// <summary>Before scripts are reloaded or the editor quits.</summary>
+        /// <summary>Called before scripts are reloaded or the editor quits.</summary>
         public void Suspend()
         {
             if (m_reported != null)
@@ -224,7 +228,8 @@ namespace FastPoints.Editor
         {
             var request = Queue.Running;
             m_reported = session;
-            // What Unity manages it cancels before scripts are reloaded, as if the user had: the conversion would be lost.
+            // Unity cancels progress that it manages before scripts are reloaded, as if the user had: the conversion would be
+            // lost.
             m_progress = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
                 Progress.Options.Unmanaged);
             Progress.SetTimeDisplayMode(m_progress, Progress.TimeDisplayMode.ShowRemainingTime);
@@ -241,7 +246,7 @@ namespace FastPoints.Editor
                     Queue.Pause(request);
                 else
                     Queue.Resume(request);
-                // A header that is being read cannot be paused, and the window must not show that it is.
+                // Reading a header cannot be paused, and the window must not show that it is.
                 return (session.State == BuildState.Paused) == isPaused;
             });
         }
@@ -288,8 +293,9 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Unity asks for an asset's picture when it is imported, and imports what has not changed when it is
-        /// forced.</summary>
+        /// <summary>
+        /// Unity asks for an asset's picture when it imports the asset, and reimports an unchanged one only by force.
+        /// </summary>
         void ShowThumbnail(string cloud)
         {
             m_isShowing = true;
@@ -305,7 +311,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Folders of the project's clouds, though they may not be there.</summary>
+        /// <summary>Folders of the project's clouds, including those that do not exist yet.</summary>
         HashSet<string> PromisedClouds()
         {
             var promised = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
@@ -314,7 +320,7 @@ namespace FastPoints.Editor
             return promised;
         }
 
-        /// <summary>Paths of assets, and whole ones of their clouds' folders.</summary>
+        /// <summary>Paths of assets, and absolute paths of their clouds' folders.</summary>
         List<(string Asset, string Cloud)> CloudsOfAssets()
         {
             var clouds = new List<(string Asset, string Cloud)>();
@@ -328,7 +334,7 @@ namespace FastPoints.Editor
             return clouds;
         }
 
-        /// <summary>Has the scenes' clouds of an asset look for its folder again.</summary>
+        /// <summary>Makes the scenes' clouds of an asset look for its folder again.</summary>
         /// <param name="asset">Its path.</param>
         public static void Refresh(string asset)
         {
@@ -337,7 +343,7 @@ namespace FastPoints.Editor
             EditorApplication.QueuePlayerLoopUpdate();
         }
 
-        /// <summary>The place that the scenes' clouds of an asset count from; null where none is shown.</summary>
+        /// <summary>The origin of the scenes' clouds of an asset; null if none is shown.</summary>
         static double3? OriginShown(string asset)
         {
             foreach (var cloud in CloudsOf(asset))

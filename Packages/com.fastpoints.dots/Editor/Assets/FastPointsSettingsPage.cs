@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary><em>Project Settings > FastPoints</em>.</summary>
+    /// <summary>The page <em>Project Settings > FastPoints</em>.</summary>
     static class FastPointsSettingsPage
     {
         static string s_problem;

@@ -2,7 +2,7 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Imports <c>.pointcloud</c> handles. All that is in the asset is in the handle.</summary>
+    /// <summary>Imports <c>.pointcloud</c> handles. Everything in the asset comes from the handle.</summary>
     [ScriptedImporter(Version, "pointcloud", AllowCaching = true)]
     internal sealed class HandleImporter : CloudImporter
     {

@@ -7,11 +7,13 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The picture of a cloud's asset in the Project window: what <see cref="CloudThumbnails"/> has drawn.</summary>
+    /// <summary>
+    /// Shows the picture of a cloud's asset in the Project window, as <see cref="CloudThumbnails"/> has drawn it.
+    /// </summary>
     [CustomEditor(typeof(PointCloudAsset))]
     internal sealed class PointCloudAssetEditor : UnityEditor.Editor
     {
-        /// <returns>Null, and Unity shows the type's icon, where there is no picture yet.</returns>
+        /// <returns>Null if there is no picture yet: Unity then shows the type's icon.</returns>
         public override Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height)
         {
             string path = ((PointCloudAsset)target).ProjectPath;

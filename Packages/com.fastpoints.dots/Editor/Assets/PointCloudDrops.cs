@@ -7,8 +7,8 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// What is dropped into the Project window, the Scene view and the Hierarchy. Unity copies and hashes any file that is
-    /// dropped into the Project window before an importer sees it: large ones and folders get a handle instead.
+    /// Handles drops into the Project window, the Scene view and the Hierarchy. Unity copies and hashes any file that is
+    /// dropped into the Project window before an importer sees it, so large ones and folders get a handle instead.
     /// </summary>
     [InitializeOnLoad]
     public static class PointCloudDrops
@@ -34,7 +34,7 @@ namespace FastPoints.Editor
 #endif
         }
 
-        /// <summary>None leaves the drop to other handlers, Unity's last.</summary>
+        /// <summary>Returning None leaves the drop to other handlers, Unity's last.</summary>
         public static DragAndDropVisualMode OnProject(string path, bool perform)
         {
             var imports = PointCloudImports.Current;
@@ -49,7 +49,7 @@ namespace FastPoints.Editor
             return DragAndDropVisualMode.Link;
         }
 
-        /// <summary>Clouds of the project, or files that become some.</summary>
+        /// <summary>Accepts clouds of the project, or files that can become some.</summary>
         public static DragAndDropVisualMode OnScene(Vector3? place, Transform parent, bool perform)
         {
             var assets = new List<PointCloudAsset>();
@@ -74,7 +74,7 @@ namespace FastPoints.Editor
             return DragAndDropVisualMode.Copy;
         }
 
-        /// <summary>A GameObject for a cloud; Undo takes it away.</summary>
+        /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
         public static PointCloud Show(PointCloudAsset asset, Vector3? place, Transform parent)
         {
             var scene = ObjectFactory.CreateGameObject(asset.name);
@@ -88,7 +88,7 @@ namespace FastPoints.Editor
             return cloud;
         }
 
-        /// <summary>Of what was dropped upon: a folder, an asset in it, or the window's empty part.</summary>
+        /// <summary>The folder for a drop target: a folder, an asset in it, or the window's empty part.</summary>
         static string FolderOf(string path) => string.IsNullOrEmpty(path) ? "Assets"
             : AssetDatabase.IsValidFolder(path) ? path : Path.GetDirectoryName(path);
     }

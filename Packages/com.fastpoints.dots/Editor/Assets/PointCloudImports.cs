@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The project's imports, for as long as its scripts are loaded.</summary>
+    /// <summary>The project's imports, which live as long as its scripts are loaded.</summary>
     [InitializeOnLoad]
     public static class PointCloudImports
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Editor
 
         static PointCloudImports()
         {
-            // Import workers load scripts as well; there is one queue, the editor's.
+            // Import workers load scripts as well, but the only queue is the editor's.
             if (AssetDatabase.IsAssetImportWorkerProcess())
                 return;
             FastPointsSettings.instance.Apply();
@@ -26,15 +26,16 @@ namespace FastPoints.Editor
 
         public static EditorImports Current => s_current ??= new EditorImports(Paths, FastPointsSettings.instance);
 
-        /// <summary>As the settings say.</summary>
+        /// <summary>The paths that the settings give.</summary>
         internal static ProjectPaths Paths => new ProjectPaths(Project, FastPointsSettings.instance.Place);
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
-        /// <summary>From now on clouds are converted into another place. A conversion that goes on is suspended, and continued
-        /// when the
-        /// place is what it was.</summary>
-        /// <returns>Why not, in one line; null where they are.</returns>
+        /// <summary>
+        /// Changes the place into which clouds are converted from now on. A running conversion is suspended, and continues when
+        /// the place is changed back.
+        /// </summary>
+        /// <returns>Why this is not possible, in one line; null if it is done.</returns>
         public static string Move(string place)
         {
             string problem = ProjectPaths.FindProblem(Project, place);

@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary><em>Assets > Import point cloud...</em></summary>
+    /// <summary>The menu item <em>Assets > Import point cloud...</em></summary>
     static class PointCloudMenu
     {
         [MenuItem("Assets/Import point cloud...", false, 20)]

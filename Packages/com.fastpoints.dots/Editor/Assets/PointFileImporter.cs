@@ -5,9 +5,10 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Imports LAS, LAZ and PLY files that lie in <c>Assets</c>, by their headers. Never chosen by Unity: two importers
-    /// that claim one extension lock each other out, and others claim these (<see cref="PointFilePostprocessor"/> chooses
-    /// it).</summary>
+    /// <summary>
+    /// Imports LAS, LAZ and PLY files in <c>Assets</c> by their headers. Unity never chooses it: two importers that claim one
+    /// extension lock each other out, and others claim these. <see cref="PointFilePostprocessor"/> chooses it instead.
+    /// </summary>
     [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
     internal sealed class PointFileImporter : CloudImporter
     {
@@ -26,8 +27,10 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer is in charge of,
-    /// and has them converted.</summary>
+    /// <summary>
+    /// Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer handles, and requests
+    /// their conversion.
+    /// </summary>
     internal sealed class PointFilePostprocessor : AssetPostprocessor
     {
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,

@@ -3,11 +3,13 @@ using System.Text;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Names for converted clouds and their handles: allowed on every system and not hidden by Unity; none is given
-    /// twice, whatever the case.</summary>
+    /// <summary>
+    /// Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity, and unique regardless
+    /// of case.
+    /// </summary>
     internal static class AssetNaming
     {
-        /// <summary>In UTF-8, without extension: paths in a project stay short.</summary>
+        /// <summary>Limit in UTF-8, without extension, that keeps paths in a project short.</summary>
         public const int MostBytes = 100;
 
         const string Empty = "cloud";
@@ -19,8 +21,10 @@ namespace FastPoints.Editor
             "LPT0", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
         };
 
-        /// <summary>A name as near to this one as may be: composed characters, none that a system forbids, no point, blank or
-        /// tilde at an end, no device's name, at most <see cref="MostBytes"/>.</summary>
+        /// <summary>
+        /// The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end, not the
+        /// name of a device, at most <see cref="MostBytes"/>.
+        /// </summary>
         public static string Safe(string name)
         {
             var text = new StringBuilder(name.Length);
@@ -41,8 +45,8 @@ namespace FastPoints.Editor
             return isDevice ? "_" + safe : safe;
         }
 
-        /// <summary>The name made safe; with a number behind it where that is taken.</summary>
-        /// <param name="isTaken">Asked for names that differ from others in more than case.</param>
+        /// <summary>The safe name, with a number behind it if that is taken.</summary>
+        /// <param name="isTaken">Called with names that differ in more than case.</param>
         public static string Unique(string name, Predicate<string> isTaken)
         {
             string safe = Safe(name), unique = safe;
@@ -51,8 +55,10 @@ namespace FastPoints.Editor
             return unique;
         }
 
-        /// <summary>Unity does not see files that begin with a point or end with a tilde; Windows drops points and blanks at the
-        /// end.</summary>
+        /// <summary>
+        /// Removes what systems dislike: Unity ignores files that begin with a point or end with a tilde; Windows drops points
+        /// and blanks at the end.
+        /// </summary>
         static string Trim(string name) =>
             name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
 

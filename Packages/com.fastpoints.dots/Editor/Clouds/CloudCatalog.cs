@@ -8,8 +8,10 @@ using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
-    /// that their content gives them.</summary>
+    /// <summary>
+    /// The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id that
+    /// follows from their content.
+    /// </summary>
     internal sealed class CloudCatalog
     {
         struct Seen
@@ -27,10 +29,10 @@ namespace FastPoints.Editor
             m_paths = paths;
         }
 
-        /// <summary>As of the last <see cref="Refresh"/>, by name.</summary>
+        /// <summary>The clouds found by the last <see cref="Refresh"/>, by name.</summary>
         public IReadOnlyList<CatalogCloud> Clouds => m_clouds;
 
-        /// <summary>Looks into the folder; a manifest is read again only where it was written since.</summary>
+        /// <summary>Scans the folder; a manifest is read again only if it was written since.</summary>
         public void Refresh()
         {
             m_clouds.Clear();
@@ -39,7 +41,7 @@ namespace FastPoints.Editor
             {
                 bool isPart = folder.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
                 string path = StoreFormat.FinishedPath(folder);
-                // While a cloud is made anew the old one is there.
+                // While a cloud is rebuilt, the old one still exists.
                 if (path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) &&
                     !(isPart && Directory.Exists(path)))
                     m_clouds.Add(Look(path, folder, seen));
@@ -48,7 +50,9 @@ namespace FastPoints.Editor
             m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
         }
 
-        /// <summary>The cloud of a handle: where that says, or else by id, in what <see cref="Refresh"/> found.</summary>
+        /// <summary>
+        /// Finds the cloud of a handle: where the handle says, or else by id among those that <see cref="Refresh"/> found.
+        /// </summary>
         public CatalogMatch Find(CloudHandle handle, out CatalogCloud cloud)
         {
             string path = m_paths.Absolute(handle.CloudPath);
@@ -68,10 +72,11 @@ namespace FastPoints.Editor
             return inPlace == null ? CatalogMatch.None : CatalogMatch.Another;
         }
 
-        /// <summary>A folder for the cloud of a source: its name, with a number where a cloud or a build has that
-        /// already.</summary>
+        /// <summary>
+        /// A new folder for the cloud of a source: its name, with a number if a cloud or a build has that already.
+        /// </summary>
         /// <param name="source">A file or folder.</param>
-        /// <param name="isPromised">Whether a folder that is not there yet belongs to another cloud.</param>
+        /// <param name="isPromised">Whether a folder that does not exist yet belongs to another cloud.</param>
         public string NewTarget(string source, Predicate<string> isPromised)
         {
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
@@ -81,9 +86,10 @@ namespace FastPoints.Editor
             return PathOf(name);
         }
 
-        /// <summary>Deletes a converted cloud: first its name, so that a half deleted one is never taken for a whole
-        /// one.</summary>
-        /// <exception cref="PointCloudException">It cannot be deleted: somebody has its files open, or may not.</exception>
+        /// <summary>
+        /// Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one.
+        /// </summary>
+        /// <exception cref="PointCloudException">It cannot be deleted: its files are open, or access is denied.</exception>
         public static void Delete(string path)
         {
             CloudFolderWriter.DeleteUnfinished(path);
@@ -146,16 +152,16 @@ namespace FastPoints.Editor
     /// <summary>A converted cloud of the project.</summary>
     internal sealed class CatalogCloud
     {
-        /// <summary>Its folder: a whole path, under the name that it has when it is finished.</summary>
+        /// <summary>Its folder: an absolute path under its final name.</summary>
         public string Path;
 
-        /// <summary>Null where <see cref="Problem"/> says why.</summary>
+        /// <summary>Null if <see cref="Problem"/> says why.</summary>
         public CloudManifest Manifest;
 
-        /// <summary>Why it cannot be used, in one line; null where it can.</summary>
+        /// <summary>Why it cannot be used, in one line; null if it can.</summary>
         public string Problem;
 
-        /// <summary>It is not finished: a build goes on, or was broken off.</summary>
+        /// <summary>Whether it is unfinished: a build is running, or was broken off.</summary>
         public bool IsBuilding;
 
         public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
@@ -164,15 +170,15 @@ namespace FastPoints.Editor
     /// <summary>How a handle's cloud was found.</summary>
     internal enum CatalogMatch
     {
-        /// <summary>Nowhere.</summary>
+        /// <summary>It was not found.</summary>
         None,
-        /// <summary>Where the handle says.</summary>
+        /// <summary>It is where the handle says.</summary>
         InPlace,
-        /// <summary>In another folder of the project's clouds, by its id.</summary>
+        /// <summary>It is in another folder of the project's clouds, found by its id.</summary>
         Moved,
-        /// <summary>Where the handle says is another cloud, and its own is nowhere.</summary>
+        /// <summary>Another cloud is where the handle says, and its own was not found.</summary>
         Another,
-        /// <summary>Where the handle says it is in the making.</summary>
+        /// <summary>It is being made where the handle says.</summary>
         Building,
     }
 }

@@ -9,8 +9,10 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Copies a converted cloud on a thread of the pool, for another project to take. The copy has its name when it is
-    /// whole; cancelled or failed, it leaves nothing.</summary>
+    /// <summary>
+    /// Copies a converted cloud on a thread of the pool, for use in another project. The copy gets its name when it is
+    /// complete; if cancelled or failed, it leaves nothing.
+    /// </summary>
     internal sealed class CloudCopy : IDisposable
     {
         const string TemporarySuffix = ".copy";
@@ -23,7 +25,7 @@ namespace FastPoints.Editor
         long m_bytesDone;
 
         /// <param name="from">A finished cloud's folder.</param>
-        /// <param name="to">A folder that is not there yet.</param>
+        /// <param name="to">A folder that does not exist yet.</param>
         public CloudCopy(string from, string to)
         {
             m_from = from;
@@ -34,7 +36,7 @@ namespace FastPoints.Editor
         /// <summary>Ends when the copy has its name; throws a <see cref="PointCloudException"/> or is cancelled.</summary>
         public Task Work { get; }
 
-        /// <summary>0 to 1; any thread may ask.</summary>
+        /// <summary>Progress from 0 to 1; any thread may ask.</summary>
         public double Share
         {
             get
@@ -46,8 +48,10 @@ namespace FastPoints.Editor
 
         public void Cancel() => m_cancellation.Cancel();
 
-        /// <summary>Cancels, and waits for the megabyte that is being copied: what ends threads without notice, as a domain
-        /// reload does, finds nothing half copied.</summary>
+        /// <summary>
+        /// Cancels, and waits for the megabyte being copied: a domain reload ends threads without notice and must not find
+        /// anything half copied.
+        /// </summary>
         public void Dispose()
         {
             m_cancellation.Cancel();
@@ -57,7 +61,7 @@ namespace FastPoints.Editor
             }
             catch (AggregateException)
             {
-                // Nobody asks for it any more.
+                // The result is no longer wanted.
             }
         }
 

@@ -11,8 +11,8 @@ using Unity.Mathematics;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// What a <c>.pointcloud</c> file says: a small asset that stands for a cloud of any size. Where the converted cloud and its
-    /// source are, and what is known of them without opening either. Text in, text out, no I/O.
+    /// The content of a <c>.pointcloud</c> file, a small asset that stands for a cloud of any size: where the converted cloud
+    /// and its source are, and what is known of them without opening either. It converts from and to text, without I/O.
     /// </summary>
     internal sealed class CloudHandle
     {
@@ -21,50 +21,53 @@ namespace FastPoints.Editor
         public const int MostWarnings = 20;
         const string FormatName = "fastpoints-handle";
 
-        /// <summary>The converted cloud's own, which its content decides; 0 until there is one.</summary>
+        /// <summary>The converted cloud's own id, which follows from its content; 0 until there is one.</summary>
         public ulong CloudId;
 
-        /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not be there yet.</summary>
+        /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not exist yet.</summary>
         public string CloudPath;
 
-        /// <summary>Files and folders that the cloud is made of, written alike; none for a cloud that came converted.</summary>
+        /// <summary>
+        /// Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted form.
+        /// </summary>
         public List<string> Sources = new List<string>();
 
-        /// <summary>Whether they bring an octree along (COPC, Potree, EPT): they can be streamed as they are.</summary>
+        /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
         public bool IsOctree;
 
-        /// <summary>The place that transforms move, georeferenced: where the cloud was shown first. Null until then.</summary>
+        /// <summary>The place that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
         public double3? Origin;
 
-        /// <summary>The axis on whose floor <see cref="Origin"/> is.</summary>
+        /// <summary>The axis whose floor <see cref="Origin"/> lies on.</summary>
         public UpAxis OriginUp = UpAxis.Z;
 
-        /// <summary>Of the sources when they were taken; null without any.</summary>
+        /// <summary>Stamp of the sources when they were taken; null without any.</summary>
         public SourceStamp Stamp;
 
-        /// <summary>What was wrong with the sources when they were converted, a line each; <see cref="MostWarnings"/> at
-        /// most.</summary>
+        /// <summary>
+        /// What was wrong with the sources when they were converted, one line each; at most <see cref="MostWarnings"/>.
+        /// </summary>
         public List<string> Warnings = new List<string>();
 
-        /// <summary>"LAS", "PLY", ...</summary>
+        /// <summary>The name of the format: "LAS", "PLY", ...</summary>
         public string Format;
 
-        /// <summary>As the header claims until the cloud is converted; -1 where nobody says.</summary>
+        /// <summary>What the header claims, until the cloud is converted; -1 if unknown.</summary>
         public long Points = -1;
 
-        /// <summary>As with <see cref="Points"/>; may be empty.</summary>
+        /// <summary>What the header claims, as with <see cref="Points"/>; may be empty.</summary>
         public BoundsGeo BoundsGeo = BoundsGeo.Empty;
 
         /// <summary>One line, or null.</summary>
         public string Crs;
 
-        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Takes over what a source's header claims.</summary>
+        /// <summary>Takes over the claims of a source's header.</summary>
         public void Describe(SourceInfo info)
         {
-            // The same at each import, whatever a conversion finds.
+            // These are the same at each import, whatever a conversion finds.
             if (info.HasBoundsClaimed && info.BoundsClaimed.IsFinite && !info.BoundsClaimed.IsEmpty)
                 Origin = UnitySpace.Of(info.BoundsClaimed, info.Crs.MetresPerUnit).OriginGeo;
             Format = info.Format;
@@ -75,18 +78,18 @@ namespace FastPoints.Editor
             MetresPerUnit = info.Crs.MetresPerUnit;
         }
 
-        /// <summary>Takes over what was found out about the sources while they were read.</summary>
+        /// <summary>Takes over what reading the sources has shown.</summary>
         public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
         {
             Format = format;
             Warnings.Clear();
             for (int i = 0; i < warnings.Count && i < MostWarnings; i++)
-                // Without the folder, which is another on the next machine.
+                // Leaves out the folder, which differs on the next machine.
                 Warnings.Add(i == MostWarnings - 1 && warnings.Count > MostWarnings ? warnings.Count - i + " more"
                     : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
         }
 
-        /// <summary>Takes over what was found when the cloud was converted.</summary>
+        /// <summary>Takes over what conversion has shown.</summary>
         public void Describe(CloudManifest manifest)
         {
             CloudId = manifest.CloudId;
@@ -127,8 +130,8 @@ namespace FastPoints.Editor
         }
 
         /// <param name="path">For messages.</param>
-        /// <exception cref="PointCloudException">It is no handle, of another version, or a member is missing or
-        /// senseless.</exception>
+        /// <exception cref="PointCloudException">The text is not a handle, has another version, or a member is missing or
+        /// invalid.</exception>
         public static CloudHandle FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);

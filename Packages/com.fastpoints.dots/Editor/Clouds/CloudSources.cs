@@ -6,20 +6,19 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Which files and folders are taken for point clouds, by their names alone: nothing is opened while something is
-    /// dragged.</summary>
+    /// <summary>Recognises files and folders as point clouds by their names alone: nothing is opened during a drag.</summary>
     internal static class CloudSources
     {
-        /// <summary>Of files that an importer takes where they lie in a project's assets.</summary>
+        /// <summary>Extensions of files that are imported where they lie in a project's assets.</summary>
         public static readonly string[] ImportedExtensions = { "las", "laz", "ply" };
 
         const string CopcExtension = ".copc.laz";
 
         static readonly string[] s_extensions = { ".las", ".laz", ".ply", ".e57" };
 
-        /// <summary>What to do with files that are dropped into a project's assets.</summary>
-        /// <param name="paths">Whole paths of files and folders.</param>
-        /// <param name="mostBytes">Of a file that is copied.</param>
+        /// <summary>Decides what to do with files that are dropped into a project's assets.</summary>
+        /// <param name="paths">Absolute paths of files and folders.</param>
+        /// <param name="mostBytes">The largest file that is copied.</param>
         public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long mostBytes)
         {
             if (paths.Count == 0)
@@ -43,11 +42,11 @@ namespace FastPoints.Editor
             if (File.Exists(path))
                 return Array.IndexOf(s_extensions, Path.GetExtension(path).ToLowerInvariant()) >= 0;
             string index = SourceFolder.FindIndex(path);
-            // Others call a file metadata.json too.
+            // Other formats name a file metadata.json, too.
             return index != null && (Path.GetFileName(index) != "metadata.json" || File.Exists(Path.Combine(path, "octree.bin")));
         }
 
-        /// <summary>Whether files bring an octree along, by their names: COPC, Potree, EPT.</summary>
+        /// <summary>Whether files contain an octree, by their names: COPC, Potree, EPT.</summary>
         public static bool BringsOctree(string path) => File.Exists(path)
             ? path.EndsWith(CopcExtension, StringComparison.OrdinalIgnoreCase)
             : SourceFolder.FindIndex(path) != null && IsCloud(path);
@@ -64,14 +63,14 @@ namespace FastPoints.Editor
             Array.IndexOf(ImportedExtensions, Path.GetExtension(path).ToLowerInvariant().TrimStart('.')) >= 0;
     }
 
-    /// <summary>What becomes of files that are dropped.</summary>
+    /// <summary>How a drop is handled.</summary>
     internal enum DropKind
     {
-        /// <summary>Others decide: there is something else among them.</summary>
+        /// <summary>Left to others: there is something else among the files.</summary>
         NotOurs,
-        /// <summary>Point clouds that are small enough to be copied into the project and imported there.</summary>
+        /// <summary>The point clouds are small enough to be copied into the project and imported there.</summary>
         Copy,
-        /// <summary>They stay where they are, and each gets a handle.</summary>
+        /// <summary>The files stay where they are, and each gets a handle.</summary>
         Handle,
     }
 }

@@ -10,21 +10,22 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Handles on disk: made for a source, read, and brought up to date.</summary>
+    /// <summary>Reads, writes, makes and updates handles on disk.</summary>
     internal static class HandleFile
     {
-        /// <exception cref="PointCloudException">It cannot be read, or is no handle.</exception>
+        /// <exception cref="PointCloudException">It cannot be read, or is not a handle.</exception>
         public static CloudHandle Read(string path) => CloudHandle.FromJson(StoreFile.ReadText(path), path);
 
         /// <exception cref="PointCloudException">It cannot be written.</exception>
         public static void Write(string path, CloudHandle handle) => TextFile.Write(path, handle.ToJson());
 
-        /// <summary>Makes a handle for a source, which is not opened; one for a converted cloud says what its manifest
-        /// does.</summary>
+        /// <summary>
+        /// Makes a handle for a source without opening it; a handle for a converted cloud takes over its manifest.
+        /// </summary>
         /// <param name="source">A file or folder: one cloud.</param>
-        /// <param name="folder">Of the handle.</param>
+        /// <param name="folder">The handle's folder.</param>
         /// <param name="newTarget">Gives the folder that the cloud will be converted into.</param>
-        /// <param name="handle">What was written.</param>
+        /// <param name="handle">The handle that was written.</param>
         /// <returns>The handle's path.</returns>
         /// <exception cref="PointCloudException">It cannot be written, or the converted cloud cannot be read.</exception>
         public static string Create(string source, string folder, ProjectPaths paths, Func<string, string> newTarget,
@@ -46,7 +47,7 @@ namespace FastPoints.Editor
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
             foreach (string file in Directory.GetFileSystemEntries(folder))
                 taken.Add(Path.GetFileName(file));
-            // The folder's extension says what the handle's own does.
+            // The folder's extension says the same as the handle's own.
             string wanted = CloudName.Of(source);
             if (handle.Sources.Count == 0)
                 wanted = Path.GetFileNameWithoutExtension(wanted);
@@ -56,9 +57,9 @@ namespace FastPoints.Editor
             return path;
         }
 
-        /// <summary>After a conversion: what was found, and the stamp that its source had.</summary>
-        /// <param name="origin">Where scenes show the cloud; kept from then on. Null for where the manifest puts it.</param>
-        /// <param name="up">On whose floor that is.</param>
+        /// <summary>Updates a handle after a conversion with its results and the stamp of its source.</summary>
+        /// <param name="origin">Where scenes show the cloud; kept from then on. Null to take the manifest's place.</param>
+        /// <param name="up">The axis whose floor that is on.</param>
         /// <param name="source">What was converted, with its warnings; may be null.</param>
         public static void Update(string path, CloudManifest manifest, SourceStamp stamp, double3? origin = null,
             UpAxis up = UpAxis.Z, SourceInfo source = null)
@@ -71,7 +72,7 @@ namespace FastPoints.Editor
             handle.Origin ??= origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.MetresPerUnit, up).OriginGeo;
             if (source != null)
                 handle.Describe(source.Format, source.Warnings);
-            // A time that version control has touched is no reason to write.
+            // A timestamp that version control has touched is no reason to write.
             if (handle.Stamp == null || !handle.Stamp.HasBytesOf(stamp))
                 handle.Stamp = stamp;
             if (handle.ToJson() != before)

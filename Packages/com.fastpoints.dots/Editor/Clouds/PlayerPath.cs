@@ -5,13 +5,15 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Where a cloud is in a player: below its streaming assets.</summary>
+    /// <summary>Decides where a cloud lies in a player, below its streaming assets.</summary>
     internal static class PlayerPath
     {
-        /// <summary>As in the project, where the cloud is in the place of converted clouds; else by its name and its
-        /// asset.</summary>
-        /// <param name="cloudPath">As a handle says it.</param>
-        /// <param name="asset">The asset's number: no two clouds of one name meet.</param>
+        /// <summary>
+        /// The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its name and
+        /// its asset.
+        /// </summary>
+        /// <param name="cloudPath">The path as a handle stores it.</param>
+        /// <param name="asset">The asset's number, which keeps clouds with equal names apart.</param>
         public static string Of(string cloudPath, string asset)
         {
             const string place = ProjectPaths.DefaultClouds + "/";
@@ -23,8 +25,8 @@ namespace FastPoints.Editor
             return place + name + "-" + Short(asset) + StoreFormat.FolderExtension;
         }
 
-        /// <summary>Of a file or folder that is streamed as it is.</summary>
-        /// <param name="source">As a handle says it.</param>
+        /// <summary>The path of a file or folder that is streamed directly.</summary>
+        /// <param name="source">The path as a handle stores it.</param>
         /// <param name="asset">The asset's number.</param>
         public static string OfSource(string source, string asset) => ProjectPaths.DefaultClouds + "/" + Short(asset) + "/" +
             AssetNaming.Safe(Path.GetFileName(source.TrimEnd('/', '\\')));

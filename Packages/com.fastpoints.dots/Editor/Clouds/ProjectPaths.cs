@@ -5,28 +5,30 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Where a project and its converted clouds are. What lies in the project is written down relative to it with '/',
-    /// so that it is found after the project has moved; anything else by its whole path.</summary>
+    /// <summary>
+    /// Where a project and its converted clouds are. Paths in the project are stored relative to it with '/', so that they stay
+    /// valid when the project moves; other paths are stored as absolute.
+    /// </summary>
     internal sealed class ProjectPaths
     {
         public const string DefaultClouds = "PointClouds";
 
-        /// <summary>Unity looks into them at every refresh, or deletes what is in them.</summary>
+        /// <summary>Unity scans these folders at every refresh, or deletes what is in them.</summary>
         static readonly string[] s_unitysOwn =
         {
             "Assets", "Packages", "Library", "Temp", "Logs", "ProjectSettings", "UserSettings",
         };
 
         /// <param name="project">The folder that has <c>Assets</c> in it.</param>
-        /// <param name="clouds">Place of converted clouds: relative to the project, or a whole path.</param>
+        /// <param name="clouds">Place of converted clouds: relative to the project, or absolute.</param>
         public ProjectPaths(string project, string clouds = DefaultClouds)
         {
             Project = Path.GetFullPath(project).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
             Clouds = Absolute(clouds);
         }
 
-        /// <summary>Why converted clouds cannot lie in a place, in one line; null where they can.</summary>
-        /// <param name="place">Relative to the project, or a whole path.</param>
+        /// <summary>Why converted clouds cannot lie in a place, in one line; null if they can.</summary>
+        /// <param name="place">A path relative to the project, or absolute.</param>
         public static string FindProblem(string project, string place)
         {
             if (string.IsNullOrWhiteSpace(place))
@@ -50,10 +52,10 @@ namespace FastPoints.Editor
 
         public string Project { get; }
 
-        /// <summary>The folder of converted clouds; it may not be there yet.</summary>
+        /// <summary>The folder of converted clouds; it may not exist yet.</summary>
         public string Clouds { get; }
 
-        /// <summary>A path as it is written down.</summary>
+        /// <summary>A path as it is stored.</summary>
         public string Stored(string path)
         {
             string full = Absolute(path);
@@ -62,14 +64,16 @@ namespace FastPoints.Editor
             return stored.Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset says it: by the asset's number, which stays
-        /// when the file is renamed.</summary>
+        /// <summary>
+        /// The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which stays the
+        /// same when the file is renamed.
+        /// </summary>
         public static string OfAsset(string guid) => PointCloudFile.InPlace + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
-        /// <summary>The whole path of what was written down.</summary>
+        /// <summary>The absolute path of a stored one.</summary>
         public string Absolute(string stored) =>
             Path.GetFullPath(stored.StartsWith(PointCloudFile.InPlace, StringComparison.Ordinal)
             ? Path.Combine(Clouds, stored.Substring(PointCloudFile.InPlace.Length))

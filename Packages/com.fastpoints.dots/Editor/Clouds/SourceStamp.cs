@@ -9,12 +9,11 @@ using FastPoints.Store;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Tells a source from a changed one without reading it whole: bytes, time, and where the time is another, hashes of its
-    /// first and last 64 KiB. Of a folder, the files that lie in it directly; of several, all names and sizes, the first one's
-    /// beginning and the last one's end.
+    /// Detects changes of a source without reading all of it: it compares bytes and time, and, if the time differs, hashes of
+    /// the first and last 64 KiB. A folder counts as the files directly in it; several files count with all names and sizes,
+    /// the first one's beginning and the last one's end.
     /// </summary>
-    /// <remarks>A change in the middle that keeps the size is seen by its time alone, and where that was put back, not at
-    /// all.</remarks>
+    /// <remarks>A change in the middle that keeps the size shows in the time alone, and not at all if that was reset.</remarks>
     internal sealed unsafe class SourceStamp
     {
         /// <summary>Bytes at each end that are hashed.</summary>
@@ -26,10 +25,10 @@ namespace FastPoints.Editor
         {
         }
 
-        /// <summary>Of all files.</summary>
+        /// <summary>Bytes of all files together.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>When the newest of them was written: ticks of UTC.</summary>
+        /// <summary>When the newest of them was written, in ticks of UTC.</summary>
         public long WrittenTicks { get; private set; }
 
         public ulong NamesHash { get; private set; }
@@ -37,7 +36,7 @@ namespace FastPoints.Editor
         public ulong TailHash { get; private set; }
 
         /// <param name="paths">Files and folders that make one cloud.</param>
-        /// <exception cref="PointCloudException">One is not there, or cannot be read.</exception>
+        /// <exception cref="PointCloudException">One does not exist or cannot be read.</exception>
         public static SourceStamp Of(IReadOnlyList<string> paths)
         {
             var stamp = new SourceStamp();
@@ -46,7 +45,7 @@ namespace FastPoints.Editor
             return stamp;
         }
 
-        /// <summary>What became of the source. Reads nothing where sizes and times are the same.</summary>
+        /// <summary>Finds out how the source has changed. It reads nothing if sizes and times are the same.</summary>
         public SourceChange Compare(IReadOnlyList<string> paths)
         {
             try
@@ -99,7 +98,7 @@ namespace FastPoints.Editor
                     files.Sort(first, files.Count - first, s_byName);
                     for (int i = first; i < files.Count; i++)
                     {
-                        // Throws where the file is not there.
+                        // This throws if the file does not exist.
                         Bytes += files[i].Length;
                         WrittenTicks = Math.Max(WrittenTicks, files[i].LastWriteTimeUtc.Ticks);
                         names.Append(files[i].Name).Append('|')
@@ -139,13 +138,13 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>What became of a cloud's source since it was converted.</summary>
+    /// <summary>How a cloud's source has changed since it was converted.</summary>
     internal enum SourceChange
     {
-        /// <summary>Its bytes are the same, as far as is looked; its time may be another.</summary>
+        /// <summary>Its bytes are the same, as far as they are compared; its time may differ.</summary>
         None,
         Changed,
-        /// <summary>A file of it is not there, or cannot be read.</summary>
+        /// <summary>One of its files does not exist or cannot be read.</summary>
         Missing,
     }
 }

@@ -4,8 +4,7 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The stamp of a source that has no handle to keep it, a file in <c>Assets</c>: beside the converted
-    /// cloud.</summary>
+    /// <summary>Keeps the stamp of a source without a handle, a file in <c>Assets</c>, beside the converted cloud.</summary>
     internal static class StampFile
     {
         const string Extension = ".source.json";
@@ -14,8 +13,8 @@ namespace FastPoints.Editor
         /// <param name="cloud">The converted folder.</param>
         public static string PathOf(string cloud) => Path.ChangeExtension(cloud, null) + Extension;
 
-        /// <returns>Null where there is none.</returns>
-        /// <exception cref="PointCloudException">It cannot be read, or is none.</exception>
+        /// <returns>Null if there is none.</returns>
+        /// <exception cref="PointCloudException">It cannot be read, or is not a stamp.</exception>
         public static SourceStamp Read(string cloud)
         {
             string path = PathOf(cloud);

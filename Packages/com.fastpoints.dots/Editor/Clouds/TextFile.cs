@@ -6,13 +6,14 @@ using FastPoints.Files;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Small text files that are whole or not there, whatever happens while they are written.</summary>
+    /// <summary>Writes small text files that are always complete or absent, whatever happens during writing.</summary>
     static class TextFile
     {
         const string TemporarySuffix = ".tmp";
 
-        /// <summary>Writes a file in place of the one of that name.</summary>
-        /// <exception cref="PointCloudException">It cannot be written, or the disk is full; the old one is as it was.</exception>
+        /// <summary>Replaces the file of that name.</summary>
+        /// <exception cref="PointCloudException">It cannot be written, or the disk is full; the old file is
+        /// unchanged.</exception>
         public static void Write(string path, string text)
         {
             // Unity does not import files of that extension.

@@ -5,7 +5,7 @@ using FastPoints.Convert;
 
 namespace FastPoints.Editor
 {
-    /// <summary>One figure for a whole build of its stages' own.</summary>
+    /// <summary>Combines the progress of a build's stages into one figure.</summary>
     internal static class BuildProgress
     {
         struct Weight
@@ -14,8 +14,10 @@ namespace FastPoints.Editor
             public double Share;
         }
 
-        /// <summary>Share of the time by stage: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, two cores. A bar,
-        /// not a promise: points that go to files and other samplers shift it.</summary>
+        /// <summary>
+        /// Each stage's share of the time: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, on two cores. It suits
+        /// a progress bar, no more: points that go to files and other samplers shift it.
+        /// </summary>
         static readonly Weight[] s_weights =
         {
             new Weight { Stage = BuildStages.Sample, Share = 0.08 },
@@ -26,7 +28,7 @@ namespace FastPoints.Editor
             new Weight { Stage = BuildStages.Finish, Share = 0.01 },
         };
 
-        /// <summary>Share of the whole build that is done, 0 to 1; never falls while a build goes on.</summary>
+        /// <summary>Share of the whole build that is done, 0 to 1; it never falls during a build.</summary>
         public static double ShareOf(StageProgress progress)
         {
             int finished = progress.Finished.Count;

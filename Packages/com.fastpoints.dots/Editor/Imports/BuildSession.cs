@@ -9,11 +9,13 @@ using FastPoints.Writing;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// One conversion beside an editor that goes on: opens the sources on a thread of the pool, then steps the work a few
-    /// milliseconds an update. It can be paused, ended for good, or suspended for a later session to continue.
+    /// Runs one conversion while the editor stays usable: opens the sources on a thread of the pool, then steps the work a few
+    /// milliseconds an update. It can be paused, cancelled for good, or suspended for a later session to continue.
     /// </summary>
-    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what cannot be left alone: a
-    /// header that is being read, slices that are running, the writer.</remarks>
+    /// <remarks>
+    /// Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted: a
+    /// header being read, running slices, the writer.
+    /// </remarks>
     internal sealed class BuildSession : IDisposable
     {
         readonly string m_target;
@@ -25,7 +27,7 @@ namespace FastPoints.Editor
 
         /// <param name="sources">Files and folders that make one cloud.</param>
         /// <param name="target">The folder to make.</param>
-        /// <param name="settings">The session's own from now on.</param>
+        /// <param name="settings">The settings, which the session owns from now on.</param>
         public BuildSession(IReadOnlyList<string> sources, string target, ConvertSettings settings)
         {
             m_target = target;
@@ -38,31 +40,31 @@ namespace FastPoints.Editor
 
         public StageProgress Progress { get; } = new StageProgress();
 
-        /// <summary>What the source's header says; null until it is open.</summary>
+        /// <summary>The source's header; null until it is open.</summary>
         public SourceInfo Source { get; private set; }
 
-        /// <summary>The source's, from before it was opened; null until it is open.</summary>
+        /// <summary>The source's stamp from before it was opened; null until it is open.</summary>
         public SourceStamp Stamp { get; private set; }
 
-        /// <summary>When done.</summary>
+        /// <summary>The result when done.</summary>
         public ConvertResult Result { get; private set; }
 
-        /// <summary>When failed: a <see cref="PointCloudException"/> of one line, or what should not have happened.</summary>
+        /// <summary>The failure: a <see cref="PointCloudException"/> of one line, or an unexpected exception.</summary>
         public Exception Failure { get; private set; }
 
-        /// <summary>Of the whole build, 0 to 1.</summary>
+        /// <summary>Share of the whole build that is done, 0 to 1.</summary>
         public double Share => State == BuildState.Done ? 1 : BuildProgress.ShareOf(Progress);
 
         /// <summary>Seconds of work so far, without pauses.</summary>
         public double Seconds => m_watch.Elapsed.TotalSeconds;
 
-        /// <summary>At the speed so far; infinity before anything is known.</summary>
+        /// <summary>Estimated from the speed so far; infinity before anything is known.</summary>
         public double SecondsLeft => Share > 0 ? Seconds * (1 - Share) / Share : double.PositiveInfinity;
 
         /// <summary>Whether nothing more will come.</summary>
         public bool IsEnded => State >= BuildState.Done;
 
-        /// <summary>Goes on for about so long; call it once an update.</summary>
+        /// <summary>Works for about this long; call it once an update.</summary>
         /// <returns>Whether the session has ended.</returns>
         public bool Tick(double budgetMs)
         {
@@ -77,14 +79,15 @@ namespace FastPoints.Editor
             {
                 Failure = e;
                 End(BuildState.Failed);
-                // What is on disk helps where the system was at fault, with a full disk for example, and not where the source is.
+                // What is on disk is worth keeping if the system was at fault, for example with a full disk, but not if the
+                // source is.
                 if (!(e is PointCloudException known) || known.IsBadInput || known.Code == FailureCode.Unexpected)
                     CloudFolderWriter.DeleteUnfinished(m_target);
             }
             return IsEnded;
         }
 
-        /// <summary>Takes no further steps; slices that were begun end.</summary>
+        /// <summary>Takes no further steps; slices in progress still end.</summary>
         public void Pause()
         {
             if (State != BuildState.Building)
@@ -101,7 +104,7 @@ namespace FastPoints.Editor
             m_watch.Start();
         }
 
-        /// <summary>Ends it for good and deletes what it has made so far.</summary>
+        /// <summary>Ends it for good and deletes everything it has made.</summary>
         public void Cancel()
         {
             if (IsEnded)
@@ -111,15 +114,14 @@ namespace FastPoints.Editor
             CloudFolderWriter.DeleteUnfinished(m_target);
         }
 
-        /// <summary>Ends it for now: before scripts are reloaded, or the editor quits. All that it allocated is free
-        /// afterwards.</summary>
+        /// <summary>Suspends it before scripts are reloaded or the editor quits. Everything it allocated is freed.</summary>
         public void Suspend()
         {
             if (!IsEnded)
                 End(BuildState.Suspended);
         }
 
-        /// <summary>As <see cref="Suspend"/>.</summary>
+        /// <summary>Does the same as <see cref="Suspend"/>.</summary>
         public void Dispose() => Suspend();
 
         void Begin()
@@ -153,7 +155,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Where a <see cref="BuildSession"/> stands.</summary>
+    /// <summary>The state of a <see cref="BuildSession"/>.</summary>
     internal enum BuildState
     {
         /// <summary>The sources' headers are being read.</summary>
@@ -162,9 +164,9 @@ namespace FastPoints.Editor
         Paused,
         Done,
         Failed,
-        /// <summary>Ended before its end; nothing is left of it.</summary>
+        /// <summary>It was ended early; nothing is left of it.</summary>
         Cancelled,
-        /// <summary>Ended before its end; what lies on disk is continued by the next session of the same target.</summary>
+        /// <summary>It was ended early; the next session of the same target continues from what lies on disk.</summary>
         Suspended,
     }
 }

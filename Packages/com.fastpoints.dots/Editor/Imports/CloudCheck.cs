@@ -6,14 +6,15 @@ using FastPoints.Verify;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The proof of a converted cloud, a slice of it an update: every file, table, hash, point and count. Main
-    /// thread.</summary>
+    /// <summary>
+    /// Verifies a converted cloud, one slice in each update: every file, table, hash, point and count. Main thread.
+    /// </summary>
     internal sealed class CloudCheck : IDisposable
     {
         readonly WorkPump m_work;
         readonly StageProgress m_progress = new StageProgress();
 
-        /// <param name="path">Of the folder.</param>
+        /// <param name="path">Path of the folder.</param>
         public CloudCheck(string path)
         {
             Path = path;
@@ -22,10 +23,10 @@ namespace FastPoints.Editor
 
         public string Path { get; }
 
-        /// <summary>Whole when <see cref="Step"/> has said that it is done.</summary>
+        /// <summary>Complete when <see cref="Step"/> has returned true.</summary>
         public VerifyResult Result { get; } = new VerifyResult();
 
-        /// <summary>Of the points, 0 to 1.</summary>
+        /// <summary>Share of the points, 0 to 1.</summary>
         public double Share => m_progress.Share;
 
         public bool IsDone { get; private set; }
@@ -47,7 +48,7 @@ namespace FastPoints.Editor
             return IsDone;
         }
 
-        /// <summary>What has come of it, in one line or, where there are problems, several.</summary>
+        /// <summary>The result in one line or, if there are problems, several.</summary>
         public string Describe()
         {
             if (!IsDone)

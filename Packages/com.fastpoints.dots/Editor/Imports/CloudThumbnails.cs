@@ -9,13 +9,13 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Small pictures of clouds, drawn by jobs, a slice an update, and kept where the converted clouds are or would be: of files
-    /// from the first wave of a preview, of converted clouds from the top of their octrees. Main thread; one at a time, the
-    /// others wait.
+    /// Draws small pictures of clouds with jobs, one slice in each update, and keeps them where the converted clouds are or
+    /// would be. Files are drawn from the first wave of a preview, converted clouds from the top of their octrees. Main thread;
+    /// it draws one at a time while the others wait.
     /// </summary>
     internal sealed class CloudThumbnails : IDisposable
     {
-        /// <summary>Of each side.</summary>
+        /// <summary>Length of each side.</summary>
         public const int SizePx = 256;
 
         const string Extension = ".preview.png";
@@ -26,24 +26,24 @@ namespace FastPoints.Editor
         PoolWork<string> m_writing;
         string m_current;
 
-        /// <summary>Gets a cloud's folder when its picture was written.</summary>
+        /// <summary>Raised with a cloud's folder when its picture was written.</summary>
         public event Action<string> Drawn;
 
         public bool IsDrawing => m_current != null || m_waiting.Count > 0;
 
-        /// <param name="cloud">The converted folder, which need not be there.</param>
+        /// <param name="cloud">The converted folder, which need not exist.</param>
         public static string PathOf(string cloud) =>
             Path.ChangeExtension(cloud.TrimEnd('/', '\\'), null) + Extension;
 
-        /// <summary>Has a cloud drawn, finished or in the making.</summary>
+        /// <summary>Draws a cloud, finished or in the making.</summary>
         public void Add(string cloud) => Add(cloud, null);
 
-        /// <summary>Has the files drawn that a cloud will be converted from, or would.</summary>
+        /// <summary>Draws the files that a cloud will or could be converted from.</summary>
         /// <param name="cloud">The folder that they would be converted into.</param>
         /// <param name="sources">Files and folders that make one cloud.</param>
         public void AddFiles(string cloud, IEnumerable<string> sources) => Add(cloud, new List<string>(sources).ToArray());
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Called once an update of the editor.</summary>
         public void Update(double budgetMs)
         {
             if (m_current == null && m_waiting.Count > 0)
@@ -62,7 +62,7 @@ namespace FastPoints.Editor
             }
             catch (Exception e)
             {
-                // What ails the cloud is told by what opens it; one that is only not to be written beside has no picture.
+                // Opening a damaged cloud reports its failure; a cloud whose folder cannot be written has no picture.
                 var failure = PointCloudException.Of(cloud, e);
                 End();
                 if (failure.Code == FailureCode.Unexpected)
@@ -70,7 +70,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Waits for a picture that is being written, some ten kilobytes, and for a header that is being read.</summary>
+        /// <summary>Waits for a picture being written, some ten kilobytes, and for a header being read.</summary>
         public void Dispose()
         {
             m_waiting.Clear();
@@ -79,7 +79,7 @@ namespace FastPoints.Editor
             End();
         }
 
-        /// <summary>The last word on a cloud that waits is what counts.</summary>
+        /// <summary>Adds a cloud; a later request replaces a waiting one.</summary>
         void Add(string cloud, string[] sources)
         {
             m_waiting.RemoveAll(w => w.Cloud == cloud);

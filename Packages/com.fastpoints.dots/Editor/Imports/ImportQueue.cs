@@ -10,16 +10,16 @@ using FastPoints.Writing;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Clouds that are to be converted, one after the other, and the one that is. Every change is on disk before the work goes
-    /// on: after a reload of scripts, a crash or a loss of power the same clouds are converted, from where they were.
+    /// The clouds to convert, one after the other, and the one being converted. Every change is on disk before the work
+    /// continues: after a reload of scripts, a crash or a loss of power, the same clouds are converted from where they were.
     /// </summary>
-    /// <remarks>Main thread. Neither its file nor its lock is there while there is nothing to do.</remarks>
+    /// <remarks>Main thread. Its file and its lock only exist while there is something to do.</remarks>
     internal sealed class ImportQueue : IDisposable
     {
         public const string FileName = "imports.json";
         public const string LockName = "imports.lock";
 
-        /// <summary>An import that ends the editor so often is not begun again by itself.</summary>
+        /// <summary>An import that has ended the editor this often is not restarted automatically.</summary>
         public const int MostAttempts = 3;
 
         const int Version = 1;
@@ -34,33 +34,35 @@ namespace FastPoints.Editor
         bool m_isUnsaved;
 
         /// <param name="paths">The queue is kept beside the converted clouds.</param>
-        /// <param name="settings">How a request is converted; new ones each time.</param>
+        /// <param name="settings">Makes new settings for each request.</param>
         public ImportQueue(ProjectPaths paths, Func<ImportRequest, ConvertSettings> settings)
         {
             m_paths = paths;
             m_settings = settings;
         }
 
-        /// <summary>In the order that they are taken in.</summary>
+        /// <summary>Requests in the order in which they are converted.</summary>
         public IReadOnlyList<ImportRequest> Requests => m_requests;
 
-        /// <summary>The conversion that goes on, or null.</summary>
+        /// <summary>The running conversion, or null.</summary>
         public BuildSession Session { get; private set; }
 
-        /// <summary>What it is of, or null.</summary>
+        /// <summary>The request of the running conversion, or null.</summary>
         public ImportRequest Running => m_running;
 
-        /// <summary>Why nothing is converted or kept, in one line: another editor, a folder that cannot be written. Null where
-        /// all is well.</summary>
+        /// <summary>
+        /// Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if all is
+        /// well.
+        /// </summary>
         public string Problem { get; private set; }
 
-        /// <summary>A conversion has ended, well or not; the session tells.</summary>
+        /// <summary>Raised when a conversion has ended, with success or without; the session says which.</summary>
         public event Action<ImportRequest, BuildSession> Ended;
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
-        /// <summary>Puts a request at the end, in place of one of the same folder that does not run.</summary>
-        /// <returns>False where that folder is being made.</returns>
+        /// <summary>Adds a request at the end and removes a waiting one of the same folder.</summary>
+        /// <returns>False if that folder is being made.</returns>
         public bool Add(ImportRequest request)
         {
             if (m_running != null && IsSame(m_running, request))
@@ -72,11 +74,11 @@ namespace FastPoints.Editor
             return true;
         }
 
-        /// <summary>Whether a folder is somebody's already, though it may not be there.</summary>
+        /// <summary>Whether a folder is the target of a request, even if it does not exist.</summary>
         public bool IsPromised(string folder) => m_requests.Exists(r => IsSame(m_paths.Absolute(r.Cloud), folder));
 
-        /// <summary>Once an update: goes on with what runs, or begins the next.</summary>
-        /// <param name="budgetMs">Main-thread time to use; what jobs do beside it is not in it.</param>
+        /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>
+        /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
         public void Tick(double budgetMs, DateTime nowUtc)
         {
             if (!HasLock(nowUtc))
@@ -98,7 +100,7 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Goes on with one that was paused, or tries one again that failed.</summary>
+        /// <summary>Continues a paused request, or retries a failed one.</summary>
         public void Resume(ImportRequest request)
         {
             if (request.State == ImportState.Running)
@@ -112,7 +114,7 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>Takes a request out; what was made of it so far is deleted.</summary>
+        /// <summary>Removes a request and deletes what was made of it so far.</summary>
         public void Cancel(ImportRequest request)
         {
             if (!m_requests.Remove(request))
@@ -131,8 +133,10 @@ namespace FastPoints.Editor
                 GiveBack();
         }
 
-        /// <summary>Before scripts are reloaded or the editor quits: ends what runs, for the next queue of this folder to
-        /// continue.</summary>
+        /// <summary>
+        /// Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder continues
+        /// it.
+        /// </summary>
         public void Suspend()
         {
             if (m_running != null)
@@ -217,7 +221,7 @@ namespace FastPoints.Editor
             Ended?.Invoke(request, session);
         }
 
-        /// <summary>What was there before comes first.</summary>
+        /// <summary>Loaded requests come before those already here.</summary>
         void Load()
         {
             var kept = File.Exists(FilePath) ? Read() : new List<ImportRequest>();
@@ -240,8 +244,10 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>A file that is damaged is put aside: its clouds are imported when somebody asks for them again. One of a
-        /// later version is left to who wrote it.</summary>
+        /// <summary>
+        /// Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version is left
+        /// alone.
+        /// </summary>
         List<ImportRequest> Read()
         {
             try
@@ -260,7 +266,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>Without the lock the requests are kept in memory until it is had.</summary>
+        /// <summary>Saves the requests; without the lock they stay in memory until it is acquired.</summary>
         void Save()
         {
             if (m_lock == null)
@@ -301,14 +307,14 @@ namespace FastPoints.Editor
         static bool IsSame(string a, string b) => string.Equals(a, b, StringComparison.OrdinalIgnoreCase);
     }
 
-    /// <summary>Where an <see cref="ImportRequest"/> stands. One that was imported is no longer in the queue.</summary>
+    /// <summary>The state of an <see cref="ImportRequest"/>. An imported one is no longer in the queue.</summary>
     internal enum ImportState
     {
         Waiting,
         Running,
-        /// <summary>By the user: others go before it.</summary>
+        /// <summary>Paused by the user: others go first.</summary>
         Paused,
-        /// <summary>Until the user tries again or takes it out.</summary>
+        /// <summary>Failed until the user retries or removes it.</summary>
         Failed,
     }
 }

@@ -5,10 +5,10 @@ using FastPoints.Samplers;
 
 namespace FastPoints.Editor
 {
-    /// <summary>A cloud that is to be converted. Paths are written as <see cref="ProjectPaths.Stored"/> does.</summary>
+    /// <summary>A cloud to convert. Paths are stored in the form of <see cref="ProjectPaths.Stored"/>.</summary>
     internal sealed class ImportRequest
     {
-        /// <summary>Whom the cloud is for: what identifies the asset, whatever its path.</summary>
+        /// <summary>The asset that the cloud is for, identified independently of its path.</summary>
         public string Asset;
 
         public List<string> Sources = new List<string>();
@@ -22,7 +22,7 @@ namespace FastPoints.Editor
         /// <summary>Why it failed: one line.</summary>
         public string Failure { get; internal set; }
 
-        /// <summary>How often it was begun without coming to an orderly end.</summary>
+        /// <summary>How often it was begun without ending properly.</summary>
         public int Attempts { get; internal set; }
 
         internal void Write(JsonWriter json)

@@ -8,14 +8,16 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>One small picture, of a converted cloud or of files that are not converted. Opened on any thread, drawn and
-    /// disposed on the main thread.</summary>
+    /// <summary>
+    /// One small picture of a converted cloud, or of files that are not converted. It is opened on any thread, drawn and
+    /// disposed on the main thread.
+    /// </summary>
     sealed class ThumbnailDrawing : IDisposable
     {
-        /// <summary>Points of a converted cloud's picture at most.</summary>
+        /// <summary>The most points in a converted cloud's picture.</summary>
         const long Budget = 200_000;
 
-        /// <summary>Of the first wave of files: about one a pixel.</summary>
+        /// <summary>Points in the first wave of files: about one a pixel.</summary>
         const int PreviewPoints = CloudThumbnails.SizePx * CloudThumbnails.SizePx;
 
         readonly IDisposable[] m_owned;
@@ -30,7 +32,7 @@ namespace FastPoints.Editor
 
         public WorkPump Pump { get; }
 
-        /// <summary>When the work is done.</summary>
+        /// <summary>The picture, when the work is done.</summary>
         public RgbaImage Image => m_image();
 
         static PictureOptions Options => new PictureOptions
@@ -40,7 +42,7 @@ namespace FastPoints.Editor
             OutlinePoints = 512,
         };
 
-        /// <summary>From the top of the octree.</summary>
+        /// <summary>Draws the top of the octree.</summary>
         /// <param name="cloud">The folder.</param>
         /// <exception cref="PointCloudException">It cannot be read.</exception>
         public static ThumbnailDrawing OfCloud(string cloud)
@@ -50,9 +52,9 @@ namespace FastPoints.Editor
             return new ThumbnailDrawing(drawing.Run(null), () => drawing.Image, folder);
         }
 
-        /// <summary>From the first wave of a preview, which reads little whatever the size of the files.</summary>
+        /// <summary>Draws the first wave of a preview, which reads little even of large files.</summary>
         /// <param name="sources">Files and folders that make one cloud.</param>
-        /// <exception cref="PointCloudException">As of <see cref="PointReaders"/>.</exception>
+        /// <exception cref="PointCloudException">As <see cref="PointReaders"/> throws it.</exception>
         public static ThumbnailDrawing OfFiles(IReadOnlyList<string> sources)
         {
             var reader = PointReaders.Open(sources);

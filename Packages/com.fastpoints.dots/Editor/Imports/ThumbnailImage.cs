@@ -3,10 +3,10 @@ using FastPoints.Picture;
 
 namespace FastPoints.Editor
 {
-    /// <summary>A picture at another size, as a texture has it.</summary>
+    /// <summary>Resizes a picture to the layout of a texture.</summary>
     internal static class ThumbnailImage
     {
-        /// <summary>Bytes of an RGBA texture, from the bottom row on: each pixel the mean of what it covers.</summary>
+        /// <summary>Bytes of an RGBA texture from the bottom row up: each pixel is the mean of what it covers.</summary>
         public static byte[] Resized(RgbaImage image, int width, int height)
         {
             var bytes = new byte[width * height * 4];

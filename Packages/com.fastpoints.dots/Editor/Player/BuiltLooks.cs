@@ -8,14 +8,14 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What the built scenes, and the prefabs that they refer to, draw points with.</summary>
+    /// <summary>What the built scenes, and the prefabs that they refer to, need for drawing points.</summary>
     internal sealed class BuiltLooks
     {
         const string Package = "Packages/com.fastpoints.dots/";
 
         readonly List<PointStyle> m_styles = new List<PointStyle> { PointStyle.Default };
 
-        /// <summary>The default among them: a scene may do without settings.</summary>
+        /// <summary>Includes the default: a scene may have no settings.</summary>
         public IReadOnlyList<PointStyle> Styles => m_styles;
 
         /// <summary>Whether a scene has a clip box.</summary>
@@ -24,9 +24,9 @@ namespace FastPoints.Editor
         /// <summary>Whether a cloud hides classes.</summary>
         public bool Filters { get; private set; }
 
-        /// <summary>Looks at scenes and prefabs that have something of the package in them, and opens no others.</summary>
+        /// <summary>Examines scenes and prefabs that contain something of the package, and opens no others.</summary>
         /// <param name="scenes">Paths of built scenes.</param>
-        /// <param name="assets">Paths of what goes into the player with them.</param>
+        /// <param name="assets">Paths of the other assets of the player.</param>
         public void Add(IEnumerable<string> scenes, IEnumerable<string> assets)
         {
             foreach (string scene in scenes)

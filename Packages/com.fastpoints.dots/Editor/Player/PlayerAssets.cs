@@ -6,13 +6,13 @@ using UnityEngine.SceneManagement;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What goes into a player.</summary>
+    /// <summary>Finds the assets that go into a player.</summary>
     static class PlayerAssets
     {
         static readonly string[] s_ofResources = { "t:" + nameof(PointCloudAsset), "t:Prefab" };
 
-        /// <summary>The scenes that a player is built of: where none are named, Unity builds the open one.</summary>
-        /// <returns>Paths; none for an open scene that was never saved, which Entities does not build.</returns>
+        /// <summary>The scenes that a player is built from: if none are named, Unity builds the open one.</summary>
+        /// <returns>Their paths; empty for an open scene that was never saved, which Entities does not build.</returns>
         public static string[] ScenesOf(BuildPlayerOptions options)
         {
             if (options.scenes != null && options.scenes.Length > 0)
@@ -21,8 +21,8 @@ namespace FastPoints.Editor
             return string.IsNullOrEmpty(open) ? Array.Empty<string>() : new[] { open };
         }
 
-        /// <summary>What scenes refer to, and clouds and prefabs that Unity adds to any player.</summary>
-        /// <returns>Paths.</returns>
+        /// <summary>The assets that scenes refer to, and clouds and prefabs that Unity adds to any player.</summary>
+        /// <returns>Their paths.</returns>
         public static HashSet<string> Of(string[] scenes)
         {
             var roots = new List<string>(scenes);

@@ -10,9 +10,10 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and tells their sizes:
-    /// converted ones, and those that can be streamed as they are. One that is neither ends the build: without it the player
-    /// would show nothing.</summary>
+    /// <summary>
+    /// Adds the clouds that a player's scenes and resources refer to to its streaming assets, and reports their sizes:
+    /// converted ones, and those that can be streamed directly. Any other cloud fails the build: the player would show nothing.
+    /// </summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
@@ -49,8 +50,10 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>Has code stripping keep the readers of point cloud files where a player has clouds that are not converted:
-    /// nothing else in it refers to them.</summary>
+    /// <summary>
+    /// Makes code stripping keep the readers of point cloud files if a player has clouds that are not converted: nothing else
+    /// in it refers to them.
+    /// </summary>
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string Kept = "<linker>\n" +
@@ -59,12 +62,12 @@ namespace FastPoints.Editor
             "  </assembly>\n" +
             "</linker>\n";
 
-        /// <summary>Whether the player that is built needs them.</summary>
+        /// <summary>Whether the player being built needs them.</summary>
         internal static bool s_areNeeded;
 
         public int callbackOrder => 0;
 
-        /// <returns>The file's whole path; null for none.</returns>
+        /// <returns>The file's absolute path; null for none.</returns>
         public string GenerateAdditionalLinkXmlFile(BuildReport report, UnityLinkerBuildPipelineData data)
         {
             if (!s_areNeeded)

@@ -8,22 +8,22 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The converted clouds that go into a player, and how large they are.</summary>
+    /// <summary>The clouds that go into a player, and how large they are.</summary>
     internal sealed class PlayerClouds
     {
-        /// <summary>A cloud's folder or file, and its place.</summary>
+        /// <summary>A cloud's folder or file, and where it goes.</summary>
         public struct Entry
         {
             public string Folder;
 
-            /// <summary>Below the player's streaming assets.</summary>
+            /// <summary>Path below the player's streaming assets.</summary>
             public string PlayerPath;
 
-            /// <summary>-1 where nobody has counted them.</summary>
+            /// <summary>-1 if unknown.</summary>
             public long Points;
             public long Bytes;
 
-            /// <summary>Not converted: read by FastPoints.Import, which has to be in the player.</summary>
+            /// <summary>Whether it is not converted: FastPoints.Import, which reads it, must be in the player.</summary>
             public bool IsSource;
         }
 
@@ -34,9 +34,9 @@ namespace FastPoints.Editor
         /// <summary>Whether one of them is not converted.</summary>
         public bool HasSources => m_entries.Exists(e => e.IsSource);
 
-        /// <summary>Adds a cloud; once where several assets say the same.</summary>
+        /// <summary>Adds a cloud, only once if several assets refer to it.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
-        /// <exception cref="PointCloudException">It is not converted, or still in the making; or another cloud has its
+        /// <exception cref="PointCloudException">It is not converted, is still in the making, or another cloud has its
         /// place.</exception>
         public void Add(string asset, string folder, string playerPath)
         {
@@ -56,11 +56,11 @@ namespace FastPoints.Editor
             m_entries.Add(entry);
         }
 
-        /// <summary>Adds a cloud that is streamed as it is; once where several assets say the same.</summary>
+        /// <summary>Adds a cloud that is streamed directly, only once if several assets refer to it.</summary>
         /// <param name="asset">Whose cloud it is, for messages.</param>
         /// <param name="source">The file or folder.</param>
-        /// <param name="points">-1 where nobody has counted them.</param>
-        /// <exception cref="PointCloudException">It is not there, or another cloud has its place.</exception>
+        /// <param name="points">-1 if unknown.</param>
+        /// <exception cref="PointCloudException">It does not exist, or another cloud has its place.</exception>
         public void AddSource(string asset, string source, string playerPath, long points)
         {
             if (IsKnown(asset, source, playerPath))
@@ -95,7 +95,7 @@ namespace FastPoints.Editor
             return bytes;
         }
 
-        /// <summary>A line a cloud, the largest first, and their sum.</summary>
+        /// <summary>Lists the clouds, the largest first, one a line, and their sum.</summary>
         public string Report()
         {
             var sorted = new List<Entry>(m_entries);

@@ -5,15 +5,15 @@ using Code = System.Reflection.Assembly;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What the assemblies of a player tell of what it may do.</summary>
+    /// <summary>What a player's assemblies reveal of what its scripts may do.</summary>
     static class PlayerScripts
     {
         const string Package = "Packages/com.fastpoints.dots/";
 
-        /// <summary>Without it no headset is drawn for.</summary>
+        /// <summary>Without this assembly, nothing is drawn for headsets.</summary>
         const string Headsets = "Unity.XR.Management";
 
-        /// <summary>In these it is said what points look like.</summary>
+        /// <summary>The assemblies in which the look of points can be set.</summary>
         static readonly HashSet<string> s_looks = new HashSet<string>(StringComparer.Ordinal)
         {
             "FastPoints.Entities", "FastPoints.Rendering",
@@ -21,9 +21,11 @@ namespace FastPoints.Editor
 
         public static bool HasHeadsets => Array.Exists(All, a => a.name == Headsets);
 
-        /// <summary>An assembly of the project that may change what points look like: no more is asked than whether its code uses
-        /// one in which that can be done.</summary>
-        /// <returns>Its name; null where there is none.</returns>
+        /// <summary>
+        /// Finds an assembly of the project that may change how points look. It only checks whether the code refers to an
+        /// assembly in which that can be done.
+        /// </summary>
+        /// <returns>Its name; null if there is none.</returns>
         public static string FindChanger()
         {
             var loaded = new Dictionary<string, Code>(StringComparer.Ordinal);
@@ -37,7 +39,7 @@ namespace FastPoints.Editor
 
         static Assembly[] All => CompilationPipeline.GetAssemblies(AssembliesType.PlayerWithoutTestAssemblies);
 
-        /// <summary>An assembly's metadata names what its code uses, and not all that it might use.</summary>
+        /// <summary>Looks at metadata, which names the assemblies that the code uses, not all that it could use.</summary>
         static bool UsesLooks(Code code) => Array.Exists(code.GetReferencedAssemblies(), r => s_looks.Contains(r.Name));
 
         static bool IsOfPackage(Assembly assembly) =>

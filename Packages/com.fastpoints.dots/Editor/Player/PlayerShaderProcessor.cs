@@ -10,13 +10,12 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>
-    /// Leaves those variants of the package's shaders out of players that nothing in them asks for. Unity asks about shaders
-    /// where it builds them, and not where it takes them from an earlier build: where that one lacks a variant, the build says
-    /// so.
+    /// Strips those variants of the package's shaders that nothing in a player needs. Unity asks about shaders when it builds
+    /// them, not when it takes them from an earlier build: if that one lacks a variant, the build reports it.
     /// </summary>
     internal sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
     {
-        // Unity makes an instance for each of the interfaces.
+        // The state is static because Unity makes an instance for each of the interfaces.
         static PlayerVariants s_wanted;
         static string s_reason;
         static readonly HashSet<string> s_asked = new HashSet<string>();
@@ -84,11 +83,13 @@ namespace FastPoints.Editor
                     "need by now: points may be drawn as single pixels. Build with Clean Build.");
         }
 
-        /// <summary>Of the build in which Unity built the shaders: one a platform, as Unity's own cache.</summary>
+        /// <summary>
+        /// The variants of the build in which Unity built the shaders: one file a platform, like Unity's own cache.
+        /// </summary>
         static string EarlierPath => Path.Combine(PointCloudImports.Paths.Absolute("Library/FastPoints"),
             "ShaderVariants-" + EditorUserBuildSettings.activeBuildTarget + ".txt");
 
-        /// <summary>For people; null where the scenes decide.</summary>
+        /// <summary>The reason for people; null if the scenes decide.</summary>
         static string WhyAll(VariantChoice choice)
         {
             if (choice == VariantChoice.BuiltScenes)
@@ -106,10 +107,12 @@ namespace FastPoints.Editor
     /// <summary>Which variants of the package's shaders go into players.</summary>
     internal enum VariantChoice
     {
-        /// <summary>Those that the built scenes need; all where scripts, asset bundles or Addressables may need others.</summary>
+        /// <summary>
+        /// Those that the built scenes need; all of them if scripts, asset bundles or Addressables may need others.
+        /// </summary>
         Automatic,
 
-        /// <summary>Those that the built scenes need, whatever scripts may ask for.</summary>
+        /// <summary>Those that the built scenes need, whatever scripts may request.</summary>
         BuiltScenes,
 
         All,

@@ -8,10 +8,10 @@ using FastPoints.Rendering;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The variants of the package's shaders that a player may ask for, by name: the pass and its keywords.</summary>
+    /// <summary>The variants of the package's shaders that a player may use, by name: the pass and its keywords.</summary>
     internal sealed class PlayerVariants
     {
-        /// <summary>What names of the package's shaders begin with.</summary>
+        /// <summary>Prefix of the names of the package's shaders.</summary>
         public const string ShaderPrefix = "Hidden/FastPoints/";
 
         const string KeywordPrefix = "FASTPOINTS_";
@@ -28,9 +28,9 @@ namespace FastPoints.Editor
             m_names = new HashSet<string>(names, StringComparer.Ordinal);
         }
 
-        /// <summary>Adds what is drawn with a style.</summary>
-        /// <param name="isEver">Whether there may be clip boxes, hidden classes, headsets: what is drawn without them is needed,
-        /// too.</param>
+        /// <summary>Adds the variants of a style.</summary>
+        /// <param name="isEver">Whether there may ever be clip boxes, hidden classes, headsets: the variants without them are
+        /// needed, too.</param>
         public void Add(in PointStyle style, in DrawnOptions isEver)
         {
             for (int options = 0; options < 8; options++)
@@ -47,7 +47,7 @@ namespace FastPoints.Editor
                 m_names.Add(NameOf("Compose", new[] { composing }));
         }
 
-        /// <summary>Adds what any style is drawn with.</summary>
+        /// <summary>Adds the variants of all styles.</summary>
         public void AddAll(in DrawnOptions isEver)
         {
             foreach (PointShape shape in Enum.GetValues(typeof(PointShape)))
@@ -56,13 +56,13 @@ namespace FastPoints.Editor
                         Add(new PointStyle { Shape = shape, Size = new PointSize { Mode = mode }, EdlStrength = edl }, isEver);
         }
 
-        /// <summary>Whether a player may ask for a variant.</summary>
+        /// <summary>Whether a player may use a variant.</summary>
         public bool Contains(string name) => m_names.Contains(name);
 
-        /// <summary>Whether another set has all of these.</summary>
+        /// <summary>Whether another set contains all of these.</summary>
         public bool IsWithin(PlayerVariants other) => m_names.IsSubsetOf(other.m_names);
 
-        /// <param name="keywords">In any order; those that are not the package's are left out.</param>
+        /// <param name="keywords">Keywords in any order; those of others are ignored.</param>
         public static string NameOf(string pass, IEnumerable<string> keywords)
         {
             var own = new SortedSet<string>(StringComparer.Ordinal);
@@ -72,7 +72,7 @@ namespace FastPoints.Editor
             return own.Count == 0 ? pass : pass + " " + string.Join(" ", own);
         }
 
-        /// <returns>What <see cref="Write"/> wrote; null where nothing is to be read.</returns>
+        /// <returns>What <see cref="Write"/> wrote; null if nothing can be read.</returns>
         public static PlayerVariants Read(string path)
         {
             try
@@ -85,7 +85,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>A line a variant.</summary>
+        /// <summary>Writes one line for each variant.</summary>
         /// <exception cref="PointCloudException">It cannot be written.</exception>
         public void Write(string path)
         {
@@ -103,7 +103,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>What points may be drawn with beside their style.</summary>
+    /// <summary>What points may be drawn with besides their style.</summary>
     internal struct DrawnOptions
     {
         /// <summary>Clip boxes.</summary>

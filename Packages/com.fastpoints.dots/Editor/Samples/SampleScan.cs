@@ -9,13 +9,15 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary><em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples, and for those who have no
-    /// scan at hand. Made in slices beside other work, then imported like any other file.</summary>
+    /// <summary>
+    /// The menu item <em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples and for users without
+    /// a scan at hand. It is made in slices beside other work, then imported like any other file.
+    /// </summary>
     internal static class SampleScan
     {
         public const string AssetPath = "Assets/street.pointcloud";
 
-        /// <summary>36 MB of LAS.</summary>
+        /// <summary>This makes 36 MB of LAS.</summary>
         public const int Points = 1_000_000;
 
         const uint Seed = 1;
@@ -29,8 +31,8 @@ namespace FastPoints.Editor
         [MenuItem("Assets/Import sample point cloud", false, 21)]
         static void Import() => Get(asset => Selection.activeObject = asset);
 
-        /// <summary>The sample's asset, which is made first where there is none.</summary>
-        /// <param name="done">Called on the main thread: at once where the asset is there, and not at all where it cannot be
+        /// <summary>Gets the sample's asset, which is made first if it does not exist.</summary>
+        /// <param name="done">Called on the main thread: at once if the asset exists, and not at all if it cannot be
         /// made.</param>
         public static void Get(Action<PointCloudAsset> done)
         {
@@ -100,7 +102,7 @@ namespace FastPoints.Editor
             End();
         }
 
-        /// <summary>What is not whole leaves nothing.</summary>
+        /// <summary>Ends the scan; an incomplete one leaves no file.</summary>
         static void End()
         {
             EditorApplication.update -= Update;

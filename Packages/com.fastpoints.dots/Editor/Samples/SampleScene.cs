@@ -8,19 +8,21 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>What the package's samples begin with: a scene with Unity's camera and light, settings of point clouds, and the
-    /// sample's street.</summary>
+    /// <summary>
+    /// The common start of the package's samples: a scene with Unity's camera and light, settings of point clouds, and the
+    /// sample's street.
+    /// </summary>
     public static class SampleScene
     {
-        /// <summary>In the street, which runs along X, looking along it.</summary>
+        /// <summary>A position in the street, which runs along X, looking along it.</summary>
         static readonly Vector3 s_eye = new Vector3(-69, 6, -10);
         static readonly Vector3 s_forward = new Vector3(1, -0.06f, 0);
 
-        /// <summary>Makes the scene in place of those that are open, which the user may save first.</summary>
-        /// <param name="fill">Adds what the sample shows.</param>
+        /// <summary>Makes the scene and closes those that are open, which the user may save first.</summary>
+        /// <param name="fill">Adds the content of the sample.</param>
         public static void Make(Action<PointCloudAsset> fill)
         {
-            // The scan takes a while: somebody may play by then.
+            // The scan takes a while, and the user may have started play mode by then.
             if (IsEditing())
                 SampleScan.Get(asset =>
                 {
@@ -29,7 +31,7 @@ namespace FastPoints.Editor
                 });
         }
 
-        /// <summary>In play mode Unity makes no scenes.</summary>
+        /// <summary>Unity cannot make scenes in play mode.</summary>
         static bool IsEditing()
         {
             if (EditorApplication.isPlaying)
@@ -45,13 +47,13 @@ namespace FastPoints.Editor
             settings.Shape = PointShape.Disc;
             settings.SizeMode = PointSizeMode.Adaptive;
             settings.Size = PointSize.DefaultGaps;
-            // Where a scanner saw little, points lie far apart: they are not to be drawn as far across.
+            // Where a scanner saw little, points lie far apart: they must not be drawn that large.
             settings.MaxSizePx = 8;
             settings.EyeDomeLighting = 0.25f;
             fill(asset);
         }
 
-        /// <summary>A GameObject with one component, as the <em>GameObject</em> menu makes it: Undo takes it away.</summary>
+        /// <summary>Makes a GameObject with one component, as the <em>GameObject</em> menu does: Undo removes it.</summary>
         public static T Add<T>(string name)
             where T : Component => ObjectFactory.AddComponent<T>(ObjectFactory.CreateGameObject(name));
     }

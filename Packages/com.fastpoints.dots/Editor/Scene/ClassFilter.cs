@@ -5,13 +5,14 @@ using FastPoints.Points;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The list of classes that an inspector shows, and what switching one does.</summary>
+    /// <summary>The list of classes in an inspector, and the effect of switching one.</summary>
     internal static class ClassFilter
     {
-        /// <summary>Classes that a cloud may have: all from its least to its largest that mean something, and those that are
-        /// hidden
-        /// already.</summary>
-        /// <param name="min">Of its classification; NaN where nobody knows, as <paramref name="max"/>.</param>
+        /// <summary>
+        /// The classes that a cloud may have: all defined ones from its smallest to its largest, and those that are hidden
+        /// already.
+        /// </summary>
+        /// <param name="min">Minimum of its classification; NaN if unknown, as is <paramref name="max"/>.</param>
         public static List<int> ClassesOf(double min, double max, int[] hidden)
         {
             bool isKnown = min <= max;
@@ -26,11 +27,11 @@ namespace FastPoints.Editor
             return classes;
         }
 
-        /// <summary>"2 ground".</summary>
+        /// <summary>The label of a class: "2 ground".</summary>
         public static string Label(int c) => NumberText.Of(c) + " " +
             (ClassNames.Of(c) ?? (c < ClassNames.FirstOfUsers ? "reserved" : "of the user"));
 
-        /// <summary>The hidden classes after one was switched, rising; the same array where nothing changes.</summary>
+        /// <summary>The hidden classes after one was switched, rising; the same array if nothing changes.</summary>
         public static int[] Switch(int[] hidden, int c, bool isShown)
         {
             if (Array.IndexOf(hidden, c) >= 0 == !isShown)

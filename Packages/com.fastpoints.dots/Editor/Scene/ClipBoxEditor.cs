@@ -16,8 +16,9 @@ namespace FastPoints.Editor
 
         readonly BoxBoundsHandle m_handle = new BoxBoundsHandle();
 
-        /// <summary>Has a box go where its handles were dragged to.</summary>
-        /// <param name="center">In the box's own space, as is <paramref name="size"/>: before, they were 0 and 1.</param>
+        /// <summary>Moves a box to where its handles were dragged.</summary>
+        /// <param name="center">Centre in the box's own space, as is <paramref name="size"/>: before, they were 0 and
+        /// 1.</param>
         public static void Apply(Transform box, Vector3 center, Vector3 size)
         {
             for (int axis = 0; axis < 3; axis++)
@@ -26,7 +27,7 @@ namespace FastPoints.Editor
             box.localScale = Vector3.Scale(box.localScale, size);
         }
 
-        // Unity finds the three by their names, of each of the targets' editors.
+        // Unity finds these three methods by name, and calls them on each target's editor.
 
         void OnSceneGUI()
         {

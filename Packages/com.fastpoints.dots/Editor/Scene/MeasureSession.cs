@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Points that are picked one after the other, two at most, and what is to be told of them.</summary>
+    /// <summary>Points that are picked one after the other, two at most, and the text about them.</summary>
     internal sealed class MeasureSession : IDisposable
     {
         readonly ScenePicker m_picker = new ScenePicker();
@@ -15,7 +15,7 @@ namespace FastPoints.Editor
         readonly List<Entity> m_clouds = new List<Entity>();
         readonly List<string> m_lines = new List<string>();
 
-        /// <summary>The second is measured from the first.</summary>
+        /// <summary>The picked points; the second one is measured from the first.</summary>
         public IReadOnlyList<StreamPick> Picks => m_picks;
 
         public IReadOnlyList<string> Lines => m_lines;
@@ -23,7 +23,7 @@ namespace FastPoints.Editor
         /// <summary>All lines, for the clipboard.</summary>
         public string Text => string.Join("\n", m_lines);
 
-        /// <summary>Looks for a point along a ray: the second one, or, after that, the first of another pair.</summary>
+        /// <summary>Searches for a point along a ray: the second one, or, after that, the first of another pair.</summary>
         public void Begin(PickRay ray)
         {
             if (m_picks.Count == 2)
@@ -34,7 +34,7 @@ namespace FastPoints.Editor
                 ShowNote("no point cloud is shown");
         }
 
-        /// <summary>Once an update of the editor.</summary>
+        /// <summary>Continues the search; called once an update of the editor.</summary>
         /// <returns>Whether there is something new to be drawn.</returns>
         public bool Update(double budgetMs)
         {
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
             m_lines.Clear();
         }
 
-        /// <summary>Where a pick is now, in the world: it goes with its cloud.</summary>
+        /// <summary>Where a picked point is now, in the world: it moves with its cloud.</summary>
         public double3 PlaceOf(int pick) => m_picker.PlaceOf(m_picks[pick], m_clouds[pick]);
 
         public void Dispose() => m_picker.Dispose();

@@ -6,15 +6,17 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The Scene view's tool <em>Measure points</em>: a click picks a point and tells its coordinates and attributes, a
-    /// second one the distance; Escape begins anew.</summary>
+    /// <summary>
+    /// The Scene view's tool <em>Measure points</em>: a click picks a point and shows its coordinates and attributes, a second
+    /// one the distance; Escape starts over.
+    /// </summary>
     [EditorTool("Measure points")]
     internal sealed class MeasureTool : EditorTool
     {
         /// <summary>How far from the pointer a point may be, in points of the window.</summary>
         const double Radius = 5;
 
-        /// <summary>Of the main thread, of each update.</summary>
+        /// <summary>Main-thread time of each update.</summary>
         const double UpdateMs = 2;
 
         const float LineHeight = 18;
@@ -30,7 +32,7 @@ namespace FastPoints.Editor
             EditorApplication.update += Update;
         }
 
-        /// <summary>Unity says it before scripts are loaded anew, too.</summary>
+        /// <summary>Unity calls this before scripts are reloaded, too.</summary>
         public override void OnWillBeDeactivated()
         {
             EditorApplication.update -= Update;
@@ -43,13 +45,13 @@ namespace FastPoints.Editor
             if (m_session == null || !(window is SceneView view))
                 return;
             int control = GUIUtility.GetControlID(FocusType.Passive);
-            // Before clicks are taken: one upon the button is its own.
+            // The text comes before clicks are taken, so that a click on its button stays its own.
             DrawText();
             var current = Event.current;
             switch (current.GetTypeForControl(control))
             {
                 case EventType.Layout:
-                    // What is clicked upon is not selected.
+                    // Without this a click would also select what is under it.
                     HandleUtility.AddDefaultControl(control);
                     break;
                 case EventType.MouseDown when current.button == 0 && !current.alt && HandleUtility.nearestControl == control:

@@ -7,12 +7,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Picked points and what lies between them, in words: coordinates with all of their digits.</summary>
+    /// <summary>Describes picked points and their distances in words, with all digits of coordinates.</summary>
     internal static class PickText
     {
         const int MostDecimals = 12;
 
-        /// <summary>A line for the place, and one for each attribute.</summary>
+        /// <summary>Returns one line for the position, and one for each attribute.</summary>
         public static List<string> Describe(StreamPick pick)
         {
             var lines = new List<string>
@@ -57,7 +57,7 @@ namespace FastPoints.Editor
         static string Number(double value, double step)
         {
             int decimals = 0;
-            // A step of 0.001 has three, one of 2^-7 seven: enough that it is whole, but for what double cannot hold.
+            // A step of 0.001 needs three decimals, one of 2^-7 seven: until it is whole, as far as doubles can resolve.
             for (double scaled = step; decimals < MostDecimals && Math.Abs(scaled - Math.Round(scaled)) > 1e-6 * scaled;)
                 scaled = step * Math.Pow(10, ++decimals);
             return value.ToString("F" + decimals, CultureInfo.InvariantCulture);

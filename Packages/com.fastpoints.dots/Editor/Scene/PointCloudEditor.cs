@@ -11,9 +11,10 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The inspector of a cloud in a scene: what it is coloured by, which classes it shows, what all clouds together
-    /// take and
-    /// look like, and what the last frame did. F frames it.</summary>
+    /// <summary>
+    /// The inspector of a cloud in a scene: what it is coloured by, which classes it shows, the limits and look of all clouds,
+    /// and what the last frame did. F frames it.
+    /// </summary>
     [CustomEditor(typeof(PointCloud))]
     [CanEditMultipleObjects]
     internal sealed class PointCloudEditor : UnityEditor.Editor
@@ -33,7 +34,7 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>While frames go on; at rest nothing is drawn again.</summary>
+        /// <summary>Repaints while frames come; at rest nothing is drawn again.</summary>
         public override bool RequiresConstantRepaint() => m_showsFrame && Group?.Stream != null && Group.Stats.Frame != m_frame;
 
         public override void OnInspectorGUI()
@@ -78,7 +79,7 @@ namespace FastPoints.Editor
             EditorUtility.SetDirty(cloud);
         }
 
-        /// <summary>The world's settings, where there are some; they can be edited here as well.</summary>
+        /// <summary>Draws the world's settings, if any, which can be edited here as well.</summary>
         void DrawSettings()
         {
             m_showsSettings = EditorGUILayout.Foldout(m_showsSettings, "Size and budget of all clouds", true);
@@ -110,7 +111,7 @@ namespace FastPoints.Editor
                 EditorGUILayout.LabelField(line.Key, line.Value);
         }
 
-        /// <returns>Whether the cloud has classes, or nobody knows yet: then the range is NaN.</returns>
+        /// <returns>Whether the cloud has classes, or may have: then the range is NaN.</returns>
         bool TryGetClasses(PointCloud cloud, out double min, out double max)
         {
             min = max = double.NaN;
@@ -124,7 +125,7 @@ namespace FastPoints.Editor
             return true;
         }
 
-        /// <summary>Null until it is streamed.</summary>
+        /// <summary>Null until the cloud is streamed.</summary>
         CloudManifest ManifestOf(PointCloud cloud)
         {
             var group = Group;
@@ -135,7 +136,7 @@ namespace FastPoints.Editor
             return (group.Stream.Clouds[number]?.Source as FolderSource)?.Folder.Manifest;
         }
 
-        // Unity finds these by their names.
+        // Unity finds these by name.
 
         bool HasFrameBounds() => TryGetBounds(out _);
 
@@ -145,7 +146,7 @@ namespace FastPoints.Editor
             return bounds;
         }
 
-        /// <summary>Around all that are selected and known.</summary>
+        /// <summary>The box around all selected clouds with known bounds.</summary>
         bool TryGetBounds(out Bounds bounds)
         {
             bool isKnown = false;
@@ -164,7 +165,7 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>What the last frame of a world did, in words: of all its clouds together.</summary>
+    /// <summary>Describes what the last frame of a world did for all its clouds together.</summary>
     internal static class FrameText
     {
         /// <summary>Pairs of a name and a value.</summary>

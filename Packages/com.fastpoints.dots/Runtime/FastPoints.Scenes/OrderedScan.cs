@@ -6,17 +6,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>A <see cref="TerrestrialScan"/> in any order. All but <see cref="ScanOrder.Strip"/> keep the whole scan in
-    /// memory.</summary>
+    /// <summary>
+    /// A <see cref="TerrestrialScan"/> in any order. All orders except <see cref="ScanOrder.Strip"/> keep the whole scan in
+    /// memory.
+    /// </summary>
     internal static class OrderedScan
     {
-        /// <summary>Of an order other than as acquired: 44 bytes each are kept.</summary>
+        /// <summary>The limit for orders other than as acquired, which keep 44 bytes for each point.</summary>
         public const int MostPoints = 32_000_000;
 
         const int PlacesAtOnce = 65_536;
 
-        /// <summary>Work for a pump.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">More than <see cref="MostPoints"/>, and not as acquired.</exception>
+        /// <summary>Runs the scan as work for a pump.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There are more than <see cref="MostPoints"/> in an order other than as
+        /// acquired.</exception>
         public static IEnumerator<Work> Run(long points, uint seed, ScanOrder order, IReturnSink sink, StageProgress progress)
         {
             if (order == ScanOrder.Strip)
@@ -60,7 +63,7 @@ namespace FastPoints.Scenes
         }
     }
 
-    /// <summary>In what order a made cloud's points lie in its file.</summary>
+    /// <summary>The order of a generated cloud's points in its file.</summary>
     public enum ScanOrder
     {
         /// <summary>As acquired: station after station, scan line after scan line.</summary>
@@ -73,13 +76,15 @@ namespace FastPoints.Scenes
         Random,
     }
 
-    /// <summary>Where the returns of a scan go. Called on the main thread; what it gets is valid only during the call.</summary>
+    /// <summary>
+    /// Receives the returns of a scan. It is called on the main thread; its arguments are valid only during the call.
+    /// </summary>
     internal interface IReturnSink
     {
         void Append(NativeArray<ScanReturn> returns);
 
         /// <param name="returns">All returns.</param>
-        /// <param name="returnOfPlace">Which of them come next, in this order.</param>
+        /// <param name="returnOfPlace">Indices of the returns that come next, in this order.</param>
         void Append(NativeArray<ScanReturn> returns, NativeArray<int> returnOfPlace);
     }
 }

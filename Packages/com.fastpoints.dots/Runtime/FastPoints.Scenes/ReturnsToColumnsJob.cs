@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>Some returns, in an order of their own or as they come, to the columns of a batch.</summary>
+    /// <summary>Copies some returns, in a given order or as they come, into the columns of a batch.</summary>
     [BurstCompile]
     internal unsafe struct ReturnsToColumnsJob : IJob
     {
@@ -30,14 +30,14 @@ namespace FastPoints.Scenes
 
         [ReadOnly] public NativeArray<ScanReturn> Returns;
 
-        /// <summary>Which return comes at each place, where <see cref="HasOrder"/>; otherwise anything created.</summary>
+        /// <summary>Index of the return at each place if <see cref="HasOrder"/>; otherwise any created array.</summary>
         [ReadOnly] public NativeArray<int> ReturnOfPlace;
 
         public bool HasOrder;
         public int FirstPlace;
         public int Count;
 
-        /// <summary>Memory of a batch of <see cref="Schema"/>, and where each column of it lies.</summary>
+        /// <summary>Memory of a batch of <see cref="Schema"/>, and the location of each of its columns.</summary>
         public NativeArray<byte> Bytes;
 
         [ReadOnly] public NativeArray<PointColumn> Columns;

@@ -2,8 +2,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>The ground of the scene: a street along x through gentle grassland. Heights in metres over the scene's
-    /// zero.</summary>
+    /// <summary>
+    /// The ground of the scene: a street along x through gentle grassland. Heights are in metres over the scene's zero.
+    /// </summary>
     internal static class SceneGround
     {
         /// <summary>Half the width of the carriageway, and where the pavement beside it ends.</summary>
@@ -17,7 +18,7 @@ namespace FastPoints.Scenes
             float land = 0.9f * math.sin(p.x * 0.021f + 1) * math.cos(p.y * 0.017f) + 0.35f * math.sin(p.x * 0.09f + p.y * 0.07f);
             float aside = math.abs(p.y);
             if (aside < RoadHalf)
-                // Crowned for the rain, and following the land along its middle line only.
+                // The road is crowned for rain and follows the land along its middle line only.
                 return RoadLevel(p.x) - 0.02f * aside;
             float grass = land + 0.05f * math.sin(p.x * 1.7f) * math.cos(p.y * 2.1f);
             float pavement = RoadLevel(p.x) + KerbHeight;
@@ -80,7 +81,7 @@ namespace FastPoints.Scenes
             float grain = SceneHash.Noise(p * 9, seed);
             if (aside < RoadHalf)
             {
-                // A dashed middle line and two edge lines, worn.
+                // A dashed middle line and two edge lines are worn.
                 bool dash = aside < 0.08f && math.frac(p.x / 6) < 0.5f;
                 bool edge = math.abs(aside - 3.75f) < 0.06f;
                 if ((dash || edge) && grain > 0.25f)

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>Where rays meet the objects of the scene. Directions have length 1.</summary>
+    /// <summary>Finds where rays meet the objects of the scene. Directions have length 1.</summary>
     internal static class SceneTrace
     {
         public const byte Unclassified = 1;
@@ -11,7 +11,7 @@ namespace FastPoints.Scenes
         public const byte HighVegetation = 5;
         public const byte Building = 6;
         public const byte RoadSurface = 11;
-        /// <summary>64 and above are the user's own.</summary>
+        /// <summary>Classes from 64 on are the user's own.</summary>
         public const byte StreetFurniture = 64;
         public const byte Vehicle = 65;
 
@@ -24,8 +24,9 @@ namespace FastPoints.Scenes
         static float3 FromObject(in SceneObject o, float3 v) =>
             new float3(v.x * o.Heading.x - v.y * o.Heading.y, v.x * o.Heading.y + v.y * o.Heading.x, v.z);
 
-        /// <summary>Replaces <paramref name="hit"/> where the object is nearer. Crowns are not solid:
-        /// <see cref="CrownSpan"/>.</summary>
+        /// <summary>
+        /// Replaces <paramref name="hit"/> if the object is nearer. Crowns are not solid: see <see cref="CrownSpan"/>.
+        /// </summary>
         public static void Solid(in SceneObject o, float3 origin, float3 direction, uint random, ref SceneHit hit)
         {
             var p = ToObject(o, origin - o.Center);
@@ -81,7 +82,7 @@ namespace FastPoints.Scenes
             }
         }
 
-        /// <param name="at">From the window's middle and the floor below, on the wall's face.</param>
+        /// <param name="at">Position from the window's middle and the floor below, on the wall's face.</param>
         static void Window(float2 at, float dAlong, float dUp, float dIn, uint random, ref SceneHit hit)
         {
             float into = WindowDepth / dIn;
@@ -107,7 +108,7 @@ namespace FastPoints.Scenes
                 hit.Color = new float3(0.78f, 0.78f, 0.76f);
                 return;
             }
-            // Glass: mostly no return, sometimes the pane, sometimes what stands behind it.
+            // Glass mostly returns nothing, sometimes the pane, sometimes what stands behind it.
             float luck = SceneHash.Next(ref random);
             hit.IsLost = luck < 0.6f;
             hit.Reflectance = 0.12f;
@@ -128,7 +129,7 @@ namespace FastPoints.Scenes
                 return o.Color * 0.5f * shade;
             if ((o.Seed & 1) == 0)
                 return o.Color * shade;
-            // Bricks: 25 by 7.5 cm with their joints.
+            // Bricks are 25 by 7.5 cm with their joints.
             float row = up / 0.075f;
             float column = along / 0.25f + (((int)math.floor(row) & 1) == 0 ? 0 : 0.5f);
             bool joint = math.frac(row) < 0.14f || math.frac(column) < 0.05f;
@@ -201,7 +202,7 @@ namespace FastPoints.Scenes
             hit.IsLost = false;
         }
 
-        /// <summary>Where the ray is inside a crown's hull; false where it misses.</summary>
+        /// <summary>Where the ray is inside a crown's hull; false if it misses.</summary>
         public static bool CrownSpan(in SceneObject o, float3 origin, float3 direction, out float2 span)
         {
             var p = (origin - o.Center) / o.Half;
@@ -216,8 +217,9 @@ namespace FastPoints.Scenes
             return span.y > span.x;
         }
 
-        /// <summary>How densely leaves grow at a place, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the
-        /// hull.</summary>
+        /// <summary>
+        /// Density of leaves at a position, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the hull.
+        /// </summary>
         public static float LeafDensity(in SceneObject o, float3 at)
         {
             var fromCenter = (at - o.Center) / o.Half;
@@ -229,10 +231,10 @@ namespace FastPoints.Scenes
         }
     }
 
-    /// <summary>Where a pulse meets something solid.</summary>
+    /// <summary>Where a pulse meets a solid surface.</summary>
     internal struct SceneHit
     {
-        /// <summary>Metres along the ray; infinity where it meets nothing.</summary>
+        /// <summary>Metres along the ray; infinity if it meets nothing.</summary>
         public float Distance;
 
         public float3 Normal;
@@ -245,7 +247,7 @@ namespace FastPoints.Scenes
 
         public byte Classification;
 
-        /// <summary>The pulse ends here, and nothing of it returns: glass that mirrors it away.</summary>
+        /// <summary>Whether the pulse ends here without a return, mirrored away by glass.</summary>
         public bool IsLost;
 
         public static SceneHit None => new SceneHit { Distance = float.PositiveInfinity };

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// A street of houses with trees, lamps and parked cars, and open land behind them: what the scanner looks at. All of it
+    /// The scene before the scanner: a street of houses with trees, lamps and parked cars, and open land behind them. All of it
     /// follows from the seed.
     /// </summary>
     internal sealed class StreetScene : IDisposable
@@ -14,7 +14,7 @@ namespace FastPoints.Scenes
         /// <summary>Half the length of the street, metres.</summary>
         public const float HalfLength = 130;
 
-        /// <summary>Where the scanner stands, in the order of the scan. On the street, 1.8 m over the ground.</summary>
+        /// <summary>Positions of the scanner in the order of the scan: on the street, 1.8 m over the ground.</summary>
         public static readonly float3[] Stations =
         {
             new float3(-52, 1.2f, 1.8f), new float3(3, -1.5f, 1.8f), new float3(58, 0.8f, 1.8f),

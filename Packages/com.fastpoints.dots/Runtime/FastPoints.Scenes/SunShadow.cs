@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// What the sun does not reach: for each cell of the ground plane z = 0, the height at which the ray from the sun to that
+    /// The regions without sunlight: for each cell of the ground plane z = 0, the height at which the ray from the sun to that
     /// cell first met an object. Any point on that ray below this height lies in the shade.
     /// </summary>
     internal struct SunShadow
@@ -15,7 +15,7 @@ namespace FastPoints.Scenes
         const int CellsX = 1280;
         const int CellsY = 1200;
 
-        /// <summary>Towards the sun.</summary>
+        /// <summary>Direction to the sun.</summary>
         public static float3 Sun => math.normalize(new float3(0.45f, -0.62f, 0.8f));
 
         static float2 Corner => new float2(CellsX, CellsY) * (-0.5f * CellSize);
@@ -27,7 +27,7 @@ namespace FastPoints.Scenes
             TopOfCell = new NativeArray<float>(CellsX * CellsY, allocator);
         }
 
-        /// <summary>Whether the sun shines on a place.</summary>
+        /// <summary>Whether the sun shines on a position.</summary>
         public static bool Reaches(in NativeArray<float> topOfCell, float3 at)
         {
             var cell = (int2)math.floor((OnPlane(at) - Corner) / CellSize);

@@ -10,8 +10,8 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// A seeded terrestrial laser scan of a <see cref="StreetScene"/> from its three stations: exactly the points asked for, the
-    /// same bytes for a seed whatever the threads, in bounded memory.
+    /// A seeded terrestrial laser scan of a <see cref="StreetScene"/> from its three stations: exactly the requested number of
+    /// points, the same bytes for a seed on any number of threads, in bounded memory.
     /// </summary>
     internal static class TerrestrialScan
     {
@@ -36,7 +36,7 @@ namespace FastPoints.Scenes
             + "AXIS[\"Northing\",NORTH],AUTHORITY[\"EPSG\",\"32632\"]]";
 
         /// <summary>
-        /// Work for a pump that scans. <paramref name="take"/> gets the returns batch by batch in the order of the scan, on the
+        /// Scans as work for a pump. <paramref name="take"/> gets the returns batch by batch in the order of the scan, on the
         /// main thread; a batch is valid only during the call.
         /// </summary>
         public static IEnumerator<Work> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take, StageProgress progress)
@@ -69,7 +69,8 @@ namespace FastPoints.Scenes
                             Seed = seed,
                         };
 
-                        // A coarse turn tells how many returns a pulse brings, and that the angle for the points wanted.
+                        // A coarse turn shows how many returns a pulse brings, which gives the angle step for the wanted
+                        // points.
                         trace.LinesPerTurn = 64;
                         trace.RaysPerLine = 48;
                         buffers[0].Schedule(trace, 0, trace.LinesPerTurn);
@@ -82,7 +83,7 @@ namespace FastPoints.Scenes
                         int lines = Math.Min(trace.LinesPerTurn,
                             Math.Max(1, ReturnsPerBatch / (trace.RaysPerLine * TraceLinesJob.MaxReturns)));
 
-                        // Turns until the points are there: one batch is traced while the one before is taken.
+                        // Turns repeat until there are enough points: one batch is traced while the one before is taken.
                         int firstLine = 0;
                         buffers[0].Schedule(trace, firstLine, lines);
                         for (int turn = 0; share > 0; turn ^= 1)
@@ -112,7 +113,7 @@ namespace FastPoints.Scenes
             }
         }
 
-        /// <summary>Scan lines in the making.</summary>
+        /// <summary>Scan lines that are being traced.</summary>
         sealed class Batch : IDisposable
         {
             NativeArray<ScanReturn> m_returns;

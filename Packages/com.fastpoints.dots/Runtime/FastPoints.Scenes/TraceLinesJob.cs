@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Scenes
 {
     /// <summary>
-    /// Scan lines of one station: the mirror sweeps from below to above while the head turns, in equal angles both ways, so
+    /// Traces scan lines of one station: the mirror sweeps upwards while the head turns, with equal angle steps both ways, so
     /// that the density falls with the square of the distance.
     /// </summary>
     [BurstCompile]
@@ -30,7 +30,7 @@ namespace FastPoints.Scenes
         public int RaysPerLine;
         public uint Seed;
 
-        /// <summary>Each line's returns at its own start: line * <see cref="RaysPerLine"/> * <see cref="MaxReturns"/>.</summary>
+        /// <summary>Each line's returns start at line * <see cref="RaysPerLine"/> * <see cref="MaxReturns"/>.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<ScanReturn> ReturnsOfLine;
 
         public NativeArray<int> CountOfLine;
@@ -88,7 +88,7 @@ namespace FastPoints.Scenes
                 if (Objects[near[i]].Shape == SceneShape.Crown)
                     Leaves(near[i], origin, direction, limit, leaf, crown, ref leaves, ref random);
 
-            // Each leaf takes a part of the pulse: it goes on behind the first with even odds only.
+            // Each leaf takes a part of the pulse, which continues behind the first one with even odds only.
             int returns = leaves;
             for (int i = 0; i < leaves; i++)
                 if (SceneHash.Next(ref random) < 0.5f)
@@ -116,8 +116,10 @@ namespace FastPoints.Scenes
             hit.Classification = isRoad ? SceneTrace.RoadSurface : SceneTrace.Ground;
         }
 
-        /// <summary>Free paths between leaves, by delta tracking (Woodcock): steps for the densest place, kept by the density
-        /// there.</summary>
+        /// <summary>
+        /// Samples free paths between leaves by delta tracking (Woodcock): steps for the densest place, accepted with the
+        /// density at hand.
+        /// </summary>
         unsafe void Leaves(int index, float3 origin, float3 direction, float limit, float* leaf, int* crown, ref int leaves,
             ref uint random)
         {

@@ -6,13 +6,15 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Samples.AttributeColours
 {
-    /// <summary>Buttons that change what a cloud's points are coloured by, and which classes it shows. Each change has another
-    /// plane streamed: bytes that no colour needs are not read.</summary>
+    /// <summary>
+    /// Buttons that change what a cloud's points are coloured by, and which classes it shows. Each change streams another
+    /// plane: bytes that no colour needs are not read.
+    /// </summary>
     [RequireComponent(typeof(PointCloud))]
     [AddComponentMenu("FastPoints/Samples/Colour Switch")]
     public sealed class ColourSwitch : MonoBehaviour
     {
-        /// <summary>Of the sample's street: ground, plants and buildings, by the numbers of ASPRS.</summary>
+        /// <summary>Classes of the sample's street by their ASPRS numbers: ground, plants and buildings.</summary>
         static readonly (int Class, string Name)[] s_classes = { (2, "ground"), (5, "high vegetation"), (6, "building") };
 
         static readonly ColorMode[] s_modes = (ColorMode[])Enum.GetValues(typeof(ColorMode));

@@ -5,12 +5,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>Tints each node by its size, so that the octree's levels can be told apart. A node's entity comes and goes with
-    /// its place in memory: those that are new are the ones without a tint.</summary>
+    /// <summary>
+    /// Tints each node by its size, so that the octree's levels can be told apart. A node's entity exists as long as the node
+    /// is in memory: new ones are those without a tint.
+    /// </summary>
     [DisableAutoCreation]
     public partial class TintNodesSystem : SystemBase
     {
-        /// <summary>sRGB, red in the lowest byte: one for each halving of a node's size.</summary>
+        /// <summary>sRGB colours with red in the lowest byte: one for each halving of a node's size.</summary>
         static readonly uint[] s_tints = { 0xFF8080FF, 0xFF80C0FF, 0xFF80FFFF, 0xFF80FF80, 0xFFFFC080, 0xFFFF8080, 0xFFFF80FF };
 
         EntityQuery m_untinted;

@@ -3,8 +3,10 @@ using UnityEngine;
 
 namespace FastPoints.Samples.ManyClouds
 {
-    /// <summary>Many clouds, each with a transform of its own: turned, of other sizes, moving. All share one budget of points and
-    /// one pool of memory, so that the frame costs what is seen, and not what there is.</summary>
+    /// <summary>
+    /// Many clouds, each with a transform of its own: rotated, scaled, moving. All share one point budget and one memory pool,
+    /// so that a frame costs what is seen, not what exists.
+    /// </summary>
     [AddComponentMenu("FastPoints/Samples/Cloud Grid")]
     public sealed class CloudGrid : MonoBehaviour
     {

@@ -12,8 +12,9 @@ using UnityEngine;
 namespace FastPoints.Samples.RunTimeLoading
 {
     /// <summary>
-    /// Shows a file that the player finds on disk: converts it once, a few milliseconds a frame, into the application's own
-    /// data, and shows it from there. What is finished of it is shown meanwhile; a conversion that was broken off is continued.
+    /// Shows a file that the player finds on disk: it converts the file once, a few milliseconds a frame, into the
+    /// application's own data, and shows it from there. Finished parts are shown meanwhile; a conversion that was broken off is
+    /// continued.
     /// </summary>
     [RequireComponent(typeof(PointCloud))]
     [AddComponentMenu("FastPoints/Samples/Load From Disk")]
@@ -53,13 +54,13 @@ namespace FastPoints.Samples.RunTimeLoading
             }
             catch (PointCloudException e)
             {
-                // The file is at fault: its name, the byte, what was wanted and what was got.
+                // The file is at fault: the message has its name, the byte, what was expected and what was found.
                 Status = e.Message;
                 Debug.LogError(e.Story);
                 return;
             }
             var cloud = GetComponent<PointCloud>();
-            // As soon as a folder that is being made can be opened, and once more when it is whole.
+            // Switches as soon as the new folder can be opened, and once more when it is complete.
             if (m_target != null && cloud.Path != m_target && CloudFolder.IsCloud(m_target))
                 cloud.Path = m_target;
             else if (IsDone)
@@ -82,10 +83,10 @@ namespace FastPoints.Samples.RunTimeLoading
                 m_progress.End();
             }
             m_target = Path.Combine(Application.persistentDataPath, CloudName.Of(source) + StoreFormat.FolderExtension);
-            // The folder has this name when it is whole, and another one before.
+            // The folder has this name only when it is complete.
             if (Directory.Exists(m_target))
                 yield break;
-            // A slow disk stops no frame.
+            // Opening on another thread keeps a slow disk from stopping frames.
             using (var opening = PoolWork.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread()))
             {
                 while (!opening.IsDone)

@@ -3,8 +3,10 @@ using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight
 {
-    /// <summary>Flies this GameObject, a camera as a rule, around in a cloud: an ellipse within its bounds, over its floor,
-    /// looking along the way and down.</summary>
+    /// <summary>
+    /// Flies this GameObject, usually a camera, around in a cloud: an ellipse within its bounds, over its floor, looking ahead
+    /// and down.
+    /// </summary>
     [AddComponentMenu("FastPoints/Samples/Fly Through")]
     public sealed class FlyThrough : MonoBehaviour
     {
@@ -27,7 +29,7 @@ namespace FastPoints.Samples.StreamingFlight
         void Update()
         {
             var asset = Cloud != null ? Cloud.Cloud : null;
-            // What is not converted yet has no bounds.
+            // A cloud that is not converted yet has no bounds.
             if (asset == null || !asset.TryGetSpace(out var bounds, out var space))
                 return;
             var low = space.FromGeo(bounds.Min);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight
 {
-    /// <summary>Writes on the screen what the last frame streamed and drew, of all clouds.</summary>
+    /// <summary>Shows on the screen what the last frame streamed and drew for all clouds.</summary>
     [AddComponentMenu("FastPoints/Samples/Frame Figures")]
     public sealed class FrameFigures : MonoBehaviour
     {

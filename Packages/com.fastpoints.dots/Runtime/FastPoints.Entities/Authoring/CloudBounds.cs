@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Boxes around clouds as the engine has them, in float: to look at, not to measure with.</summary>
+    /// <summary>Computes boxes around clouds as the engine keeps them, in float: for display, not for measuring.</summary>
     static class CloudBounds
     {
-        /// <summary>Around what is streamed, in the space that the cloud's transform moves.</summary>
+        /// <summary>The box around a streamed cloud, in the space that the cloud's transform moves.</summary>
         public static unsafe bool TryGet(EntityManager entities, Entity entity, out Bounds local)
         {
             local = default;
@@ -26,7 +26,7 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <summary>As far as an asset knows it.</summary>
+        /// <summary>The box that an asset knows.</summary>
         public static bool TryGet(PointCloudAsset asset, out Bounds local)
         {
             local = default;
@@ -36,7 +36,7 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <summary>The box along the world's axes around a box under a transform.</summary>
+        /// <summary>The box along the world's axes around a transformed box.</summary>
         public static Bounds Under(Matrix4x4 localToWorld, Bounds local)
         {
             Vector3 half = local.size * 0.5f, reach = default;

@@ -2,20 +2,22 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>The entity that a GameObject's component has in the default world, in edit mode too. Goes with the component, or
-    /// with the world.</summary>
+    /// <summary>
+    /// The entity that belongs to a GameObject's component in the default world, in edit mode too. It is destroyed with the
+    /// component or with the world.
+    /// </summary>
     struct OwnedEntity
     {
         World m_world;
 
-        /// <summary>Null where there is none.</summary>
+        /// <summary>Null if there is no entity.</summary>
         public Entity Value { get; private set; }
 
         /// <summary>Makes the entity, without components.</summary>
         /// <returns>Whether there is a world.</returns>
         public bool TryCreate(out EntityManager entities)
         {
-            // In edit mode nobody else may have made the world yet.
+            // In edit mode, the world may not have been made yet.
             DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = World.DefaultGameObjectInjectionWorld;
             if (m_world == null)
@@ -28,7 +30,7 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <returns>Whether there is an entity, in a world that still is.</returns>
+        /// <returns>Whether there is an entity in a world that still exists.</returns>
         public readonly bool TryGet(out EntityManager entities)
         {
             bool isThere = Value != Entity.Null && m_world.IsCreated;

@@ -11,8 +11,10 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud in a scene of GameObjects: makes the entity that streams it, which stands where the GameObject does, in
-    /// edit mode too.</summary>
+    /// <summary>
+    /// A cloud in a scene of GameObjects: it makes the entity that streams the cloud at the GameObject's transform, in edit
+    /// mode too.
+    /// </summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud")]
@@ -41,7 +43,7 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        // What was opened.
+        // The values that the cloud was opened with.
         PointCloudAsset m_openedCloud;
         string m_openedPath;
         ColorMode m_openedColor;
@@ -50,37 +52,39 @@ namespace FastPoints.Entities
         UpAxis m_openedUp;
         double m_openedUnitMetres;
 
-        /// <summary>Null where <see cref="Path"/> says which.</summary>
+        /// <summary>The asset; null if <see cref="Path"/> names the cloud.</summary>
         public PointCloudAsset Cloud
         {
             get => m_cloud;
             set => Set(ref m_cloud, value);
         }
 
-        /// <summary>Without a <see cref="Cloud"/>, the <c>.fastpoints</c> folder: absolute, or below StreamingAssets. Where
-        /// readers are loaded (FastPoints.Import), any point cloud: COPC, Potree and EPT are streamed as they are, of others a
-        /// preview is shown.</summary>
+        /// <summary>
+        /// Used if <see cref="Cloud"/> is null: the <c>.fastpoints</c> folder, absolute or below StreamingAssets. If readers
+        /// are loaded (FastPoints.Import), it may be any point cloud: COPC, Potree and EPT are streamed directly, of others a
+        /// preview is shown.
+        /// </summary>
         public string Path
         {
             get => m_path;
             set => Set(ref m_path, value);
         }
 
-        /// <summary>What points are coloured by; another where the cloud has nothing for it.</summary>
+        /// <summary>What points are coloured by; a cloud without these values chooses another mode.</summary>
         public ColorMode Color
         {
             get => m_color;
             set => Set(ref m_color, value);
         }
 
-        /// <summary>Of elevation and intensity.</summary>
+        /// <summary>The gradient for elevation and intensity.</summary>
         public Gradient Gradient
         {
             get => m_gradient;
             set => Set(ref m_gradient, value);
         }
 
-        /// <summary>Classes, 0 to 255, whose points are not drawn. A copy.</summary>
+        /// <summary>Classes from 0 to 255 whose points are not drawn. The array is a copy.</summary>
         public int[] HiddenClasses
         {
             get => (int[])m_hiddenClasses.Clone();
@@ -94,11 +98,11 @@ namespace FastPoints.Entities
         /// <summary>Null while the component is disabled.</summary>
         public Entity Entity => m_entity.Value;
 
-        /// <summary>What went wrong when the cloud was opened, in a line; null where nothing did.</summary>
+        /// <summary>The error of opening the cloud, in one line; null if there was none.</summary>
         public string Error =>
             m_entity.TryGet(out var entities) ? entities.GetComponentObject<PointCloudFile>(Entity).Error : null;
 
-        /// <summary>The space that the transform moves, where the cloud is shown.</summary>
+        /// <summary>The space in which the cloud is shown and that the transform moves.</summary>
         public bool TryGetSpace(out UnitySpace space)
         {
             bool isThere = m_entity.TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
@@ -106,8 +110,7 @@ namespace FastPoints.Entities
             return isThere;
         }
 
-        /// <summary>There may be something new on disk: it is shown when it is there, and what is shown stays until
-        /// then.</summary>
+        /// <summary>Looks for newer data on disk. What is shown stays until that is ready.</summary>
         public void Refresh()
         {
             if (m_entity.TryGet(out var entities))
@@ -116,7 +119,7 @@ namespace FastPoints.Entities
                 Reopen();
         }
 
-        /// <summary>Opens the cloud anew, from nothing: other planes may have to be streamed.</summary>
+        /// <summary>Opens the cloud again from scratch: it may have to stream other planes.</summary>
         public void Reopen()
         {
             if (!isActiveAndEnabled)
@@ -126,12 +129,12 @@ namespace FastPoints.Entities
         }
 
         /// <summary>The box around the cloud, in the component's own space and Unity's units.</summary>
-        /// <returns>Whether it is known: the cloud is streamed, or its asset says it.</returns>
+        /// <returns>Whether it is known, from the streamed cloud or from its asset.</returns>
         public bool TryGetLocalBounds(out Bounds local) =>
             (m_entity.TryGet(out var entities) && CloudBounds.TryGet(entities, Entity, out local)) ||
             CloudBounds.TryGet(m_cloud, out local);
 
-        /// <summary>The box along the world's axes around the cloud as it stands.</summary>
+        /// <summary>The box along the world's axes around the cloud at its current place.</summary>
         /// <returns>See <see cref="TryGetLocalBounds"/>.</returns>
         public bool TryGetWorldBounds(out Bounds world)
         {
@@ -146,7 +149,7 @@ namespace FastPoints.Entities
 
         void Update()
         {
-            // Undo, prefabs and animations change fields and tell nobody.
+            // Undo, prefabs and animations change fields without notice.
             if (!IsAsOpened)
                 Reopen();
             if (m_entity.TryGet(out var entities))
@@ -190,7 +193,7 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>Where a GameObject stands, as entities have it.</summary>
+    /// <summary>A GameObject's transform as entities store it.</summary>
     static class TransformMatrix
     {
         public static LocalToWorld Of(Transform transform)

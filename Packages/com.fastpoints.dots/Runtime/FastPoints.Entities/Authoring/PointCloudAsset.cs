@@ -5,53 +5,59 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. Of the
-    /// points there is nothing in it. The editor makes it, of a <c>.pointcloud</c> handle or of a file in
-    /// <c>Assets</c>.</summary>
+    /// <summary>
+    /// A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. It contains no
+    /// points. The editor makes it from a <c>.pointcloud</c> handle or from a file in <c>Assets</c>.
+    /// </summary>
     public sealed class PointCloudAsset : ScriptableObject
     {
-        /// <summary>The folder in an editor: in the project, with '/', absolute, or
-        /// <see cref="PointCloudFile.InPlace"/>.</summary>
+        /// <summary>
+        /// The folder in an editor: relative to the project with '/', absolute, or <see cref="PointCloudFile.InPlace"/>.
+        /// </summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
 
-        /// <summary>Files and folders that the cloud is made of, in an editor: in the project, with '/', or absolute. Shown until
-        /// there is a converted folder.</summary>
+        /// <summary>
+        /// Files and folders that the cloud is made of, in an editor: relative to the project with '/', or absolute. They are
+        /// shown until there is a converted folder.
+        /// </summary>
         public string[] ProjectSources = new string[0];
 
-        /// <summary>Below a player's streaming assets, where the cloud can be streamed without conversion; empty where it
-        /// cannot.</summary>
+        /// <summary>
+        /// The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise empty.
+        /// </summary>
         public string PlayerSource;
 
-        /// <summary>-1 where nobody has counted them.</summary>
+        /// <summary>Number of points; -1 if unknown.</summary>
         public long Points = -1;
 
-        /// <summary>Georeferenced, in CRS units. The minimum exceeds the maximum where they are not known.</summary>
+        /// <summary>Georeferenced, in CRS units. The minimum exceeds the maximum if the bounds are unknown.</summary>
         public double3 BoundsMin;
         public double3 BoundsMax;
 
-        /// <summary>One line; empty where it is not known.</summary>
+        /// <summary>Name of the coordinate system in one line; empty if unknown.</summary>
         public string Crs;
 
-        /// <summary>Metres of a horizontal unit; 0 where unknown, NaN where it is an angle.</summary>
+        /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if it is an angle.</summary>
         public double MetresPerUnit;
 
-        /// <summary>Metres of a unit as somebody has set it, whatever the file says; 0 where nobody has.</summary>
+        /// <summary>Metres of a unit as the user has set it, whatever the file says; 0 if it is not set.</summary>
         public double UnitMetres;
 
         /// <summary>The axis that points up.</summary>
         public UpAxis Up = UpAxis.Z;
 
-        /// <summary>Whether <see cref="Origin"/> is known: where the cloud was shown first, so that another conversion moves
-        /// nothing.</summary>
+        /// <summary>
+        /// Whether <see cref="Origin"/> is known: where the cloud was first shown, so that another conversion moves nothing.
+        /// </summary>
         public bool HasOrigin;
 
-        /// <summary>Georeferenced, in CRS units: the place that transforms move.</summary>
+        /// <summary>The place that transforms move, georeferenced, in CRS units.</summary>
         public double3 Origin;
 
-        /// <summary>What an entity says to have the cloud streamed.</summary>
+        /// <summary>What an entity needs to stream the cloud.</summary>
         public PointCloudFile File() => new PointCloudFile
         {
             Path = PlayerPath,
@@ -65,7 +71,7 @@ namespace FastPoints.Entities
         };
 
         /// <summary>The space that a transform moves.</summary>
-        /// <returns>False where the bounds are not known.</returns>
+        /// <returns>False if the bounds are unknown.</returns>
         public bool TryGetSpace(out BoundsGeo bounds, out UnitySpace space)
         {
             bounds = new BoundsGeo(BoundsMin, BoundsMax);

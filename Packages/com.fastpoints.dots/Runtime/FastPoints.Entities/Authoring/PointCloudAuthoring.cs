@@ -6,7 +6,7 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A converted cloud in a subscene: what is baked is where the cloud lies, and nothing of its points.</summary>
+    /// <summary>A converted cloud in a subscene: baking stores where the cloud lies, and none of its points.</summary>
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Authoring")]
     public sealed class PointCloudAuthoring : MonoBehaviour
@@ -27,7 +27,7 @@ namespace FastPoints.Entities
         public int[] HiddenClasses = new int[0];
     }
 
-    /// <summary>Bakers run in a process without a screen: the folder is not opened here.</summary>
+    /// <summary>Does not open the folder: bakers run in a process without a screen.</summary>
     internal sealed class PointCloudBaker : Baker<PointCloudAuthoring>
     {
         public override void Bake(PointCloudAuthoring authoring)

@@ -3,8 +3,10 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, moved, turned and scaled
-    /// as the GameObject is.</summary>
+    /// <summary>
+    /// A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, with the GameObject's position,
+    /// rotation and scale.
+    /// </summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Clip Box")]
@@ -15,7 +17,7 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        /// <summary>The box along the world's axes around this one as it stands.</summary>
+        /// <summary>The box along the world's axes around this one at its current place.</summary>
         public Bounds WorldBounds => CloudBounds.Under(transform.localToWorldMatrix, new Bounds(Vector3.zero, Vector3.one));
 
         void OnEnable()

@@ -6,7 +6,7 @@ using UnityEngine.Serialization;
 
 namespace FastPoints.Entities
 {
-    /// <summary>What all clouds of the world may take and look like: at most one of these at a time.</summary>
+    /// <summary>Limits and look of all clouds of the world; there is at most one of these at a time.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Settings")]
@@ -51,7 +51,7 @@ namespace FastPoints.Entities
         [Tooltip("Fills single pixels that points leave open in a surface.")]
         public bool FillHoles;
 
-        /// <summary>What points look like.</summary>
+        /// <summary>How points look.</summary>
         public PointStyle Style => new PointStyle
         {
             Shape = Shape,
@@ -62,7 +62,7 @@ namespace FastPoints.Entities
 
         OwnedEntity m_entity;
 
-        /// <summary>A new one begins with the project's graphics memory.</summary>
+        /// <summary>Starts a new component with the project's graphics memory.</summary>
         void Reset() => MemoryMebibytes = (int)(PointCloudSystemGroup.DefaultPoolBytes >> 20);
 
         void OnEnable()

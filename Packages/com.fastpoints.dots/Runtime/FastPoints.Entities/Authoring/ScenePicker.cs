@@ -9,27 +9,28 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Picks points of all clouds that a world shows, as it shows them: what is clipped away or of a hidden class is
-    /// looked
-    /// through. <see cref="Begin"/>, then <see cref="Update"/> once a frame until that says it is done. In players and in edit
-    /// mode.</summary>
+    /// <summary>
+    /// Picks points of all clouds that a world shows, as it shows them: it ignores points that are clipped or of a hidden
+    /// class. Call <see cref="Begin"/>, then <see cref="Update"/> once a frame until it returns true. It works in players and
+    /// in edit mode.
+    /// </summary>
     public sealed class ScenePicker : IDisposable
     {
         readonly World m_world;
         readonly StreamPicker m_picker = new StreamPicker();
 
-        /// <param name="world">Null for the default one.</param>
+        /// <param name="world">Null for the default world.</param>
         public ScenePicker(World world = null)
         {
             m_world = world;
         }
 
-        /// <summary>Of the search that was begun last; whole when that is done.</summary>
+        /// <summary>Result of the search that was begun last; complete when that is done.</summary>
         public StreamPick Pick => m_picker.Pick;
 
         public bool IsSearching => m_picker.IsSearching;
 
-        /// <summary>Looks at the clouds as they are now; a search that goes on is broken off.</summary>
+        /// <summary>Begins a search of the clouds as they are now; a search in progress is broken off.</summary>
         /// <param name="ray">See <see cref="Rendering.CameraViews.PickRayOf"/>.</param>
         /// <returns>Whether there is a world that shows clouds.</returns>
         public bool Begin(PickRay ray)
@@ -41,9 +42,9 @@ namespace FastPoints.Entities
             return true;
         }
 
-        /// <summary>Once a frame.</summary>
-        /// <param name="budgetMs">Of the main thread.</param>
-        /// <returns>Whether no search goes on: <see cref="Pick"/> is the result of the last one.</returns>
+        /// <summary>Continues the search; call it once a frame.</summary>
+        /// <param name="budgetMs">Time on the main thread.</param>
+        /// <returns>Whether no search is in progress: <see cref="Pick"/> is then the result of the last one.</returns>
         public bool Update(double budgetMs = 1)
         {
             bool wasSearching = IsSearching, isDone = m_picker.Update(budgetMs);
@@ -52,7 +53,7 @@ namespace FastPoints.Entities
             return isDone;
         }
 
-        /// <summary>The entity of a number of a cloud in the stream; null where there is none.</summary>
+        /// <summary>The entity of a cloud's number in the stream; null if there is none.</summary>
         public Entity EntityOf(int cloud)
         {
             var found = Entity.Null;
@@ -67,9 +68,9 @@ namespace FastPoints.Entities
             return found;
         }
 
-        /// <summary>Where a picked point is now: its cloud may have been moved since, or opened anew.</summary>
+        /// <summary>Where a picked point is now: its cloud may have been moved or reopened since.</summary>
         /// <param name="cloud">The cloud's entity when it was picked: see <see cref="EntityOf"/>.</param>
-        /// <returns>In the world; where it was picked, if the cloud is not shown any more.</returns>
+        /// <returns>The position in the world; if the cloud is no longer shown, where the point was picked.</returns>
         public double3 PlaceOf(StreamPick pick, Entity cloud)
         {
             var shown = Group?.Stream == null ? null
@@ -89,7 +90,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>What somebody has set of a cloud's unit and up axis.</summary>
+        /// <summary>Takes the unit and up axis that are set for a cloud.</summary>
         void TakeSettings(Entity cloud)
         {
             if (cloud == Entity.Null)
@@ -103,7 +104,7 @@ namespace FastPoints.Entities
                 Pick.MetresPerUnit = file.UnitMetres;
         }
 
-        /// <summary>Null where the entity is gone.</summary>
+        /// <summary>The cloud's number; null if the entity is gone.</summary>
         int? NumberOf(Entity cloud)
         {
             var entities = Group.World.EntityManager;

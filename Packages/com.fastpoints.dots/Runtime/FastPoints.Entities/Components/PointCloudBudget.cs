@@ -2,17 +2,19 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>What streaming may take, of all clouds and cameras together: on one entity of the world. Without it the
-    /// defaults of <see cref="Streaming.StreamSettings"/> hold.</summary>
+    /// <summary>
+    /// Limits of streaming for all clouds and cameras together, on one entity of the world. Without it the defaults of <see
+    /// cref="Streaming.StreamSettings"/> apply.
+    /// </summary>
     public struct PointCloudBudget : IComponentData
     {
-        /// <summary>Points that are drawn at most.</summary>
+        /// <summary>The most points that are drawn.</summary>
         public long Points;
 
-        /// <summary>Graphics memory of nodes at most, in bytes: a hard limit, in whole banks.</summary>
+        /// <summary>The most graphics memory for nodes, in bytes: a hard limit, in whole banks.</summary>
         public long PoolBytes;
 
-        /// <summary>Bytes that are copied into it in one frame at most.</summary>
+        /// <summary>The most bytes that are copied to it in one frame.</summary>
         public int UploadBytesPerFrame;
 
         /// <summary>Smallest size of a node on the screen, in pixels.</summary>

@@ -9,8 +9,10 @@ namespace FastPoints.Entities
     {
         public CloudSuccession Succession;
 
-        /// <summary>By number in the stream: how <see cref="StreamedPointCloud.Beside"/> and
-        /// <see cref="StreamedPointCloud.Next"/> are coloured; the entity's own look is that of what is shown.</summary>
+        /// <summary>
+        /// How <see cref="StreamedPointCloud.Beside"/> and <see cref="StreamedPointCloud.Next"/> are coloured, by their number
+        /// in the stream. The entity's own look is that of the shown state.
+        /// </summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
     }
 }

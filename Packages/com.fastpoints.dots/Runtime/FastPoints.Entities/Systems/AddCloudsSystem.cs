@@ -4,8 +4,10 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Clouds whose entities came go into the stream, those whose entities are gone leave it; placements follow; newer
-    /// states take the place of older ones.</summary>
+    /// <summary>
+    /// Adds clouds of new entities to the stream and removes those whose entities are gone, follows placements, and replaces
+    /// older states by newer ones.
+    /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     internal partial class AddCloudsSystem : StreamSystem
@@ -82,8 +84,8 @@ namespace FastPoints.Entities
                 states.Looks[states.Succession.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }
 
-        /// <summary>Another state is shown from now on.</summary>
-        /// <param name="before">What was shown: it may stay beside.</param>
+        /// <summary>Shows another state from now on.</summary>
+        /// <param name="before">The state shown so far, which may stay beside the new one.</param>
         void Show(Entity entity, PointCloudStates states, int before)
         {
             int shown = states.Succession.Cloud;

@@ -3,8 +3,10 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>The world's <see cref="PointCloudBudget"/>, where there is one, holds from this frame on; where there is none,
-    /// <see cref="PointCloudSystemGroup.DefaultPoolBytes"/> does for memory that the world has made itself.</summary>
+    /// <summary>
+    /// Applies the world's <see cref="PointCloudBudget"/> from this frame on. Without one, it applies <see
+    /// cref="PointCloudSystemGroup.DefaultPoolBytes"/> to memory that the world itself has made.
+    /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(OpenCloudsSystem))]
@@ -12,7 +14,7 @@ namespace FastPoints.Entities
     {
         EntityQuery m_budgets;
 
-        /// <summary>That is in force; 0 while there is a budget.</summary>
+        /// <summary>The default in force; 0 while there is a budget.</summary>
         long m_defaultPoolBytes;
 
         protected override void OnCreate()

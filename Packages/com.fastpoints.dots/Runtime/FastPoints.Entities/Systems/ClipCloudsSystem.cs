@@ -6,7 +6,7 @@ using Unity.Transforms;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Clouds are clipped by the boxes that entities are.</summary>
+    /// <summary>Clips clouds by the boxes of entities.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(AddCloudsSystem))]
@@ -14,7 +14,7 @@ namespace FastPoints.Entities
     {
         EntityQuery m_clips;
 
-        /// <summary>Boxes that others than entities gave the stream are left alone.</summary>
+        /// <summary>Boxes that did not come from entities are left alone.</summary>
         bool m_hasClips;
 
         protected override void OnCreate()

@@ -3,7 +3,7 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Takes the cameras that were drawn since the last frame: they are selected for.</summary>
+    /// <summary>Takes the cameras that were drawn since the last frame, to select for them.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(ApplyBudgetSystem))]
@@ -14,7 +14,7 @@ namespace FastPoints.Entities
             var scene = PointScene.Current;
             if (scene == null || scene.Stream != Group.Stream)
                 return;
-            // In edit mode there are frames between two pictures, and after the last.
+            // In edit mode, frames also come between two pictures and after the last one.
             if (scene.NextViews.Length > 0)
                 Group.Views.AddRange(scene.NextViews);
             else

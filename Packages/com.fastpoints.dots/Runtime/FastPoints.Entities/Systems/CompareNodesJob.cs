@@ -6,18 +6,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Finds where entities of nodes are not what the cache says.</summary>
+    /// <summary>Finds where entities of nodes differ from the cache.</summary>
     [BurstCompile]
     internal struct CompareNodesJob : IJob
     {
         [ReadOnly] public NativeArray<CachedNode> Slots;
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
 
-        /// <summary>Entities to make or to destroy at most: what is left over waits for the next frame.</summary>
+        /// <summary>The most entities to make or destroy; the rest waits for the next frame.</summary>
         public int MostChanges;
         public NativeList<TrackedNode> Tracked;
 
-        /// <summary>Scratch: by slot.</summary>
+        /// <summary>Scratch: indexed by slot.</summary>
         public NativeList<bool> IsDrawn;
 
         /// <summary>Entities of nodes that are gone.</summary>
@@ -26,7 +26,7 @@ namespace FastPoints.Entities
         /// <summary>Slots whose nodes have no entity.</summary>
         public NativeList<int> Come;
 
-        /// <summary>Slots whose entities are in another state: it is in <see cref="Tracked"/> already.</summary>
+        /// <summary>Slots whose entities have a new state, which is in <see cref="Tracked"/> already.</summary>
         public NativeList<int> Changed;
 
         public void Execute()

@@ -4,7 +4,7 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>What users hide, pin and tint.</summary>
+    /// <summary>Applies what users hide, pin and tint.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(ReceiveNodesSystem))]
@@ -14,7 +14,7 @@ namespace FastPoints.Entities
         EntityQuery m_pinned;
         EntityQuery m_tinted;
 
-        /// <summary>What the last frame set.</summary>
+        /// <summary>The nodes that the last frame changed.</summary>
         NativeList<PointCloudNode> m_set;
 
         protected override void OnCreate()
@@ -77,7 +77,7 @@ namespace FastPoints.Entities
                         cache.SetTint(nodes[i].Slot, tints[i].Rgba);
         }
 
-        /// <returns>Whether the node is still there.</returns>
+        /// <returns>Whether the node still exists.</returns>
         bool TrySet(NodeCache cache, PointCloudNode node)
         {
             if (!cache.IsAlive(node.Slot, node.SlotVersion))

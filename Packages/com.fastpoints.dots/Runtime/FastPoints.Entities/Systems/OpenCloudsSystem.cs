@@ -8,14 +8,16 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Opens clouds that are there as files only, and brings each of their states into the stream: waves of a preview,
-    /// generations of a build, what was built.</summary>
+    /// <summary>
+    /// Opens clouds that only exist as files, and brings each of their states into the stream: waves of a preview, generations
+    /// of a build, the finished cloud.
+    /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(AddCloudsSystem))]
     internal partial class OpenCloudsSystem : StreamSystem
     {
-        /// <summary>Of the main thread, a frame: for all previews together.</summary>
+        /// <summary>Main-thread time in each frame for all previews together.</summary>
         const double BudgetMs = 2;
 
         readonly Dictionary<Entity, OpenedCloud> m_opened = new Dictionary<Entity, OpenedCloud>();
@@ -23,7 +25,7 @@ namespace FastPoints.Entities
         readonly List<Entity> m_ended = new List<Entity>();
         EntityQuery m_files;
 
-        /// <summary>Whether states are expected that did not come yet.</summary>
+        /// <summary>Whether further states are expected.</summary>
         public bool IsBusy { get; private set; }
 
         protected override void OnCreate()
@@ -111,7 +113,7 @@ namespace FastPoints.Entities
             }
             catch (Exception e)
             {
-                // Whatever it is, it ends this cloud and not the update of all others.
+                // Any exception ends this cloud, but not the update of the others.
                 var failure = PointCloudException.Of(file.FullPath, e);
                 file.Error = failure.Message;
                 Group.Stream.Report(new StreamFailure(file.FullPath, -1, "cannot be opened: " + failure.Story));
@@ -119,7 +121,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>One state after the other: the next is taken when the one before is shown.</summary>
+        /// <summary>Takes one state after the other: the next one only when the one before is shown.</summary>
         void Take(Entity entity, OpenedCloud cloud, PointCloudFile file)
         {
             if (!EntityManager.HasComponent<PointCloudSource>(entity))
@@ -138,7 +140,7 @@ namespace FastPoints.Entities
                 cloud.TakeInto(source, file);
         }
 
-        /// <summary>Where all states stand: what comes first decides, so that nothing moves when it is replaced.</summary>
+        /// <summary>Places all states where the first one stood, so that nothing moves when it is replaced.</summary>
         void Place(Entity entity, CloudFacts facts, PointCloudFile file)
         {
             var space = UnitySpace.Of(facts.BoundsGeo, file.UnitMetres > 0 ? file.UnitMetres : facts.MetresPerUnit, file.Up);

@@ -6,8 +6,10 @@ using FastPoints.Rendering;
 
 namespace FastPoints.Entities
 {
-    /// <summary>A cloud's states while its entity is there: opened on a thread of the pool, so that a slow disk stops nobody,
-    /// then stepped on the main thread.</summary>
+    /// <summary>
+    /// A cloud's states while its entity exists: opened on a thread of the pool, so that a slow disk blocks nothing, then
+    /// stepped on the main thread.
+    /// </summary>
     sealed class OpenedCloud : IDisposable
     {
         PoolWork<CloudFeed> m_opening;
@@ -27,10 +29,10 @@ namespace FastPoints.Entities
 
         public bool IsBuildGone => m_feed != null && m_feed.IsBuildGone;
 
-        /// <summary>What can be taken; null for nothing.</summary>
+        /// <summary>The state that can be taken; null for none.</summary>
         public CloudFacts Newest => m_feed?.Newest;
 
-        /// <exception cref="PointCloudException">The cloud cannot be opened, or not be read.</exception>
+        /// <exception cref="PointCloudException">The cloud cannot be opened or read.</exception>
         public void Update(double budgetMs)
         {
             if (m_opening != null && m_opening.IsDone)
@@ -44,8 +46,8 @@ namespace FastPoints.Entities
 
         public void Refresh() => m_feed?.Refresh();
 
-        /// <summary>Makes the newest state something to stream, with what its colours need and no more.</summary>
-        /// <exception cref="PointCloudException">It cannot be streamed.</exception>
+        /// <summary>Makes a source of the newest state, with the planes that its colours need and no more.</summary>
+        /// <exception cref="PointCloudException">The state cannot be streamed.</exception>
         public void TakeInto(PointCloudSource source, PointCloudFile file)
         {
             var facts = m_feed.Newest;
@@ -61,7 +63,7 @@ namespace FastPoints.Entities
             };
         }
 
-        /// <summary>Waits for headers that are being read, and for slices that are running.</summary>
+        /// <summary>Waits for headers being read and for slices that are running.</summary>
         public void Dispose()
         {
             m_feed ??= m_opening?.TakeIfSound();
@@ -70,7 +72,7 @@ namespace FastPoints.Entities
             m_feed = null;
         }
 
-        /// <summary>What follows a preview has its colours, so that they stay what they are.</summary>
+        /// <summary>States after a preview keep its colour ranges, so that colours do not change.</summary>
         DisplayRanges RangesFor(CloudFacts facts, ColorMode wanted, ColorMode mode)
         {
             if (!facts.RangesHaveStrays)

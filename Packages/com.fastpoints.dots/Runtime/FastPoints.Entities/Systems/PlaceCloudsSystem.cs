@@ -6,7 +6,7 @@ using Unity.Transforms;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Clouds stand where their entities' transforms are.</summary>
+    /// <summary>Places clouds at the transforms of their entities.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateAfter(typeof(OpenCloudsSystem))]

@@ -25,19 +25,22 @@ namespace FastPoints.Entities
     /// <item><see cref="RequestNodesSystem"/>: begins to read, evicts</item>
     /// <item><see cref="ListNodesSystem"/>: what to draw</item>
     /// <item><see cref="TrackNodesSystem"/>: entities of nodes follow</item>
-    /// <item><see cref="ReportFailuresSystem"/>: what could not be read is told</item>
+    /// <item><see cref="ReportFailuresSystem"/>: reports what could not be read</item>
     /// </list>
     /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PresentationSystemGroup))]
     public partial class PointCloudSystemGroup : ComponentSystemGroup
     {
-        /// <summary>Without reads and uploads, so many frames are rest: a node that was dropped is tried again within
-        /// them.</summary>
+        /// <summary>
+        /// The group rests after this many frames without reads and uploads: a dropped node is requested again within them.
+        /// </summary>
         const int FramesToRest = 40;
 
-        /// <summary>Graphics memory where no <see cref="PointCloudBudget"/> says otherwise, in bytes: holds from the next frame
-        /// on. An editor takes it from the project's settings.</summary>
+        /// <summary>
+        /// Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An editor
+        /// sets it from the project's settings.
+        /// </summary>
         public static long DefaultPoolBytes = 512 << 20;
 
         NativeList<StreamView> m_views;
@@ -48,21 +51,25 @@ namespace FastPoints.Entities
         bool m_isWarned;
         FrameStats m_stats;
 
-        /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: then clouds are streamed to
-        /// the graphics card, and drawn.</summary>
+        /// <summary>
+        /// Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are streamed
+        /// to the graphics card and drawn.
+        /// </summary>
         public StreamContext Stream { get; private set; }
 
-        /// <summary>What passes draw; null where <see cref="Begin"/> was called by hand.</summary>
+        /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
 
-        /// <summary>What the frame has done up to here; after the update, what it did.</summary>
+        /// <summary>What the frame has done so far; after the update, all that it did.</summary>
         public ref FrameStats Stats => ref m_stats;
 
-        /// <summary>The cameras of the next frame: whoever draws adds his, and the frame takes them all.</summary>
+        /// <summary>The cameras of the next frame: code that draws adds its own, and the frame takes them all.</summary>
         public NativeList<StreamView> Views => m_views;
 
-        /// <summary>Whether another frame would change something: clouds are opened, nodes are on their way, or a camera has
-        /// moved. In edit mode there are frames only when somebody asks for them.</summary>
+        /// <summary>
+        /// Whether another frame would change something: clouds are being opened, nodes are in flight, or a camera has moved.
+        /// In edit mode, frames only come on request.
+        /// </summary>
         public bool WantsFrame
         {
             get
@@ -73,7 +80,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>Begins to stream, with memory that becomes the stream's.</summary>
+        /// <summary>Begins to stream with a pool that the stream owns from now on.</summary>
         public void Begin(NodePool pool)
         {
             if (Stream != null)
@@ -125,7 +132,7 @@ namespace FastPoints.Entities
             UnsafeUtility.MemCmp(next.GetUnsafeReadOnlyPtr(), m_lastViews.GetUnsafePtr(),
                 (long)next.Length * sizeof(StreamView)) != 0);
 
-        /// <summary>With the first cloud: a world without clouds takes no memory.</summary>
+        /// <summary>Begins with the first cloud: a world without clouds takes no memory.</summary>
         bool TryBegin()
         {
             if (m_files.IsEmpty || m_isWarned)

@@ -3,8 +3,9 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Tells of files and nodes that could not be read: each once, since what failed for good is not asked for
-    /// again.</summary>
+    /// <summary>
+    /// Reports files and nodes that could not be read: each once, since permanent failures are not requested again.
+    /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     [UpdateAfter(typeof(TrackNodesSystem))]

@@ -3,7 +3,7 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Begins to read nodes, and gives up what is less useful.</summary>
+    /// <summary>Begins to read nodes, and evicts less useful ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateAfter(typeof(UploadNodesSystem))]

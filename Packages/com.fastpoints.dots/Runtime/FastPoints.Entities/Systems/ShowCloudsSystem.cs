@@ -5,7 +5,7 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Tells what draws how clouds are coloured, and what points look like.</summary>
+    /// <summary>Passes on to drawing how clouds are coloured and how points look.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup))]
     [UpdateBefore(typeof(ReceiveNodesSystem))]
@@ -40,7 +40,7 @@ namespace FastPoints.Entities
             }
         }
 
-        /// <summary>States of a cloud that are drawn with it.</summary>
+        /// <summary>Shows other states of a cloud that are drawn with it.</summary>
         void ShowOthers(PointScene scene, Entity entity, StreamedPointCloud cloud)
         {
             if (cloud.Beside == CloudSuccession.None && cloud.Next == CloudSuccession.None ||

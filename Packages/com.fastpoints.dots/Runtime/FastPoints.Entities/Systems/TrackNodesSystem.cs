@@ -5,13 +5,14 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>Makes and destroys the entities of nodes, some each frame, and tells them how far their nodes are. Nothing
-    /// happens at rest.</summary>
+    /// <summary>
+    /// Makes and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing at rest.
+    /// </summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     internal unsafe partial class TrackNodesSystem : StreamSystem
     {
-        /// <summary>Structural changes of one frame at most, of each kind.</summary>
+        /// <summary>The most structural changes of each kind in one frame.</summary>
         const int MostChanges = 512;
 
         EntityArchetype m_archetype;
@@ -135,17 +136,17 @@ namespace FastPoints.Entities
         }
     }
 
-    /// <summary>What is known of a slot of the cache: the entity of the node that lies there.</summary>
+    /// <summary>What is known of a slot of the cache: the entity of its node.</summary>
     internal struct TrackedNode
     {
         public const byte IsResident = 1;
         public const byte IsDrawn = 2;
 
-        /// <summary>Null where there is none.</summary>
+        /// <summary>Null if there is none.</summary>
         public Entity Entity;
         public int Version;
 
-        /// <summary>What the entity says.</summary>
+        /// <summary>The state that the entity shows.</summary>
         public byte State;
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace FastPoints.Samples.AttributeColours
 {
-    /// <summary>The street by classes, with a box to look into.</summary>
+    /// <summary>Makes a scene with the street coloured by classes, and a box to look into.</summary>
     static class AttributeColoursScene
     {
         [MenuItem("FastPoints/Samples/Attribute colours")]

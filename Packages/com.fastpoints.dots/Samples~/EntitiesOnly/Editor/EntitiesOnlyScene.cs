@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>The scene's one object: entities are made in play mode.</summary>
+    /// <summary>Makes a scene with one object: entities are made in play mode.</summary>
     static class EntitiesOnlyScene
     {
         [MenuItem("FastPoints/Samples/Entities only")]

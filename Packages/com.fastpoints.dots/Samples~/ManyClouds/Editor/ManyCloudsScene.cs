@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace FastPoints.Samples.ManyClouds
 {
-    /// <summary>64 streets, made in play mode.</summary>
+    /// <summary>Makes a scene with 64 streets, which are made in play mode.</summary>
     static class ManyCloudsScene
     {
         [MenuItem("FastPoints/Samples/Many clouds")]

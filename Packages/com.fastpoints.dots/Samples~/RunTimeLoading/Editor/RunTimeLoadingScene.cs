@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace FastPoints.Samples.RunTimeLoading
 {
-    /// <summary>A scene that refers to no cloud: it is loaded in play mode, and in a player.</summary>
+    /// <summary>Makes a scene that refers to no cloud: the cloud is loaded in play mode, and in a player.</summary>
     static class RunTimeLoadingScene
     {
         [MenuItem("FastPoints/Samples/Run-time loading")]

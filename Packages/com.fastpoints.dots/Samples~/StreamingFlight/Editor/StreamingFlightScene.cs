@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight
 {
-    /// <summary>The camera flies through the street in play mode.</summary>
+    /// <summary>Makes a scene whose camera flies through the street in play mode.</summary>
     static class StreamingFlightScene
     {
         [MenuItem("FastPoints/Samples/Streaming flight")]
