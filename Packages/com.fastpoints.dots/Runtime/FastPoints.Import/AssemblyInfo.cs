@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-// What is public is for users; the package, its tests and its command line share the rest.
+// The public types are for users; the package, its tests and its command line share the rest.
 [assembly: InternalsVisibleTo("FastPoints.Scenes")]
 [assembly: InternalsVisibleTo("FastPoints.Editor")]
 [assembly: InternalsVisibleTo("FastPoints.Evaluation")]

@@ -6,11 +6,11 @@ using FastPoints.Points;
 
 namespace FastPoints.Convert
 {
-    /// <summary>Which attributes of its sources a cloud keeps.</summary>
+    /// <summary>Chooses which attributes of its sources a cloud keeps.</summary>
     internal static class AttributeChoice
     {
-        /// <summary>The first source's attributes but its position, which every source must have alike.</summary>
-        /// <param name="names">Those wanted; null for all.</param>
+        /// <summary>The first source's attributes except its position. Every source must have the same ones.</summary>
+        /// <param name="names">Names of the wanted ones; null for all.</param>
         /// <exception cref="PointCloudException">A source has no position, or lacks one of the attributes.</exception>
         public static PointSchema Of(IReadOnlyList<PointReader> readers, string[] names)
         {

@@ -8,8 +8,8 @@ using Unity.Collections;
 
 namespace FastPoints.Convert
 {
-    /// <summary>A build's journal and the moments it is written at: what a killed build is continued from.</summary>
-    /// <remarks>Only a build that keeps its points in files writes it; one in memory begins again.</remarks>
+    /// <summary>Writes a build's journal at the right moments, so that a killed build can be continued from it.</summary>
+    /// <remarks>Only a build that keeps its points in files writes it; one in memory starts over.</remarks>
     internal sealed class BuildCheckpoints : IDisposable
     {
         readonly CloudFolderWriter m_folder;
@@ -29,7 +29,7 @@ namespace FastPoints.Convert
 
         public BuildJournal Journal { get; private set; }
 
-        /// <summary>What became of a build of this target that was broken off; null where there was none.</summary>
+        /// <summary>The fate of an earlier build of this target that was broken off; null if there was none.</summary>
         public string Note { get; private set; }
 
         /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
@@ -71,8 +71,12 @@ namespace FastPoints.Convert
             return checkpoints;
         }
 
-        /// <summary>Work for a pump: queues the journal behind all that it speaks of, which is on the disk itself before the
-        /// journal is. Does nothing where points are in memory.</summary>
+        /// <summary>
+        /// Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before the
+        /// journal does. Does nothing if points are in memory.
+        /// </summary>
+        /// <param name="attributes">The statistics of each attribute so far.</param>
+        /// <param name="chunks">The current chunks, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public IEnumerator<Work> Begin()
         {
             if (m_files == null)
@@ -83,7 +87,7 @@ namespace FastPoints.Convert
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
-        /// <summary>Work for a pump: until the last journal is on the disk.</summary>
+        /// <summary>Work for a pump: waits until the last journal is on disk.</summary>
         public IEnumerator<Work> End()
         {
             while (m_ticket != null && !m_ticket.IsDone(1))
@@ -91,8 +95,7 @@ namespace FastPoints.Convert
             Dispose();
         }
 
-        /// <summary>Work for a pump: what lies on disk is what a killed build is continued from, from the end of this work
-        /// on.</summary>
+        /// <summary>Writes the last journal when all files of the cloud are complete.</summary>
         public IEnumerator<Work> Write()
         {
             yield return Work.Of(Begin());

@@ -5,10 +5,10 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Convert
 {
-    /// <summary>Tells whether a build that was killed is this one.</summary>
+    /// <summary>Decides whether a killed build had the same input as this one.</summary>
     internal static class BuildIdentity
     {
-        /// <summary>What the stored bytes and the temporary files depend on.</summary>
+        /// <summary>Hashes everything that the stored bytes and the temporary files depend on.</summary>
         public static unsafe ulong Of(BuildContext build)
         {
             var plan = build.Plan;

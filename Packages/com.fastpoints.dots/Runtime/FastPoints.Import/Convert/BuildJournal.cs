@@ -7,12 +7,12 @@ using FastPoints.Points;
 namespace FastPoints.Convert
 {
     /// <summary>
-    /// How far a build has come, as far as it lies on disk: what a build that was killed is continued from. Text in, text out,
-    /// no I/O.
+    /// The progress of a build as far as it lies on disk, from which a killed build is continued. It converts from and to text,
+    /// without I/O.
     /// </summary>
     internal sealed class BuildJournal
     {
-        /// <summary>The stages that a build can be taken up in.</summary>
+        /// <summary>The stages in which a build can be resumed.</summary>
         public enum Stage
         {
             /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
@@ -21,7 +21,7 @@ namespace FastPoints.Convert
             Split,
             /// <summary>The chunks are final, and made into nodes one by one.</summary>
             Index,
-            /// <summary>Everything is there but the folder's name.</summary>
+            /// <summary>Everything is done except the folder's final name.</summary>
             Done,
         }
 
@@ -34,26 +34,26 @@ namespace FastPoints.Convert
 
         const int Version = 1;
 
-        /// <summary>Of the sources, the settings and the partition: another one is another build.</summary>
+        /// <summary>Identifies the sources, the settings and the partition: if they differ, it is another build.</summary>
         public ulong Identity;
         public Stage At;
 
-        /// <summary>The first source that is not read to its end, and the first of its blocks that is not read.</summary>
+        /// <summary>The first source that is not read completely, and the first of its blocks that is not read.</summary>
         public int Source;
         public int Block;
 
-        /// <summary>By source that was begun: what it showed.</summary>
+        /// <summary>Statistics of each source that was begun.</summary>
         public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
         public AttributeStatistics[] Attributes = new AttributeStatistics[0];
 
-        /// <summary>By file: its records.</summary>
+        /// <summary>Number of records in each file.</summary>
         public readonly List<long> Records = new List<long>();
 
-        /// <summary>From <see cref="Stage.Split"/> on.</summary>
+        /// <summary>Present from <see cref="Stage.Split"/> on.</summary>
         public readonly List<Chunk> Chunks = new List<Chunk>();
         public GridCube Root;
 
-        /// <summary>Bytes by plane, when done: what is told of the build at its end.</summary>
+        /// <summary>Bytes of each plane when the build is done, for its final report.</summary>
         public long[] BytesOfPlane = new long[0];
         public long PeakBytes;
         public int LevelCount;
@@ -96,7 +96,7 @@ namespace FastPoints.Convert
             return json.EndArray().EndObject().ToString();
         }
 
-        /// <returns>Null where the text is no journal of this version: the build begins anew.</returns>
+        /// <returns>Null if the text is not a journal of this version: the build then starts over.</returns>
         public static BuildJournal FromJson(string text)
         {
             try

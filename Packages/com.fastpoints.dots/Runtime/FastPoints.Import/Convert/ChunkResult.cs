@@ -8,15 +8,14 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Convert
 {
     /// <summary>
-    /// What is left of a chunk when its nodes are written: its top node's points and what the merge and the hierarchy need to
-    /// know.
-    /// Between chunk and merge it is kept in memory, or in a file that also shows, after a kill, which chunks are done.
+    /// What remains of a chunk when its nodes are written: its top node's points, and what the merge and the hierarchy need to
+    /// know. Until the merge it is kept in memory, or in a file that also shows, after a kill, that the chunk is done.
     /// </summary>
     internal sealed unsafe class ChunkResult
     {
         struct Header
         {
-            /// <summary>Of everything after it.</summary>
+            /// <summary>Hash of everything after it.</summary>
             public ulong Hash;
             public ulong CloudId;
             public ulong Checksum;
@@ -27,7 +26,7 @@ namespace FastPoints.Convert
             public int PlaneCount;
         }
 
-        /// <summary>The chunk's cube, its number and its file, where it has one.</summary>
+        /// <summary>The chunk's cube, its number and its file, if it has one.</summary>
         public ChunkRecord Record;
         public ChunkTop Top;
 
@@ -41,7 +40,7 @@ namespace FastPoints.Convert
         public int LowestSideLog2;
         public long[] BytesOfPlane;
 
-        /// <summary>Of a chunk whose job is done.</summary>
+        /// <summary>The result of a chunk whose job is done.</summary>
         public static ChunkResult Of(ChunkIndexer indexer)
         {
             var result = OfTop(indexer);
@@ -61,7 +60,7 @@ namespace FastPoints.Convert
             return result;
         }
 
-        /// <summary>The same of its top alone, as if there were nothing below; the checksum is the caller's to fill in.</summary>
+        /// <summary>The result of its top alone, as if nothing were below; the caller fills in the checksum.</summary>
         public static ChunkResult OfTop(ChunkIndexer indexer)
         {
             var top = indexer.Drafts[0];
@@ -86,7 +85,7 @@ namespace FastPoints.Convert
             };
         }
 
-        /// <summary>The file of <see cref="ToBytes"/>: the caller disposes it.</summary>
+        /// <summary>Makes the file's bytes; the caller disposes them.</summary>
         public NativeArray<byte> ToBytes(NativeArray<byte> topRecords, ulong cloudId)
         {
             int planeBytes = BytesOfPlane.Length * sizeof(long);
@@ -111,9 +110,9 @@ namespace FastPoints.Convert
             return file;
         }
 
-        /// <summary>Reads the file of a chunk that is done.</summary>
-        /// <param name="strideBytes">Of a record.</param>
-        /// <returns>Null where the bytes are no such file, or of another cloud.</returns>
+        /// <summary>Reads the file of a finished chunk.</summary>
+        /// <param name="strideBytes">Bytes of a record.</param>
+        /// <returns>Null if the bytes are not such a file, or belong to another cloud.</returns>
         public static ChunkResult FromBytes(NativeArray<byte> file, ulong cloudId, int planeCount, int strideBytes)
         {
             var start = (byte*)file.GetUnsafeReadOnlyPtr();

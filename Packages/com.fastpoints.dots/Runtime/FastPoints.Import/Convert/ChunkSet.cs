@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>All points of the cloud, by chunk: disjoint cubes of the octree, in memory or in temporary files.</summary>
+    /// <summary>All points of the cloud by chunk: disjoint cubes of the octree, in memory or in temporary files.</summary>
     internal sealed class ChunkSet : IDisposable
     {
         const int SplitLevels = 3;
@@ -58,8 +58,10 @@ namespace FastPoints.Convert
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
 
-        /// <summary>Makes the work that is done after each change that is whole: every record is where the chunks say. Files that
-        /// are needed no more are there until it has ended.</summary>
+        /// <summary>
+        /// Makes the work to run after each completed change, when every record is where the chunks say. Files that are no
+        /// longer needed exist until it has ended.
+        /// </summary>
         public Func<IEnumerator<Work>> Settled { get; set; }
 
         /// <summary>Takes over a chunk's records.</summary>
@@ -90,9 +92,9 @@ namespace FastPoints.Convert
             m_chunks.Add(chunk);
         }
 
-        /// <summary>Work for a pump: distributes the records outside the cube that the root has grown from.</summary>
+        /// <summary>Work for a pump: distributes the records outside the original root cube.</summary>
         /// <param name="shells">The root's doublings, the smallest first.</param>
-        /// <param name="outside">All of them; one of the chunks until then, which it is in place of.</param>
+        /// <param name="outside">The chunk of all of them, which its parts replace.</param>
         public IEnumerator<Work> SplitOutside(GridCube[] shells, Chunk outside)
         {
             var cubes = new NativeArray<GridCube>(shells, Allocator.Persistent);
@@ -117,12 +119,14 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than
-        /// that. Points at one place are split by their number, in the order in which they came.</summary>
-        /// <param name="target">Points of the parts, at most.</param>
+        /// <summary>
+        /// Work for a pump: splits every chunk of more than <paramref name="limit"/> points until none is larger than that.
+        /// Points at one place are split by their number, in the order in which they came.
+        /// </summary>
+        /// <param name="target">The most points of a part.</param>
         public IEnumerator<Work> SplitLarge(long limit, long target)
         {
-            // Parts come to the end, where they are looked at in their turn.
+            // Parts are added at the end and examined in turn.
             for (int i = 0; i < m_chunks.Count;)
             {
                 var chunk = m_chunks[i];
@@ -139,7 +143,7 @@ namespace FastPoints.Convert
         /// Morton order.</summary>
         public void MergeSmall(GridCube root, long target)
         {
-            // A stable order: several chunks at one place come in the order of their points.
+            // The order is stable: several chunks at one place come in the order of their points.
             var order = new int[m_chunks.Count];
             for (int i = 0; i < order.Length; i++)
                 order[i] = i;
@@ -230,7 +234,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Parts of whole pages, so that they are the same in memory and in files.</summary>
+        /// <summary>Splits into parts of whole pages, so that they are the same in memory and in files.</summary>
         void SplitByCount(Chunk chunk, long target)
         {
             int partPages = (int)Math.Max(1, target / RecordPages.RecordsPerPage);
@@ -268,7 +272,7 @@ namespace FastPoints.Convert
             yield return Work.Of(Settled());
         }
 
-        /// <summary>Distributes a chunk's records over parts, which take its place.</summary>
+        /// <summary>Distributes a chunk's records over parts that replace it.</summary>
         IEnumerator<Work> Regroup(Chunk chunk, GridCube[] cubes,
             Func<RecordPages, NativeArray<RecordPages>, JobHandle, JobHandle> schedule)
         {
@@ -335,7 +339,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Work on all records of a chunk, which stay where they are.</summary>
+        /// <summary>Runs work on all records of a chunk, which stay in place.</summary>
         IEnumerator<Work> ForEachBatch(Chunk chunk, Func<RecordPages, JobHandle, JobHandle> schedule)
         {
             var job = default(JobHandle);
@@ -370,7 +374,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>The list that was cut.</summary>
+        /// <summary>Joins the list that was cut.</summary>
         public static RecordPages Join(List<RecordPages> batches)
         {
             var all = default(RecordPages);
@@ -382,7 +386,7 @@ namespace FastPoints.Convert
             return all;
         }
 
-        /// <summary>A list in parts that one run of a job takes.</summary>
+        /// <summary>Cuts a list into parts that one run of a job takes.</summary>
         public static List<RecordPages> CutBatches(RecordPages pages)
         {
             var batches = new List<RecordPages>();

@@ -6,8 +6,10 @@ using Unity.Collections;
 
 namespace FastPoints.Convert
 {
-    /// <summary>The files of finished chunks on their way to the disk, so that the next chunks need not wait for it. As many as
-    /// there is memory for: whoever writes takes an empty list in exchange.</summary>
+    /// <summary>
+    /// Files of finished chunks that wait to be written, so that the next chunks need not wait for the disk. There are as many
+    /// as memory allows: the writing code gets an empty list in exchange.
+    /// </summary>
     sealed class ChunkWrites : IDisposable
     {
         struct Pending
@@ -24,9 +26,8 @@ namespace FastPoints.Convert
         readonly Queue<Pending> m_pending = new Queue<Pending>();
         readonly Stack<NativeList<byte>> m_spare = new Stack<NativeList<byte>>();
 
-        /// <param name="files">Released when a chunk that came from them is on the disk; null where all points are in
-        /// memory.</param>
-        /// <param name="most">Files that may wait.</param>
+        /// <param name="files">Released when a chunk that came from them is on disk; null if all points are in memory.</param>
+        /// <param name="most">The most files that may wait.</param>
         public ChunkWrites(CloudFolderWriter folder, ChunkSet chunks, RecordFiles files, int most)
         {
             m_folder = folder;
@@ -39,19 +40,19 @@ namespace FastPoints.Convert
         /// <summary>Whether one more file may wait.</summary>
         public bool HasRoom => m_spare.Count > 0;
 
-        /// <summary>Whether all is on the disk.</summary>
+        /// <summary>Whether everything is on disk.</summary>
         public bool IsDone => m_pending.Count == 0;
 
-        /// <summary>Queues a chunk's file and, where points are in files, what a build that goes on later has to know.</summary>
-        /// <param name="file">Of the chunk; nothing is written where it is empty.</param>
-        /// <param name="top">The chunk's top, or not created; taken over.</param>
+        /// <summary>Queues a chunk's file and, if points are in files, what a resumed build has to know.</summary>
+        /// <param name="file">The chunk's file; nothing is written if it is empty.</param>
+        /// <param name="top">The chunk's top, or not created; this object takes it over.</param>
         /// <returns>An empty list in exchange for the file.</returns>
         public NativeList<byte> Write(int chunk, NativeList<byte> file, NativeArray<byte> top)
         {
             var pending = new Pending { Chunk = chunk, File = file, Top = top };
             if (file.Length > 0)
                 pending.Written = m_folder.Write(StoreFormat.ChunkPath(chunk), file.AsArray());
-            // After the chunk's own file: where this one is, the chunk is done.
+            // This comes after the chunk's own file: once it exists, the chunk is done.
             if (top.IsCreated)
                 pending.Written = m_folder.Write(BuildFiles.TopPath(chunk), top);
             if (pending.Written == null)
@@ -60,7 +61,7 @@ namespace FastPoints.Convert
             return m_spare.Pop();
         }
 
-        /// <summary>Takes back what has been written since; waits at most so long for the first of it.</summary>
+        /// <summary>Takes back what has been written since; waits at most this long for the first file.</summary>
         public void Poll(int waitMs)
         {
             // They are written one after another.
@@ -78,7 +79,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Whether a chunk's file is not on the disk yet.</summary>
+        /// <summary>Whether a chunk's file is not on disk yet.</summary>
         public bool HasPending(int chunk)
         {
             foreach (var pending in m_pending)

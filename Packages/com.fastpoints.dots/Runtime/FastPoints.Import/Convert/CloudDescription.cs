@@ -11,8 +11,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Convert
 {
-    /// <summary>Puts what a build has found out about its points into the cloud's manifest, and what is odd about them into the
-    /// sources' warnings.</summary>
+    /// <summary>
+    /// Writes what a build has learned about its points into the cloud's manifest, and anomalies into the sources' warnings.
+    /// </summary>
     internal static class CloudDescription
     {
         /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources
@@ -71,8 +72,8 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Says of each source what is missing or inexact in the cloud.</summary>
-        /// <param name="statistics">By reader.</param>
+        /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
+        /// <param name="findings">One for each reader.</param>
         static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)
@@ -90,9 +91,9 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Counts, bounds, attributes, and where on Earth the first source says that the cloud lies.</summary>
-        /// <param name="found">Of all points.</param>
-        /// <param name="values">By attribute: what its values are.</param>
+        /// <summary>Writes counts, bounds, attributes, and the coordinate system of the first source.</summary>
+        /// <param name="found">Statistics of all points.</param>
+        /// <param name="values">The values of each attribute.</param>
         static void Describe(in PointStatistics found, AttributeStatistics[] values, BuildContext build, CloudManifest manifest)
         {
             var crs = build.Readers[0].Info.Crs;

@@ -14,8 +14,8 @@ using Unity.Jobs;
 namespace FastPoints.Convert
 {
     /// <summary>
-    /// From files to a stored octree. A sample guesses how dense the cloud is where; one pass over the points distributes them
-    /// over chunks; chunks that came out too large are split, small ones merged; each is made into nodes; their tops become the
+    /// Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
+    /// chunks; chunks that became too large are split, small ones merged; each is turned into nodes; their tops become the
     /// upper levels.
     /// </summary>
     public sealed class ConvertCloud : IDisposable
@@ -34,11 +34,13 @@ namespace FastPoints.Convert
             m_build = build;
         }
 
-        /// <summary>Work for a pump: converts. The target is there, whole, when the work has ended; nothing is there when it was
-        /// cancelled or failed, but for what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
-        /// <param name="readers">The sources: open, of the same attributes. They make one cloud.</param>
+        /// <summary>
+        /// Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was cancelled or
+        /// failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.
+        /// </summary>
+        /// <param name="readers">The open sources, with the same attributes. They make one cloud.</param>
         /// <param name="target">The folder to make.</param>
-        /// <param name="done">Gets what was made.</param>
+        /// <param name="done">Receives the result.</param>
         /// <exception cref="PointCloudException">A source or the target is at fault.</exception>
         public static IEnumerator<Work> Run(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings,
             Action<ConvertResult> done, StageProgress progress)
@@ -105,7 +107,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>The grid, the first cube, and the chunks as the sample suggests them.</summary>
+        /// <summary>Chooses the grid, the first cube, and the chunks that the sample suggests.</summary>
         IEnumerator<Work> Partition()
         {
             m_build.Choose(m_sampleStatistics);
@@ -117,8 +119,9 @@ namespace FastPoints.Convert
             m_samples.Clear();
         }
 
-        /// <summary>Takes up the build that was killed, where there is one of the same sources and settings, and its points are
-        /// on disk.</summary>
+        /// <summary>
+        /// Resumes the killed build if there is one of the same sources and settings with its points on disk.
+        /// </summary>
         void Resume()
         {
             m_scatter = new ScatterPoints(m_build);
@@ -171,7 +174,7 @@ namespace FastPoints.Convert
             CloudManifest manifest;
             if (journal.At == BuildJournal.Stage.Done)
             {
-                // Killed between the last file and the name: all that is known of it is on disk.
+                // If it is killed between the last file and the name, everything known of it is on disk.
                 string path = folder.PathOf(StoreFormat.ManifestName);
                 manifest = CloudManifest.FromJson(folder.ReadText(StoreFormat.ManifestName) ?? "", path);
             }

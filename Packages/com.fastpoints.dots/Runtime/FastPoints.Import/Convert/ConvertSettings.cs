@@ -5,44 +5,58 @@ namespace FastPoints.Convert
     /// <summary>How a cloud is converted.</summary>
     public sealed class ConvertSettings
     {
-        /// <summary>Names of the attributes that are kept; null for all. The position is always kept.</summary>
+        /// <summary>Names of the attributes to keep; null for all. The position is always kept.</summary>
         public string[] Attributes;
 
         public Sampler Sampler;
 
-        /// <summary>log2 of the sampling cells along a node's edge, 4 to 8: the spacing is the node's edge by that; 0 for the
-        /// default
-        /// of <see cref="NodeSizes"/>.</summary>
+        /// <summary>
+        /// log2 of the number of sampling cells along a node's edge, 4 to 8: the spacing is the node's edge divided by it; 0
+        /// for the default of <see cref="NodeSizes"/>.
+        /// </summary>
         public int CellsLog2;
 
-        /// <summary>A cube with no more points left is a leaf; 0 for the default of <see cref="NodeSizes"/>.</summary>
+        /// <summary>
+        /// A cube with at most this many remaining points is a leaf; 0 for the default of <see cref="NodeSizes"/>.
+        /// </summary>
         public int MaxPointsPerLeaf;
 
-        /// <summary>Chunks have at most about so many points, and are no smaller than they need be; 0 for a number that suits the
-        /// cloud. The stored bytes depend on it, and on nothing about the machine.</summary>
+        /// <summary>
+        /// Chunks have about this many points at most, and are no smaller than needed; 0 for a number that suits the cloud. The
+        /// stored bytes depend on it, but not on anything about the machine.
+        /// </summary>
         public long PointsPerChunk;
 
-        /// <summary>For all that grows with the number of points: records, blocks being read, chunks in work. Points that do not
-        /// fit go to temporary files in the target's folder. Where it is little the chunks are smaller, by halves, and so other
-        /// bytes are stored.</summary>
+        /// <summary>
+        /// Limit for everything that grows with the number of points: records, blocks being read, chunks in progress. Points
+        /// that do not fit go to temporary files in the target's folder. With little memory chunks become smaller, by halves,
+        /// and so other bytes are stored.
+        /// </summary>
         public long MemoryBytes = 928L << 20;
 
-        /// <summary>A build that goes to files can be taken up after each so many points.</summary>
+        /// <summary>A build that uses files can be resumed after each so many points.</summary>
         public long PointsPerCheckpoint = 8000000;
 
-        /// <summary>While chunks become nodes, what is finished is made a cloud that can be opened, at most so often.</summary>
+        /// <summary>
+        /// While chunks become nodes, finished ones are published as a cloud that can be opened, at most once in this time.
+        /// </summary>
         public double SecondsPerGeneration = 5;
 
-        /// <summary>Where reading the sources takes longer, a sample of them is made a cloud that can be opened.</summary>
+        /// <summary>
+        /// If reading the sources takes longer than this, a sample of them is published as a cloud that can be opened.
+        /// </summary>
         public double SecondsToFirstGeneration = 1;
 
-        /// <summary>Workers of the job system that this work keeps busy at most: so many blocks are read and decoded, and so many
-        /// chunks are sorted, at once. 0 for all. The stored bytes are the same.</summary>
+        /// <summary>
+        /// The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this many
+        /// chunks are sorted, at the same time. 0 for all. The stored bytes are the same.
+        /// </summary>
         public int Workers;
 
-        /// <summary>Whether what lies on disk stays there when the work is disposed before its end: the next build of the target
-        /// with the same sources and settings continues it, where points were in files. May be set while the work goes
-        /// on.</summary>
+        /// <summary>
+        /// Whether the files on disk stay there when the work is disposed early: the next build of the target with the same
+        /// sources and settings continues from them, if points were in files. May be set while the work is running.
+        /// </summary>
         public bool KeepUnfinished;
     }
 }

@@ -4,9 +4,10 @@ using FastPoints.Points;
 
 namespace FastPoints.Convert
 {
-    /// <summary>Neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes
-    /// that
-    /// have no more than some number of points.</summary>
+    /// <summary>
+    /// Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes
+    /// that have no more than some number of points.
+    /// </summary>
     internal static class CubeGroups
     {
         /// <summary>Consecutive items. A group of one keeps its own cube.</summary>
@@ -17,8 +18,8 @@ namespace FastPoints.Convert
             public int Count;
         }
 
-        /// <param name="items">In Morton order, all inside of <paramref name="root"/>.</param>
-        /// <param name="target">Points of a group of several, at most.</param>
+        /// <param name="items">Items in Morton order, all inside <paramref name="root"/>.</param>
+        /// <param name="target">The most points of a group of several.</param>
         public static List<Group> Of<T>(GridCube root, IReadOnlyList<T> items, Func<T, GridCube> cubeOf, Func<T, long> pointsOf,
             long target)
         {
@@ -42,7 +43,7 @@ namespace FastPoints.Convert
             }
             if (cube.SideLog2 == 0)
             {
-                // Several at one place.
+                // There are several at one place.
                 for (int i = first; i < end; i++)
                     groups.Add(new Group { Cube = cube, First = i, Count = 1 });
                 return;

@@ -7,15 +7,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Convert
 {
-    /// <summary>The cube that the first partition divides, before any point beyond the sample was seen.</summary>
+    /// <summary>Chooses the cube that the first partition divides, before any point beyond the sample was seen.</summary>
     static class FirstCube
     {
-        /// <summary>Claims of an extent more than so many times that of the sample are passed over.</summary>
+        /// <summary>Claims of an extent more than this many times that of the sample are ignored.</summary>
         const double Believed = 4;
 
-        /// <summary>Around the sample, and around what the headers claim where that is not far more: claims may be
-        /// anything.</summary>
-        /// <param name="found">In the sample of each reader.</param>
+        /// <summary>
+        /// The cube around the sample, and around what the headers claim unless that is far larger: claims may be anything.
+        /// </summary>
+        /// <param name="found">Statistics of each reader's sample.</param>
         public static GridCube Of(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleStatistics> found, GridChoice grid)
         {
             var min = PointStatistics.None.Min;
@@ -24,7 +25,7 @@ namespace FastPoints.Convert
             {
                 if (!math.all(found[i].Min <= found[i].Max))
                     continue;
-                // A negative scale turns the box around.
+                // A negative scale mirrors the box.
                 var a = ToGrid(grid.Sources[i], found[i].Min);
                 var b = ToGrid(grid.Sources[i], found[i].Max);
                 min = Grid3.Min(min, Grid3.Min(a, b));

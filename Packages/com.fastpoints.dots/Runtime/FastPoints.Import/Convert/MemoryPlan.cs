@@ -5,66 +5,72 @@ using FastPoints.Samplers;
 namespace FastPoints.Convert
 {
     /// <summary>
-    /// What a build's memory is divided into. Chunks, and with them the stored bytes, depend on the number of points, the bytes
-    /// of
-    /// a record and the memory that was allowed: not on how many threads there are.
+    /// Divides up a build's memory. Chunks, and with them the stored bytes, depend on the number of points, the bytes of a
+    /// record and the memory limit, not on the number of threads.
     /// </summary>
     internal sealed class MemoryPlan
     {
         const long MaxPointsPerChunk = 1000000;
 
-        // A chunk that a sample or a cube's octants made eight times smaller is still more than one leaf.
+        // A chunk that a sample or a cube's octants made eight times smaller is still larger than a leaf.
         const long MinPointsPerChunk = 200000;
 
-        /// <summary>However little memory there is: smaller chunks would be nothing but tops.</summary>
+        /// <summary>The smallest chunk, however little memory there is: smaller ones would consist of tops alone.</summary>
         const long LeastPointsPerChunk = 1 << 16;
 
         const int ChunksPlanned = 2;
 
-        /// <summary>More show no more in a picture of everything; fewer where they took more than this share of the
-        /// memory.</summary>
+        /// <summary>
+        /// More points show no more in a picture of everything; there are fewer if these took more than this share of the
+        /// memory.
+        /// </summary>
         const long MaxProvisionalPoints = 1 << 17;
         const long ProvisionalShare = 16;
 
-        /// <summary>Darts, samples and their grid.</summary>
+        /// <summary>Memory for darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
 
-        /// <summary>Which sum a point adds to; the sums of a third of the points, in a list that grows by doubling; and the plane
-        /// of colours and intensities that is written of them.</summary>
+        /// <summary>
+        /// Memory for the sum that a point adds to; for the sums of a third of the points, in a list that grows by doubling;
+        /// and for the plane of colours and intensities written from them.
+        /// </summary>
         const int AverageBytesPerPoint = 4 + 28 + 8;
 
         MemoryPlan()
         {
         }
 
-        /// <summary>Chunks are made for so many points, and have at most twice as many.</summary>
+        /// <summary>Chunks are planned for this many points, and have at most twice as many.</summary>
         public long PointsPerChunk { get; private set; }
 
-        /// <summary>Whether points go to temporary files: not all of them fit.</summary>
+        /// <summary>Whether points go to temporary files because not all of them fit.</summary>
         public bool IsStored { get; private set; }
 
         /// <summary>Bytes of the blocks in flight while sources are read.</summary>
         public long ReadBytes { get; private set; }
 
-        /// <summary>Pages that chunks hold while sources are read, and that wait to be written at most.</summary>
+        /// <summary>The most pages that chunks hold while sources are read, including those that wait to be written.</summary>
         public long MostPages { get; private set; }
         public long MostWaitingPages { get; private set; }
 
-        /// <summary>Bytes for chunks in work, and for the upper levels' merge.</summary>
+        /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
         public long IndexBytes { get; private set; }
 
-        /// <summary>Points that the first partition makes chunks for: more where there would be too many to have a page
-        /// each.</summary>
+        /// <summary>
+        /// Points that the first partition plans chunks for: more if there would be too many to have a page each.
+        /// </summary>
         public long PointsPerPartition { get; private set; }
 
-        /// <summary>Bytes that a point takes while its chunk is in work: keys twice, order, node, cube, priority and number, its
-        /// record as it came and in order, and what is written of it.</summary>
+        /// <summary>
+        /// Bytes that a point takes while its chunk is indexed: keys twice, order, node, cube, priority and number, its record
+        /// in both orders, and what is written of it.
+        /// </summary>
         public long IndexBytesPerPoint { get; private set; }
 
-        /// <summary>Points of the sample that stands for what is not built yet.</summary>
+        /// <summary>Points of the sample that represents what is not built yet.</summary>
         public long ProvisionalPoints { get; private set; }
 
-        /// <param name="points">Of all sources, at most.</param>
+        /// <param name="points">The most points that all sources have.</param>
         public static MemoryPlan For(long points, int strideBytes, ConvertSettings settings)
         {
             long pointsPerChunk = settings.PointsPerChunk, memoryBytes = settings.MemoryBytes;
@@ -81,7 +87,7 @@ namespace FastPoints.Convert
             if (pointsPerChunk <= 0)
             {
                 plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
-                // Halves, so that about the same memory gives the very same chunks.
+                // Memory is halved, so that about the same memory gives the very same chunks.
                 long most = MaxPointsPerChunk;
                 while (most > LeastPointsPerChunk && 2 * most * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
                     most /= 2;
@@ -92,7 +98,8 @@ namespace FastPoints.Convert
                 memoryBytes / ProvisionalShare / plan.IndexBytesPerPoint);
             memoryBytes -= plan.ProvisionalPoints * plan.IndexBytesPerPoint;
 
-            // All records, their pages' unused ends, the tops that come while the first chunks are in work, and one of these.
+            // This counts all records, the unused ends of their pages, the tops that come while the first chunks are indexed,
+            // and one of these chunks.
             long inMemory = points * strideBytes / 10 * 11;
             long oneChunk = Math.Min(points, 2 * plan.PointsPerChunk) * (plan.IndexBytesPerPoint - strideBytes);
             plan.IsStored = inMemory + Math.Max(oneChunk, plan.ReadBytes) > memoryBytes;

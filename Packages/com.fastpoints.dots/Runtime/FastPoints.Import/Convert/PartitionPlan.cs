@@ -11,17 +11,19 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>The first partition of a cloud, by how dense samples of its sources say it is where.</summary>
+    /// <summary>The first partition of a cloud, by the density that samples of its sources show.</summary>
     internal static class PartitionPlan
     {
-        /// <summary>Pages for each planned chunk: its last one, which is not full, others of it, and of chunks that no sample
-        /// knew of.</summary>
+        /// <summary>
+        /// Pages for each planned chunk: its last one, which is not full, others of it, and those of chunks that no sample knew
+        /// of.
+        /// </summary>
         const int PagesPerChunk = 4;
 
-        /// <summary>Work for a pump.</summary>
-        /// <param name="samples">Of the sources, in the order of the grid's.</param>
-        /// <param name="points">Of all sources.</param>
-        /// <param name="take">Gets the partition, which the caller disposes.</param>
+        /// <summary>Makes the partition as work for a pump.</summary>
+        /// <param name="samples">Samples of the sources, in the order of the grid's.</param>
+        /// <param name="points">Points of all sources.</param>
+        /// <param name="take">Receives the partition, which the caller disposes.</param>
         public static IEnumerator<Work> Of(GridCube cube, List<SourceSample> samples, GridChoice grid, long points,
             MemoryPlan plan, Action<PartitionMap> take)
         {
@@ -56,7 +58,7 @@ namespace FastPoints.Convert
                         });
                     first += samples[i].Stored.Length;
                 }
-                // No runs would say that each point stands for itself.
+                // Empty runs would mean that each point stands for itself.
                 if (runs.Length == 0)
                     runs.Add(default);
                 double share = Math.Min(1, sampled / (double)Math.Max(1, points));
@@ -71,8 +73,9 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Chunks of their final size where they are so few that each can have its pages, larger ones
-        /// otherwise.</summary>
+        /// <summary>
+        /// Plans chunks of their final size if they are so few that each can have its pages, otherwise larger ones.
+        /// </summary>
         static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan)
         {
             using (density)

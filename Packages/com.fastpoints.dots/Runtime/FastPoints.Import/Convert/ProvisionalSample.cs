@@ -10,12 +10,15 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they stand for what is not
-    /// built yet. Owns its records.</summary>
+    /// <summary>
+    /// Some points of all sources, spread evenly over their records, with all attributes: they represent what is not built yet.
+    /// Owns its records.
+    /// </summary>
     internal sealed class ProvisionalSample : IDisposable
     {
-        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
-        /// cover.</summary>
+        /// <summary>
+        /// Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16 cover.
+        /// </summary>
         const int RunPoints = 16;
         const int SlotsInFlight = 8;
 
@@ -23,7 +26,9 @@ namespace FastPoints.Convert
         readonly NativeReference<RecordPagePool> m_pool;
         RecordPages m_pages;
 
-        /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
+        /// <param name="readers">Readers whose blocks are known.</param>
+        /// <param name="map">Points outside its cube are left out.</param>
+        /// <param name="mostPoints">The approximate number of points.</param>
         public ProvisionalSample(BuildContext build)
         {
             m_build = build;
@@ -36,7 +41,7 @@ namespace FastPoints.Convert
 
         public bool IsRead { get; private set; }
 
-        /// <summary>Of the points that were read.</summary>
+        /// <summary>Statistics of the points that were read.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
         public AttributeStatistics[] Attributes { get; }
 
@@ -55,8 +60,8 @@ namespace FastPoints.Convert
 
         /// <summary>Schedules the sample's distribution over cubes.</summary>
         /// <param name="cubes">See <see cref="RegroupCubesJob.Cubes"/>.</param>
-        /// <param name="corner">The octree's.</param>
-        /// <param name="parts">By cube: gets copies of the records, which <see cref="Return"/> takes back.</param>
+        /// <param name="corner">The octree's corner.</param>
+        /// <param name="parts">Receives copies of the records for each cube, which <see cref="Return"/> takes back.</param>
         public JobHandle Distribute(NativeArray<GridCube> cubes, Grid3 corner, NativeArray<RecordPages> parts) =>
             new RegroupCubesJob
             {
@@ -127,7 +132,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>A run is few records: they are copied here and now.</summary>
+        /// <summary>Copies a run here and now, since it has few records.</summary>
         unsafe void Take(RecordSlot slot)
         {
             m_pages.Append((byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),

@@ -6,8 +6,8 @@ using FastPoints.Writing;
 namespace FastPoints.Convert
 {
     /// <summary>
-    /// The records that memory has no room for: one file a chunk in the target's folder, written at its end only, by the one
-    /// writer thread, with one file open at a time. Pages that are written may be used again.
+    /// The records that do not fit in memory: one file for each chunk in the target's folder, only appended to, by the one
+    /// writer thread, with one file open at a time. Written pages can be reused.
     /// </summary>
     internal sealed class RecordFiles : IDisposable
     {
@@ -44,7 +44,7 @@ namespace FastPoints.Convert
 
         public long RecordsOf(int file) => m_recordsOfFile[file];
 
-        /// <summary>A new file, empty: it is not on disk before it has records.</summary>
+        /// <summary>Adds an empty file, which does not exist on disk before it has records.</summary>
         public int Add()
         {
             m_recordsOfFile.Add(0);
@@ -52,9 +52,10 @@ namespace FastPoints.Convert
             return m_recordsOfFile.Count - 1;
         }
 
-        /// <summary>Takes over the files of a build that was killed: as long as its journal knows them, the others
-        /// deleted.</summary>
-        /// <returns>Whether they are all there, but for those of chunks that may be done; otherwise nothing was taken
+        /// <summary>
+        /// Takes over the files of a killed build, cut to the lengths that its journal knows; other files are deleted.
+        /// </summary>
+        /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken
         /// over.</returns>
         public bool TakeOver(BuildJournal journal)
         {
@@ -103,7 +104,7 @@ namespace FastPoints.Convert
             Count(pages.Count);
         }
 
-        /// <summary>Queues that all that was handed over is on the disk itself before the writer's next order.</summary>
+        /// <summary>Queues a flush: everything handed over is on disk before the writer's next order.</summary>
         public void Sync()
         {
             foreach (int file in m_notSynced)
@@ -111,8 +112,8 @@ namespace FastPoints.Convert
             m_notSynced.Clear();
         }
 
-        /// <summary>Sees what is written by now.</summary>
-        /// <param name="waitMs">At most so long for the next piece.</param>
+        /// <summary>Checks what is written by now.</summary>
+        /// <param name="waitMs">The longest wait for the next piece.</param>
         /// <exception cref="Base.PointCloudException">Something could not be written.</exception>
         public void Poll(int waitMs)
         {
@@ -133,10 +134,10 @@ namespace FastPoints.Convert
             return pages;
         }
 
-        /// <summary>One more that reads a file, and releases it.</summary>
+        /// <summary>Adds a user that reads a file and releases it.</summary>
         public void Share(int file) => m_usersOfFile[file]++;
 
-        /// <summary>A file is read for the last time by one of its users; by all of them: it is deleted.</summary>
+        /// <summary>Ends one user's reading of a file; the last one deletes it.</summary>
         public void Release(int file)
         {
             if (--m_usersOfFile[file] > 0 || m_recordsOfFile[file] == 0)
@@ -147,7 +148,7 @@ namespace FastPoints.Convert
             m_folder.Delete(BuildFiles.RecordPath(file));
         }
 
-        /// <summary>Waits for what is in the writer's hands.</summary>
+        /// <summary>Waits for what the writer has in hand.</summary>
         public void Dispose()
         {
             while (m_handed.Count > 0)

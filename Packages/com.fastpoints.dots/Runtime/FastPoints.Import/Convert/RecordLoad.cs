@@ -28,13 +28,13 @@ namespace FastPoints.Convert
             m_pool = pool;
         }
 
-        /// <summary>Finished when everything is read; then comes <see cref="Complete"/>.</summary>
+        /// <summary>Completes when everything is read; then call <see cref="Complete"/>.</summary>
         public JobHandle Done { get; private set; }
 
-        /// <summary>Starts; the load before is complete. What is to be read has been written.</summary>
-        /// <param name="runs">One after the other, as one sequence of records.</param>
-        /// <param name="first">Of that sequence.</param>
-        /// <param name="count">No more than there are.</param>
+        /// <summary>Starts a load; the one before is complete, and the records have been written.</summary>
+        /// <param name="runs">Ranges that together are one sequence of records.</param>
+        /// <param name="first">First record of that sequence.</param>
+        /// <param name="count">Number of records, at most as many as there are.</param>
         public void Begin(IReadOnlyList<RecordRange> runs, long first, long count)
         {
             ref var pool = ref RecordPagePool.Of(m_pool);
@@ -74,7 +74,7 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>Ends it. The pages are the caller's.</summary>
+        /// <summary>Ends the load; the caller owns the pages.</summary>
         /// <exception cref="PointCloudException">Not all of it could be read.</exception>
         public RecordPages Complete()
         {
@@ -97,7 +97,7 @@ namespace FastPoints.Convert
             return pages;
         }
 
-        /// <summary>Pages that nobody took are their pool's.</summary>
+        /// <summary>Returns pages that nobody took to their pool.</summary>
         public void Dispose()
         {
             foreach (var read in m_reads)

@@ -6,30 +6,30 @@ namespace FastPoints.Convert
 {
     /// <summary>
     /// Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a region,
-    /// as a
-    /// chunk's, belongs to the region above; the root's has none above. Owns its table.
+    /// like a chunk's, belongs to the region above; the root's has none above. Owns its table.
     /// </summary>
     internal sealed class UpperRegion : IDisposable
     {
         /// <summary>Records and planes of the nodes, as the writer made them.</summary>
         public NativeArray<byte> Table;
 
-        /// <summary>By draft: its node in the table, or -1 for the top that belongs to the region above.</summary>
+        /// <summary>For each draft, its node in the table, or -1 for the top that belongs to the region above.</summary>
         public int[] NodeOfDraft;
         public int NodeCount;
 
-        /// <summary>What is added to the planes' offsets.</summary>
+        /// <summary>Added to the planes' offsets.</summary>
         public long PlaneShift;
 
-        /// <summary>The region above, and the draft there that this region's parentless nodes hang on. Null for the
-        /// root.</summary>
+        /// <summary>
+        /// The region above, and the draft there that this region's parentless nodes are attached to. Null for the root.
+        /// </summary>
         public UpperRegion Above;
         public int AttachDraft;
 
         /// <summary>Number of the region's first node when all regions' tables are put one after the other.</summary>
         public int FirstNode;
 
-        /// <summary>The number of the node that a draft became, perhaps in a region above.</summary>
+        /// <summary>The number of the node that a draft became, possibly in a region above.</summary>
         public int NodeOf(int draft)
         {
             var region = this;
@@ -49,7 +49,7 @@ namespace FastPoints.Convert
         }
     }
 
-    /// <summary>What the merge takes next: a chunk's top, or a region's.</summary>
+    /// <summary>The merge's next input: a chunk's top, or a region's.</summary>
     internal sealed class UpperItem
     {
         public FastPoints.Points.GridCube Cube;
@@ -62,7 +62,7 @@ namespace FastPoints.Convert
         /// <summary>The region whose top it is, or null.</summary>
         public UpperRegion Region;
 
-        /// <summary>The top's records, where they are in memory.</summary>
+        /// <summary>The top's records, if they are in memory.</summary>
         public NativeArray<byte> Records;
     }
 }

@@ -5,14 +5,14 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Convert
 {
-    /// <summary>The one table of the upper levels, from the tables of its regions.</summary>
+    /// <summary>Joins the tables of the regions to the one table of the upper levels.</summary>
     internal static unsafe class UpperTable
     {
-        /// <summary>In breadth-first order, a node's children one after the other.</summary>
-        /// <param name="regions">Each after the region above it: the root is the first. Their first nodes' numbers are set
+        /// <summary>Joins them in breadth-first order, a node's children one after the other.</summary>
+        /// <param name="regions">The regions, each after the one above it, the root first. Their first nodes' numbers are set
         /// here.</param>
-        /// <param name="planeCount">Of each node.</param>
-        /// <param name="placeOfNode">By node number of <see cref="UpperRegion.NodeOf"/>: its place in the table.</param>
+        /// <param name="planeCount">Number of planes of each node.</param>
+        /// <param name="placeOfNode">Index in the table for each node number of <see cref="UpperRegion.NodeOf"/>.</param>
         /// <returns>Records and planes; the caller disposes it.</returns>
         public static NativeArray<byte> Join(IReadOnlyList<UpperRegion> regions, int planeCount, out int[] placeOfNode)
         {
@@ -23,7 +23,7 @@ namespace FastPoints.Convert
                 count += region.NodeCount;
             }
 
-            // Chains of children, those of the first region first: guests stay in the order of their blocks.
+            // These are chains of children, those of the first region first: guests stay in the order of their blocks.
             int[] parentOf = new int[count], firstChild = new int[count], next = new int[count];
             for (int i = 0; i < count; i++)
                 firstChild[i] = -1;

@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Density
 {
-    /// <summary>The Morton codes of the cells of a <see cref="DensityTree"/> that some points of a sample lie in.</summary>
+    /// <summary>
+    /// Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain some points of a sample.
+    /// </summary>
     [BurstCompile]
     unsafe struct CodePositionsJob : IJob
     {
@@ -21,7 +23,7 @@ namespace FastPoints.Density
 
         public double3 Corner;
 
-        /// <summary>Cells of the last level along a unit.</summary>
+        /// <summary>Cells of the last level along one unit.</summary>
         public double CellsPerUnit;
 
         public NativeArray<uint> CodeOfPoint;

@@ -12,15 +12,16 @@ namespace FastPoints.Density
     {
         [ReadOnly] public NativeArray<uint> CodeOfPoint;
 
-        /// <summary>The brick that each point was counted in at the depth before; becomes that of this depth, -1 without
-        /// one.</summary>
+        /// <summary>
+        /// The brick that each point was counted in at the previous depth; becomes that of this depth, or -1 if there is none.
+        /// </summary>
         public NativeArray<int> BrickOfPoint;
 
-        /// <summary>Empty where each point is a stretch of its own and stands for <see cref="WeightOfEach"/>.</summary>
+        /// <summary>Empty if each point is a stretch of its own and stands for <see cref="WeightOfEach"/>.</summary>
         [ReadOnly] public NativeArray<SampleRun> Runs;
         public double WeightOfEach;
 
-        /// <summary>Entries of <see cref="Runs"/>, or points; whole stretches.</summary>
+        /// <summary>First entry of <see cref="Runs"/>, or first point; stretches are never divided.</summary>
         public int First;
         public int End;
 
@@ -29,7 +30,7 @@ namespace FastPoints.Density
         [ReadOnly] public NativeArray<int> ChildBricks;
         public NativeArray<DensitySum> Sums;
 
-        /// <summary>Cells that the stretch in hand has points in.</summary>
+        /// <summary>Cells in which the current stretch has points.</summary>
         public NativeList<int> Touched;
 
         public void Execute()

@@ -10,21 +10,20 @@ using Unity.Mathematics;
 namespace FastPoints.Density
 {
     /// <summary>
-    /// How many points of a cloud lie where, by a sample of it: the cells of an adaptive grid, each with its standard error, and
-    /// those that no sampled point lies in, of which nothing is known.
+    /// Estimates the distribution of a cloud's points from a sample: the cells of an adaptive grid, each with its standard
+    /// error, and the empty cells, of which nothing is known.
     /// </summary>
     /// <remarks>
-    /// The error is that of the choice of stretches. It holds where these lie at chance places of their parts of the file, as
-    /// runs and text do; prefixes of blocks (LAZ) are not by chance, and where a block begins in one place and ends in another
-    /// no sample of prefixes knows.
+    /// The error is that of choosing stretches. It is valid if these lie at random places in their parts of the file, as runs
+    /// and text do. Prefixes of blocks (LAZ) are not random: if a block begins in one place and ends in another, no sample of
+    /// prefixes shows it.
     /// </remarks>
     internal sealed class DensityEstimate : IDisposable
     {
-        /// <summary>A cell that fewer stretches have points in is not divided: half of its parts would have two or
-        /// three.</summary>
+        /// <summary>A cell with points of fewer stretches is not divided: half of its parts would have two or three.</summary>
         const int LeastStretches = 32;
 
-        /// <summary>Cells of more stretches where there are many, so that there are some thousands of cells.</summary>
+        /// <summary>Cells need more stretches if there are many, so that there are some thousands of cells.</summary>
         const int StretchesPerLeast = 1 << 14;
 
         const int PointsPerSlice = 1 << 16;
@@ -46,16 +45,15 @@ namespace FastPoints.Density
             m_edge = edge;
         }
 
-        /// <summary>All within the grid's cube.</summary>
+        /// <summary>The part within the grid's cube.</summary>
         public DensityCell Inside => m_tree[DensityTree.Root];
 
-        /// <summary>What lies farther out: strays.</summary>
+        /// <summary>The part farther out: strays.</summary>
         public DensityCell Outside => m_tree[DensityTree.Outside];
 
-        /// <summary>Work for a pump: the estimate from a sample as it stands. What stands in for other points is left
-        /// out.</summary>
-        /// <param name="bounds">That the grid divides: where nearly all points are.</param>
-        /// <param name="take">Gets the estimate, which the caller disposes; null where the sample does not say what its points
+        /// <summary>Work for a pump: estimates from the current sample. Points that stand in for others are ignored.</summary>
+        /// <param name="bounds">The bounds that the grid divides, which hold nearly all points.</param>
+        /// <param name="take">Receives the estimate, which the caller disposes; null if the sample does not say what its points
         /// stand for.</param>
         public static IEnumerator<Work> Of(PreviewSample sample, BoundsGeo bounds, Action<DensityEstimate> take)
         {
@@ -121,9 +119,9 @@ namespace FastPoints.Density
         }
 
         /// <summary>
-        /// How many points of the cloud, by estimate, lie in cells that no sampled point lies in: as many as lie in cells that a
-        /// single stretch has points in (I. J. Good, "The population frequencies of species", 1953). NaN of prefixes of
-        /// blocks: what their ends hold cannot be told from them.
+        /// Estimates how many points of the cloud lie in empty cells: as many as lie in cells with points of a single stretch
+        /// (I. J. Good, "The population frequencies of species", 1953). NaN for prefixes of blocks, which say nothing about the
+        /// blocks' ends.
         /// </summary>
         public double EstimateUnseen()
         {
@@ -139,13 +137,13 @@ namespace FastPoints.Density
         public void Dispose() => m_tree.Dispose();
     }
 
-    /// <summary>A cell of a <see cref="DensityEstimate"/> that is not divided any more.</summary>
+    /// <summary>An undivided cell of a <see cref="DensityEstimate"/>.</summary>
     internal readonly struct DensityLeaf
     {
         /// <summary>Lowest corner, georeferenced, in CRS units.</summary>
         public readonly double3 Min;
 
-        /// <summary>In CRS units.</summary>
+        /// <summary>Length of an edge in CRS units.</summary>
         public readonly double Edge;
 
         public readonly DensityCell Cell;

@@ -2,22 +2,25 @@ using System;
 
 namespace FastPoints.Density
 {
-    /// <summary>What the stretches of a sample, one after the other in the file's order, have in one cell. Blittable.</summary>
+    /// <summary>
+    /// Sums over the stretches of a sample, one after the other in the file's order, for one cell. Blittable.
+    /// </summary>
     internal struct DensitySum
     {
         public double Points;
         public double SquaresOfDifferences;
 
-        /// <summary>Of the stretch that is being counted.</summary>
+        /// <summary>Points of the stretch that is being counted.</summary>
         public double InStretch;
 
-        /// <summary>Of <see cref="LastStretch"/>, the last one that has points here.</summary>
+        /// <summary>Points of <see cref="LastStretch"/>, the last one that has points here.</summary>
         public double InLast;
         public int LastStretch;
         public int Stretches;
 
-        /// <summary>Takes in <see cref="InStretch"/>, whose stretch is counted; a stretch without points in the cell need not be
-        /// told of.</summary>
+        /// <summary>
+        /// Adds <see cref="InStretch"/> when its stretch is counted; stretches without points in the cell may be skipped.
+        /// </summary>
         public void Close(int stretch)
         {
             if (Stretches > 0 && LastStretch == stretch - 1)
@@ -36,13 +39,13 @@ namespace FastPoints.Density
             Stretches++;
         }
 
-        /// <summary>The estimate when all are counted.</summary>
-        /// <param name="stretches">Of the sample, with or without points here.</param>
-        /// <param name="share">Of the file's points that the sample has.</param>
+        /// <summary>The estimate after all are counted.</summary>
+        /// <param name="stretches">Number of stretches in the sample, with or without points here.</param>
+        /// <param name="share">The sampled share of the file's points.</param>
         /// <remarks>
-        /// Points of one stretch are neighbours in space as well: they say hardly more than one of them, and a binomial error
-        /// would be far too small. Each part of the file has one stretch, so the variance is estimated by the differences of
-        /// neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a finite
+        /// Points of one stretch are neighbours in space as well: they say hardly more than one of them would, and a binomial
+        /// error would be far too small. Each part of the file has one stretch, so the variance is estimated by the differences
+        /// of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a finite
         /// population.
         /// </remarks>
         public DensityCell ToCell(int stretches, double share)
@@ -57,13 +60,13 @@ namespace FastPoints.Density
         }
     }
 
-    /// <summary>How many points of a cloud lie in a cell, as far as a sample tells.</summary>
+    /// <summary>How many points of a cloud lie in a cell, as far as a sample shows.</summary>
     internal readonly struct DensityCell
     {
-        /// <summary>Estimate; 0 also where nothing is known.</summary>
+        /// <summary>The estimate; also 0 if nothing is known.</summary>
         public readonly double Points;
 
-        /// <summary>Of <see cref="Points"/>, in points; NaN where nothing is known.</summary>
+        /// <summary>Error of <see cref="Points"/>, in points; NaN if nothing is known.</summary>
         public readonly double StandardError;
 
         /// <summary>Stretches of the file that have sampled points here.</summary>
@@ -76,7 +79,7 @@ namespace FastPoints.Density
             Stretches = stretches;
         }
 
-        /// <summary>False where no sampled point lies: there may be none, or some that no stretch came to.</summary>
+        /// <summary>False if no sampled point lies here: there may be none, or some that no stretch reached.</summary>
         public bool IsKnown => Stretches > 0;
     }
 }

@@ -9,22 +9,22 @@ using Unity.Jobs;
 namespace FastPoints.Density
 {
     /// <summary>
-    /// Estimated points in the cells of an adaptive grid: a cube whose cells are divided in eight where a sample tells enough of
-    /// their parts. Knows no coordinates but the cells' Morton codes.
+    /// Estimated points in the cells of an adaptive grid: a cube whose cells are divided in eight where a sample says enough
+    /// about their parts. It knows only the cells' Morton codes, no coordinates.
     /// </summary>
     /// <remarks>
-    /// Two levels at a time: a brick has the 8 cells of one and the 64 of the next, of which those that are divided have a brick
-    /// each. It is the same for any number of threads.
+    /// Levels come in pairs: a brick has the 8 cells of one level and the 64 of the next; divided ones have a brick of their
+    /// own. The result is the same for any number of threads.
     /// </remarks>
     internal sealed class DensityTree : IDisposable
     {
-        /// <summary>Cells of all levels by number: the whole cube, what is outside of it, then the bricks.</summary>
+        /// <summary>Numbers of the first cells: the whole cube and the space outside it; then come the bricks.</summary>
         public const int Root = 0, Outside = 1;
 
-        /// <summary>Of a point outside of the cube.</summary>
+        /// <summary>The code of a point outside the cube.</summary>
         public const uint OutsideCode = uint.MaxValue;
 
-        /// <summary>Levels of cells, at most: a code has three bits of each.</summary>
+        /// <summary>The most levels of cells: a code has three bits for each.</summary>
         public const int Levels = 8;
 
         internal const int FineCells = 64;
@@ -47,10 +47,10 @@ namespace FastPoints.Density
             AddBrick(ref m_childBricks, ref m_sums);
         }
 
-        /// <summary>What is known of a cell, by number.</summary>
+        /// <summary>The estimate for a cell's number.</summary>
         public DensityCell this[int cell] => m_sums[cell].ToCell(m_stretches, m_share);
 
-        /// <summary>Numbers of a cell's eight parts, in Morton order, begin here; -1 where it is not divided.</summary>
+        /// <summary>The number of the first of a cell's eight parts, in Morton order; -1 if it is not divided.</summary>
         public int FirstPartOf(int cell)
         {
             if (cell == Root)
@@ -65,13 +65,13 @@ namespace FastPoints.Density
         }
 
         /// <summary>Work for a pump: counts a sample.</summary>
-        /// <param name="codes">Of each point: Morton code of its cell at the last level, or <see cref="OutsideCode"/>.</param>
-        /// <param name="runs">In the file's order; empty where each point is a stretch of its own.</param>
-        /// <param name="weightOfEach">Points that each stands for, where there are no runs.</param>
-        /// <param name="share">Of the file's points that the sample has, 0 to 1.</param>
-        /// <param name="leastStretches">Cells that fewer have points in are not divided.</param>
-        /// <param name="mostPoints">Cells of no more are not divided.</param>
-        /// <param name="take">Gets the tree, which the caller disposes, at the end.</param>
+        /// <param name="codes">The Morton code of each point's cell at the last level, or <see cref="OutsideCode"/>.</param>
+        /// <param name="runs">Stretches in the file's order; empty if each point is a stretch of its own.</param>
+        /// <param name="weightOfEach">Points that each point stands for, if there are no runs.</param>
+        /// <param name="share">The sampled share of the file's points, 0 to 1.</param>
+        /// <param name="leastStretches">Cells with points of fewer stretches are not divided.</param>
+        /// <param name="mostPoints">Cells with no more points are not divided.</param>
+        /// <param name="take">Receives the tree at the end; the caller disposes it.</param>
         public static IEnumerator<Work> Count(NativeArray<uint> codes, NativeArray<SampleRun> runs, double weightOfEach,
             double share, int leastStretches, double mostPoints, Action<DensityTree> take)
         {
@@ -156,7 +156,7 @@ namespace FastPoints.Density
 
         internal static int FineCell(int brick, int fine) => FirstBrick + brick * CellsOfBrick + CoarseCells + fine;
 
-        /// <summary>A point's fine cell within its brick of a depth.</summary>
+        /// <summary>A point's fine cell within its brick at a depth.</summary>
         internal static int FineOf(uint code, int depth) => (int)(code >> 3 * (Levels - 2 * (depth + 1)) & FineCells - 1);
 
         internal static void AddBrick(ref NativeList<int> childBricks, ref NativeList<DensitySum> sums)
@@ -168,18 +168,18 @@ namespace FastPoints.Density
         }
     }
 
-    /// <summary>Gives a brick of their own to the cells of one depth that are worth looking into.</summary>
+    /// <summary>Gives a brick of their own to the cells of one depth that are worth dividing.</summary>
     [BurstCompile]
     struct DivideDensityJob : IJob
     {
-        /// <summary>Of the depth.</summary>
+        /// <summary>First brick of the depth.</summary>
         public int FirstBrick;
         public int EndBrick;
 
-        /// <summary>A cell of fewer says less of its parts than their error.</summary>
+        /// <summary>A cell with fewer says less about its parts than their error.</summary>
         public int LeastStretches;
 
-        /// <summary>A cell of no more is small enough.</summary>
+        /// <summary>A cell with no more is small enough.</summary>
         public double MostPoints;
 
         public NativeList<int> ChildBricks;

@@ -7,25 +7,27 @@ using Unity.Mathematics;
 namespace FastPoints.Draw
 {
     /// <summary>
-    /// Lets the points of a thin sample grow where they do not close the surface in front: what is drawn through its gaps makes a
+    /// Enlarges the points of a thin sample where they do not close the surface in front: points drawn through its gaps make a
     /// tile's pixels look denser than that surface is.
     /// </summary>
     [BurstCompile]
     internal struct CloseSurfacesJob : IJob
     {
-        /// <summary>Of the face of its cube, what the points of a cell lie in: a surface goes through few cells as a whole. By
-        /// trial on ca13_d and lion: more leave fewer pixels bare and blur more.</summary>
+        /// <summary>
+        /// Share of the face of its cube that the points of a cell cover: a surface crosses few cells as a whole. Found by
+        /// trial on ca13_d and lion: larger values leave fewer pixels bare and blur more.
+        /// </summary>
         const double ShareOfFace = 0.35;
 
         [ReadOnly] public NativeArray<ThinCell> Cells;
 
-        /// <summary>Of georeferenced positions.</summary>
+        /// <summary>Projects georeferenced positions.</summary>
         public PointProjection Projection;
 
-        /// <summary>The size of the middle tile.</summary>
+        /// <summary>The size of the median tile.</summary>
         public float TypicalPx;
 
-        /// <summary>Row by row from the top; never become smaller.</summary>
+        /// <summary>Row by row from the top; sizes never become smaller.</summary>
         public NativeArray<float> SizeOfTile;
 
         public void Execute()
@@ -65,14 +67,14 @@ namespace FastPoints.Draw
             sizes.Dispose();
         }
 
-        /// <summary>Beyond the picture's edge: its last tile.</summary>
+        /// <summary>The tile of a pixel; the last tile for pixels beyond the picture's edge.</summary>
         static int TileAt(double px, int tiles) => (int)math.clamp(px / PointSizing.TileEdgePx, 0, tiles - 1);
     }
 
     /// <summary>A cell of a cloud, and how many points of it are drawn.</summary>
     internal struct ThinCell
     {
-        /// <summary>Georeferenced.</summary>
+        /// <summary>Centre, georeferenced.</summary>
         public double3 Center;
 
         public double Edge;

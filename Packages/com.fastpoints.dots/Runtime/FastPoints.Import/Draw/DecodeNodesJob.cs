@@ -20,25 +20,25 @@ namespace FastPoints.Draw
         public long FileOffset;
         [ReadOnly] public NativeArray<ChosenNode> Nodes;
 
-        /// <summary>By node times planes, plus plane: position, then those that are wanted.</summary>
+        /// <summary>Indexed by node times planes, plus plane: position first, then the wanted ones.</summary>
         [ReadOnly] public NativeArray<PlaneRange> Ranges;
 
-        /// <summary>By wanted plane, the position left out.</summary>
+        /// <summary>Indexed by wanted plane, without the position.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
-        /// <summary>By column of the wanted planes.</summary>
+        /// <summary>Indexed by column of the wanted planes.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>By column of the wanted planes: where its values go in the batch.</summary>
+        /// <summary>Where the values of each column of the wanted planes go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
         public PointColumn X;
         public PointColumn Y;
         public PointColumn Z;
 
-        /// <summary>The batch; each node has a run of every column to itself.</summary>
+        /// <summary>The batch; each node has its own part of every column.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<byte> Batch;
 
-        /// <summary>By node: whether it is damaged.</summary>
+        /// <summary>Whether each node is damaged.</summary>
         public NativeArray<bool> IsDamaged;
 
         public void Execute(int index)

@@ -14,8 +14,8 @@ using Unity.Mathematics;
 namespace FastPoints.Draw
 {
     /// <summary>
-    /// A picture of every point of a source, block by block in bounded memory: a small sample decides on camera, colours and
-    /// size, then each block is drawn as it is decoded. Or of a budget of points, which are sampled.
+    /// Draws a picture of every point of a source, block by block in bounded memory: a small sample decides on camera, colours
+    /// and size, then each block is drawn as it is decoded. With a point budget, it draws a sample instead.
     /// </summary>
     internal sealed class DrawCloud : IBlockConsumer
     {
@@ -27,8 +27,8 @@ namespace FastPoints.Draw
         readonly long m_budget;
         PictureCanvas m_canvas;
 
-        /// <param name="budget">Points to draw at most; 0 for all. One beyond <see cref="PreviewSample.MaxPoints"/>, and less
-        /// than all, is lowered to it.</param>
+        /// <param name="budget">The most points to draw; 0 for all. A budget that is less than all is lowered to <see
+        /// cref="PreviewSample.MaxPoints"/>.</param>
         public DrawCloud(PointReader reader, PictureOptions options, long budget = 0)
         {
             m_reader = reader;
@@ -36,13 +36,13 @@ namespace FastPoints.Draw
             m_budget = budget;
         }
 
-        /// <summary>Points that were drawn, those out of the picture included.</summary>
+        /// <summary>Points that were drawn, including those outside the picture.</summary>
         public long PointsDrawn { get; private set; }
 
         public DisplayRanges Ranges { get; private set; }
         public PicturePlan Plan { get; private set; }
 
-        /// <summary>Null before the work has ended.</summary>
+        /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
         /// <summary>Work for a pump, with the stages <c>find blocks</c>, <c>sample</c> and <c>draw</c>.</summary>
@@ -82,7 +82,7 @@ namespace FastPoints.Draw
             return SourceScan.Run(m_reader, wanted, this, SourceScan.SlotsFor(m_reader, wanted), progress);
         }
 
-        /// <summary>Only what the colours need is decoded.</summary>
+        /// <summary>The attributes that the mode's colours need; others are not decoded.</summary>
         PointSchema WantedFor(ColorMode mode)
         {
             var schema = m_reader.Info.Schema;

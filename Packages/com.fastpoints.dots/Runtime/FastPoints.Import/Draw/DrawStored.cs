@@ -7,8 +7,10 @@ using Unity.Collections;
 
 namespace FastPoints.Draw
 {
-    /// <summary>A picture of a stored cloud under a budget of points: the top of the octree decides on camera, colours and size,
-    /// then the nodes that the camera needs most are drawn.</summary>
+    /// <summary>
+    /// Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and size, then
+    /// the nodes that the camera needs most are drawn.
+    /// </summary>
     internal sealed class DrawStored
     {
         public const long DefaultBudget = 2000000;
@@ -20,7 +22,7 @@ namespace FastPoints.Draw
         readonly PictureOptions m_options;
         readonly long m_budget;
 
-        /// <param name="budget">Points to draw at most; 0 for <see cref="DefaultBudget"/>.</param>
+        /// <param name="budget">The most points to draw; 0 for <see cref="DefaultBudget"/>.</param>
         public DrawStored(CloudFolder folder, PictureOptions options, long budget = 0)
         {
             m_folder = folder;
@@ -28,17 +30,19 @@ namespace FastPoints.Draw
             m_budget = budget > 0 ? budget : DefaultBudget;
         }
 
-        /// <summary>Camera and colours follow from the ranges that the manifest has, and no point is looked at: nothing takes the
-        /// main thread long. Degrees are drawn as they are then, and where the manifest does not tell what to show, points that
-        /// lie far out make the rest small.</summary>
+        /// <summary>
+        /// Whether camera and colours follow from the ranges in the manifest, without examining points, so that nothing
+        /// occupies the main thread for long. Degrees are then drawn as they are, and if the manifest does not say what to
+        /// show, outlying points make the rest small.
+        /// </summary>
         public bool PlansByManifest { get; set; }
 
-        /// <summary>Points that were drawn, those out of the picture included.</summary>
+        /// <summary>Points that were drawn, including those outside the picture.</summary>
         public long PointsDrawn { get; private set; }
         public int NodesDrawn { get; private set; }
         public PicturePlan Plan { get; private set; }
 
-        /// <summary>Null before the work has ended.</summary>
+        /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
         /// <summary>Work for a pump, with the stages <c>select</c> and <c>draw</c>.</summary>

@@ -11,11 +11,13 @@ namespace FastPoints.Draw
     /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
     internal static class LoadNodes
     {
-        /// <summary>Of a file at once, unless one node has more. The nodes of a few points may lie all over upper.bin, which
-        /// grows with the cloud.</summary>
+        /// <summary>
+        /// The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be scattered
+        /// over upper.bin, which grows with the cloud.
+        /// </summary>
         public const long MostBytesARead = 4 << 20;
 
-        /// <summary>What the batch will have: positions, and those of the wanted attributes that the cloud has.</summary>
+        /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
         {
             var attributes = new List<PointAttribute>
@@ -28,10 +30,13 @@ namespace FastPoints.Draw
             return new PointSchema(attributes);
         }
 
-        /// <summary>Work for a pump. Positions come as grid steps from the root's corner: see
-        /// <see cref="CloudGrid.FromCorner"/>.</summary>
-        /// <param name="batch">Of <see cref="SchemaFor"/>, with room for all points of the selection.</param>
-        /// <param name="mostBytes">That are read at once.</param>
+        /// <summary>
+        /// Reads the nodes as work for a pump. Positions come as grid steps from the root's corner: see <see
+        /// cref="CloudGrid.FromCorner"/>.
+        /// </summary>
+        /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
+        /// selection.</param>
+        /// <param name="mostBytes">The most bytes that are read at once.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>
         public static IEnumerator<Work> Run(CloudFolder folder, NodeSelection selection, PointBatch batch,
             StageProgress progress, long mostBytes = MostBytesARead)
@@ -59,7 +64,7 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>Nodes whose planes lie near one another: one read around all of them, one job.</summary>
+        /// <summary>Nodes whose planes lie near one another: one read around all of them, and one job.</summary>
         struct Part
         {
             public int FirstNode;
@@ -75,7 +80,7 @@ namespace FastPoints.Draw
             readonly int m_file;
             readonly PointBatch m_batch;
 
-            /// <summary>Of the nodes, in the order of their bytes: which of the chosen ones each is.</summary>
+            /// <summary>Index among the chosen nodes, in the order of their bytes.</summary>
             readonly int[] m_order;
             NativeArray<ChosenNode> m_nodes;
             NativeArray<PlaneRange> m_ranges;
@@ -100,7 +105,7 @@ namespace FastPoints.Draw
                     var plane = folder.Layout.Planes[p];
                     if (plane.AverageOf >= 0)
                         continue;
-                    // A plane is wanted where all its attributes are.
+                    // A plane is wanted if all its attributes are.
                     int first = targets.Count;
                     for (int c = plane.FirstColumn; c < plane.FirstColumn + plane.ColumnCount; c++)
                     {
@@ -141,7 +146,7 @@ namespace FastPoints.Draw
                         FirstRange = i * planes.Count,
                     };
                     Points += node.PointCount;
-                    // Points that stand for more than themselves show its average: of the same shape and types.
+                    // Points that represent others show their average, which has the same shape and types.
                     bool isRefined = selection.IsRefined(file, chosen[i]);
                     for (int p = 0; p < planes.Count; p++)
                     {
@@ -168,7 +173,7 @@ namespace FastPoints.Draw
             public List<Part> Parts { get; }
             public int Points { get; }
 
-            /// <param name="bytes">The part's.</param>
+            /// <param name="bytes">The part's bytes.</param>
             public JobHandle Schedule(in Part part, NativeArray<byte> bytes)
             {
                 var schema = m_batch.Schema;
@@ -231,7 +236,7 @@ namespace FastPoints.Draw
         }
     }
 
-    /// <summary>One node to decode: where its blocks are in a file's bytes, and where its points go. Blittable.</summary>
+    /// <summary>One node to decode: where its blocks lie in a file's bytes, and where its points go. Blittable.</summary>
     internal struct ChosenNode
     {
         public int FirstBlock;
@@ -239,13 +244,13 @@ namespace FastPoints.Draw
         public int HostedBlocks;
         public bool IsWide;
 
-        /// <summary>Corner that the positions count from, as seen from the batch's corner.</summary>
+        /// <summary>The corner that its positions count from, relative to the batch's corner.</summary>
         public Grid3 Corner;
 
-        /// <summary>The first point's place in the batch.</summary>
+        /// <summary>Index of its first point in the batch.</summary>
         public int FirstPoint;
 
-        /// <summary>The node's planes among the job's ranges: the first of them.</summary>
+        /// <summary>Index of its first plane among the job's ranges.</summary>
         public int FirstRange;
     }
 }

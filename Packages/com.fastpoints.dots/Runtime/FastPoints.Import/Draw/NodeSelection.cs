@@ -10,16 +10,18 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Draw
 {
     /// <summary>
-    /// Which nodes of a stored cloud a picture is drawn from: what streaming would choose (<see cref="SelectNodesJob"/>), but
-    /// whole: chunks' tables are loaded as the selection gets to them.
+    /// Chooses the nodes of a stored cloud that a picture is drawn from: those that streaming would choose (<see
+    /// cref="SelectNodesJob"/>), but completely: chunks' tables are loaded as the selection reaches them.
     /// </summary>
     internal sealed unsafe class NodeSelection : IDisposable
     {
         /// <summary>The file of the upper levels.</summary>
         public const int UpperFile = -1;
 
-        /// <summary>The selection begins anew when it lacks so many chunks: fewer would cost more turns, more would load what
-        /// the budget does not reach.</summary>
+        /// <summary>
+        /// The selection restarts when it lacks this many chunks: a smaller number would cost more turns, a larger one would
+        /// load what the budget does not reach.
+        /// </summary>
         const int ChunksATurn = 16;
 
         readonly CloudFolder m_folder;
@@ -41,7 +43,7 @@ namespace FastPoints.Draw
         public int NodeCount { get; private set; }
         public long Points { get; private set; }
 
-        /// <summary>The files that nodes were chosen of.</summary>
+        /// <summary>The files with chosen nodes.</summary>
         public IEnumerable<int> Files => m_nodesOfFile.Keys;
 
         /// <summary>Chosen nodes of a file, in the order of its table.</summary>
@@ -51,9 +53,9 @@ namespace FastPoints.Draw
 
         public string PathOf(int file) => file == UpperFile ? m_folder.UpperPath : m_folder.ChunkPath(file);
 
-        /// <summary>Chooses all nodes of some levels that have a spacing: no leaves.</summary>
-        /// <param name="first">Counted from the root.</param>
-        /// <param name="last">Included.</param>
+        /// <summary>Chooses all nodes of some levels that have a spacing, which excludes leaves.</summary>
+        /// <param name="first">The first level, counted from the root.</param>
+        /// <param name="last">The last level, included.</param>
         /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
         public void ChooseSampled(int first, int last)
         {
@@ -70,8 +72,10 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>Whether all below a chosen node that the picture could show is chosen too, so that the node's points
-        /// stand for themselves alone. Asked after <see cref="Choose"/>.</summary>
+        /// <summary>
+        /// Whether everything below a chosen node that the picture could show is also chosen, so that the node's points
+        /// represent only themselves. Ask after <see cref="Choose"/>.
+        /// </summary>
         public bool IsRefined(int file, int node)
         {
             var record = TableOf(file).Nodes[node];
@@ -92,15 +96,15 @@ namespace FastPoints.Draw
             return true;
         }
 
-        /// <summary>Chosen, with its host where it is a guest, or out of view.</summary>
+        /// <summary>Whether it is chosen, its host is chosen if it is a guest, or it is out of view.</summary>
         bool IsSettled(int file, int node)
         {
             var state = m_pages[1 + file].States[TableOf(file).Nodes[node].Host];
             return state.SelectedFrame == m_selector.Frame || state.SeenFrame != m_selector.Frame;
         }
 
-        /// <summary>Chooses for a camera, or, without one, from the root down evenly.</summary>
-        /// <param name="budget">Points at most, but for the root, which is always chosen.</param>
+        /// <summary>Chooses for a camera, or, without one, evenly from the root down.</summary>
+        /// <param name="budget">The most points, except that the root is always chosen.</param>
         /// <exception cref="PointCloudException">A chunk's table is damaged.</exception>
         public void Choose(Camera? camera, int widthPx, int heightPx, long budget)
         {
@@ -142,7 +146,7 @@ namespace FastPoints.Draw
             m_tables.Clear();
         }
 
-        /// <summary>The chosen nodes with their guests, by file, in the order of its table.</summary>
+        /// <summary>Sorts the chosen nodes with their guests by file, in the order of its table.</summary>
         void TakeOver(NativeArray<SelectedNode> selected)
         {
             Clear();

@@ -14,16 +14,17 @@ using Unity.Mathematics;
 namespace FastPoints.Draw
 {
     /// <summary>
-    /// From an open source to a first picture: find the blocks where need be, take a sample, see what it holds, draw it. Owns the
-    /// sample. Where blocks are found only by looking through all of the file, waves of its beginning come before that.
+    /// Makes a first picture of an open source: it finds the blocks if necessary, takes a sample, measures it, and draws it.
+    /// Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.
     /// </summary>
     public sealed class PreviewCloud : IDisposable
     {
-        /// <summary>Stages that read all of a source: what else would read it may as well go first.</summary>
+        /// <summary>Stages that read all of a source: anything else that would read it may as well go first.</summary>
         public const string FindBlocksStage = "find blocks", RefineStage = "refine";
 
-        /// <summary>From this size of points on surfaces are closed by the density: samples whose points are smaller are blurred
-        /// more than they gain.</summary>
+        /// <summary>
+        /// From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they gain.
+        /// </summary>
         const float LeastThinPx = 2;
 
         readonly PointReader m_reader;
@@ -39,25 +40,29 @@ namespace FastPoints.Draw
             m_fileBefore = FileNow();
         }
 
-        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. It stays this object's, and is
-        /// that of the wave until the work's next step.</summary>
+        /// <summary>
+        /// Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it belongs to
+        /// the wave only until the work's next step.
+        /// </summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
         public PreviewSample Sample { get; private set; }
 
-        /// <summary>When which sample was there, coarse to fine; the last one is <see cref="Sample"/>.</summary>
+        /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>How dense the cloud is where, with the error of that; null before <see cref="EstimateDensity"/>, and of
-        /// sources whose sample does not tell. Goes by the sample as it was then.</summary>
+        /// <summary>
+        /// The estimated density with its error, as of the sample at that time; null before <see cref="EstimateDensity"/>, and
+        /// for sources whose sample does not show it.
+        /// </summary>
         internal DensityEstimate Density { get; private set; }
 
-        /// <summary>Camera, colours and size that were chosen, and what was assumed.</summary>
+        /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
         internal PicturePlan Plan { get; private set; }
 
-        /// <summary>Null before the work has ended.</summary>
+        /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
         /// <summary>Work for a pump, with the stages <c>sample</c>, <see cref="FindBlocksStage"/>, <see cref="RefineStage"/> and
@@ -72,7 +77,7 @@ namespace FastPoints.Draw
             using (var canvas = new PictureCanvas(m_options.Picture.WidthPx, m_options.Picture.HeightPx, Allocator.Persistent))
             {
                 yield return Work.Of(SamplePicture.ChooseSize(canvas, Sample.Points, Plan, Sample.Count));
-                // Degrees are no lengths of a cube's edge.
+                // Degrees are not lengths of a cube's edge.
                 if (Plan.WantsAutoSize && Plan.SizePx >= LeastThinPx && math.all(Ranges.LengthsPerUnit == 1))
                 {
                     yield return Work.Of(EstimateDensity());
@@ -87,7 +92,7 @@ namespace FastPoints.Draw
             progress?.End();
         }
 
-        /// <summary>Work for a pump: the sample alone.</summary>
+        /// <summary>Work for a pump: takes the sample alone.</summary>
         public IEnumerator<Work> TakeSample(StageProgress progress)
         {
             m_watch.Restart();
@@ -129,14 +134,14 @@ namespace FastPoints.Draw
             return DensityEstimate.Of(Sample, Ranges.Robust, density => Density = density);
         }
 
-        /// <summary>Of the source's own file; nothing where there is none.</summary>
+        /// <summary>The state of the source's own file; a default if there is none.</summary>
         (long Bytes, DateTime WrittenUtc) FileNow()
         {
             var file = m_reader.Info.Path == null ? null : new FileInfo(m_reader.Info.Path);
             return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
         }
 
-        /// <summary>A header of one file and points of another give anything.</summary>
+        /// <summary>Throws if the file has changed: a header and points of different files would give nonsense.</summary>
         void RaiseChanges()
         {
             var now = FileNow();
@@ -147,8 +152,10 @@ namespace FastPoints.Draw
                 + " now): the sample may be of neither state");
         }
 
-        /// <summary>Whether a first sample is of the prefixes of blocks alone, which are there soon and leave most of the cloud
-        /// bare: the whole blocks take their place.</summary>
+        /// <summary>
+        /// Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud bare:
+        /// whole blocks replace them.
+        /// </summary>
         public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
 
         IEnumerator<Work> MeasureSample()
@@ -190,7 +197,7 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>A sample of the blocks that are known.</summary>
+        /// <summary>Takes a sample of the known blocks.</summary>
         IEnumerator<Work> Take(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
@@ -211,12 +218,14 @@ namespace FastPoints.Draw
             WaveReady?.Invoke(sample, wave);
         }
 
-        /// <summary>A sample of what can be read before the blocks are found, which takes a look through all of the file: of its
-        /// beginning, or all over it.</summary>
+        /// <summary>
+        /// Takes a sample of what can be read before the blocks are found, which takes a pass over the whole file: of its
+        /// beginning, or spread all over it.
+        /// </summary>
         IEnumerator<Work> TakePrefixes(StageProgress progress)
         {
             progress?.Begin("sample");
-            // Of those that are spread a sampler looks for as many as a wave needs.
+            // A sampler searches for as many spread prefixes as a wave needs.
             yield return Work.Of(m_reader.PrefixesAreSpread ? m_reader.FindPrefixes(1) : m_reader.FindPrefixes());
             yield return Work.Of(Take(m_options.Points, progress));
             var estimate = m_reader.EstimatedPoints;
@@ -263,19 +272,20 @@ namespace FastPoints.Draw
         }
     }
 
-    /// <summary>What <see cref="PreviewCloud"/> should take and show.</summary>
+    /// <summary>Options of a <see cref="PreviewCloud"/>.</summary>
     public sealed class PreviewOptions
     {
-        /// <summary>Points of the sample.</summary>
+        /// <summary>Number of points in the sample.</summary>
         public int Points = 1_000_000;
 
         public uint Seed = 1;
 
-        /// <summary>Choose from a scan of all points, not from short runs.</summary>
+        /// <summary>Whether to choose from a scan of all points instead of short runs.</summary>
         public bool Exact;
 
-        /// <summary>Stop at the sample that reads little, also where it is of the prefixes of blocks alone, or of
-        /// the file's.</summary>
+        /// <summary>
+        /// Whether to stop at the sample that reads little, even if it consists of prefixes of blocks, or of the file's prefix.
+        /// </summary>
         public bool Quick;
 
         public PictureOptions Picture = new PictureOptions();

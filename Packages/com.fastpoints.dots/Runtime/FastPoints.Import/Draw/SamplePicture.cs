@@ -9,13 +9,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Draw
 {
-    /// <summary>A sample drawn in slices.</summary>
+    /// <summary>Draws a sample in slices.</summary>
     static class SamplePicture
     {
         /// <summary>Points of one slice: about 4 ms of managed code.</summary>
         const int PointsPerSlice = 1 << 17;
 
-        /// <summary>Work for a pump: draws the points, on top of what the canvas has.</summary>
+        /// <summary>Work for a pump: draws the points on top of what the canvas has.</summary>
         public static IEnumerator<Work> Draw(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             StageProgress progress)
         {
@@ -36,8 +36,10 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>Work for a pump: finds the size of points where that is left to us, from the sample drawn with single
-        /// pixels; leaves the canvas empty.</summary>
+        /// <summary>
+        /// Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single pixels;
+        /// leaves the canvas empty.
+        /// </summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
         public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)
@@ -60,9 +62,9 @@ namespace FastPoints.Draw
             canvas.Clear();
         }
 
-        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: lets points grow where they leave a surface open.</summary>
-        /// <param name="density">Of the cloud.</param>
-        /// <param name="share">Of the cloud's points that are drawn.</param>
+        /// <summary>Work for a pump, after <see cref="ChooseSize"/>: enlarges points that leave a surface open.</summary>
+        /// <param name="density">The density of the cloud.</param>
+        /// <param name="share">The drawn share of the cloud's points.</param>
         public static IEnumerator<Work> CloseSurfaces(PictureCanvas canvas, DensityEstimate density, double share,
             PicturePlan plan)
         {

@@ -7,13 +7,13 @@ using Unity.Collections;
 
 namespace FastPoints.Draw
 {
-    /// <summary>What a display needs to know of a stored cloud, from the points of its upper levels.</summary>
+    /// <summary>Measures what a display needs to know of a stored cloud, from the points of its upper levels.</summary>
     static class StoredRanges
     {
-        /// <summary>Work for a pump.</summary>
-        /// <param name="selection">Of the folder; gets another choice.</param>
+        /// <summary>Measures as work for a pump.</summary>
+        /// <param name="selection">A selection of the folder, whose choice changes.</param>
         /// <param name="schema">See <see cref="LoadNodes.SchemaFor"/>.</param>
-        /// <param name="ranges">Are filled.</param>
+        /// <param name="ranges">The ranges to fill.</param>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
         public static IEnumerator<Work> Measure(CloudFolder folder, NodeSelection selection, PointSchema schema,
             UpAxis upAxis, DisplayRanges ranges)
@@ -27,7 +27,7 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <exception cref="PointCloudException">These are more points than a batch takes.</exception>
+        /// <exception cref="PointCloudException">There are more points than a batch takes.</exception>
         public static int CheckedCount(CloudFolder folder, long points) =>
             points <= int.MaxValue / 64
                 ? (int)points

@@ -5,8 +5,8 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Little-endian fields of a piece of a file, addressed by their offset in the piece. A field that the piece does not hold
-    /// is a failure that names the byte in the file.
+    /// Reads little-endian fields of a piece of a file, addressed by their offset in the piece. A field outside the piece is a
+    /// failure that names the byte in the file.
     /// </summary>
     internal readonly struct ByteReader
     {

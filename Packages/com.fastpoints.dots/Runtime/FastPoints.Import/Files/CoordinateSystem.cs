@@ -2,7 +2,9 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>The coordinate reference system as far as the file names it. Kept and shown, never used to move points.</summary>
+    /// <summary>
+    /// The coordinate reference system as far as the file names it. It is kept and shown, but never used to move points.
+    /// </summary>
     public sealed class CoordinateSystem
     {
         /// <summary>OGC well-known text, or null.</summary>
@@ -14,10 +16,10 @@ namespace FastPoints.Files
         /// <summary>EPSG code of the vertical system, or 0.</summary>
         public int VerticalEpsg;
 
-        /// <summary>For people: the system's name, or null.</summary>
+        /// <summary>The system's name for people, or null.</summary>
         public string Name;
 
-        /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 where unknown; NaN where the unit is an angle.</summary>
+        /// <summary>Metres of one horizontal unit (0.3048 for feet); 0 if unknown; NaN if the unit is an angle.</summary>
         public double MetresPerUnit;
 
         public CloudCrs ToCloudCrs() => new CloudCrs
@@ -31,7 +33,7 @@ namespace FastPoints.Files
 
         public bool IsKnown => Wkt != null || Epsg != 0 || Name != null;
 
-        /// <summary>One line: name, EPSG code; null where nothing is known.</summary>
+        /// <summary>Name and EPSG code in one line; null if nothing is known.</summary>
         public string Summary
         {
             get

@@ -4,17 +4,19 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>Turns what the system throws at files into the one-line failure that the package's callers handle.</summary>
+    /// <summary>Turns the system's file exceptions into the one-line failure that the package's callers handle.</summary>
     internal static class FileFailures
     {
-        // HResult of a full disk: errno ENOSPC where the runtime hands errno on, ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL as
-        // Windows codes otherwise.
+        // The HResult of a full disk is errno ENOSPC if the runtime passes errno on; otherwise the Windows codes
+        // ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL.
         const int NoSpaceErrno = 28;
         const int DiskFull = unchecked((int)0x80070070);
         const int HandleDiskFull = unchecked((int)0x80070027);
 
-        /// <summary>Whether <paramref name="exception"/> comes from the file system, so that <see cref="Reading"/> or
-        /// <see cref="Writing"/> can tell it.</summary>
+        /// <summary>
+        /// Whether <paramref name="exception"/> comes from the file system, so that <see cref="Reading"/> or <see
+        /// cref="Writing"/> can describe it.
+        /// </summary>
         public static bool IsFileFailure(Exception exception) =>
             exception is IOException || exception is UnauthorizedAccessException || exception is NotSupportedException
             || exception is ArgumentException || exception is System.Security.SecurityException;

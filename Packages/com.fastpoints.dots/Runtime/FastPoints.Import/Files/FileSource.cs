@@ -5,8 +5,8 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A file whose header is being read: small managed reads at any offset, never more than the file's real size holds. Points
-    /// do not come this way: they are read into native memory by AsyncReadManager.
+    /// A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
+    /// AsyncReadManager reads the points into native memory instead.
     /// </summary>
     /// <remarks>
     /// The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a later
@@ -26,14 +26,14 @@ namespace FastPoints.Files
             Length = length;
         }
 
-        /// <summary>As the caller gave it: what messages show.</summary>
+        /// <summary>The path as the caller gave it, which messages show.</summary>
         public string Path { get; }
 
         /// <summary>Bytes of the file when it was opened.</summary>
         public long Length { get; }
 
-        /// <summary>Opens a regular file with something in it.</summary>
-        /// <exception cref="PointCloudException">NotFound for a folder or nothing at all, AccessDenied, Truncated for an empty
+        /// <summary>Opens a regular file that is not empty.</summary>
+        /// <exception cref="PointCloudException">NotFound for a folder or a missing file, AccessDenied, Truncated for an empty
         /// file, a pipe or a device.</exception>
         public static FileSource Open(string path)
         {
@@ -43,7 +43,7 @@ namespace FastPoints.Files
             {
                 if (Directory.Exists(path))
                     throw new PointCloudException(FailureCode.NotFound, path, -1, "is a folder, wanted a file");
-                // The size is asked for before anything is opened: opening a pipe would wait for its writer, and pipes and
+                // The size is queried before anything is opened: opening a pipe would wait for its writer, and pipes and
                 // devices have no size.
                 var info = new FileInfo(path);
                 if (!info.Exists)
@@ -61,7 +61,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> where there is none, or no path.</summary>
+        /// <summary>Bytes of a file; <see cref="NoSuchFile"/> if it or its path does not exist.</summary>
         internal static long LengthOf(string path)
         {
             if (path == null)
@@ -77,16 +77,16 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
-        /// <param name="field">What the bytes are, for the message.</param>
-        /// <exception cref="PointCloudException">Truncated where the file ends before; nothing is allocated then.</exception>
+        /// <summary>Reads exactly <paramref name="count"/> bytes from <paramref name="offset"/>.</summary>
+        /// <param name="field">The name of the bytes for messages.</param>
+        /// <exception cref="PointCloudException">Truncated if the file ends before; nothing is allocated then.</exception>
         public ByteReader Read(long offset, int count, string field)
         {
             CheckRange(offset, count, field);
             return ReadAtMost(offset, count);
         }
 
-        /// <summary>As <see cref="Read(long, int, string)"/>, into the caller's memory.</summary>
+        /// <summary>Does the same into the caller's memory.</summary>
         public void Read(long offset, byte[] into, int count, string field)
         {
             CheckRange(offset, count, field);
@@ -100,8 +100,9 @@ namespace FastPoints.Files
                     Math.Max(0, Math.Min(Length - offset, Length)) + " before the end of the file");
         }
 
-        /// <summary>Up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's
-        /// end.</summary>
+        /// <summary>
+        /// Reads up to <paramref name="count"/> bytes from <paramref name="offset"/>: fewer, or none, at the file's end.
+        /// </summary>
         public ByteReader ReadAtMost(long offset, int count)
         {
             long available = offset < 0 || offset >= Length ? 0 : Math.Min(count, Length - offset);

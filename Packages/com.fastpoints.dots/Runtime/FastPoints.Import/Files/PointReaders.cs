@@ -6,19 +6,19 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>Opens any point cloud that the package reads, by what is in the file and not by its name.</summary>
+    /// <summary>Opens any point cloud that the package reads, by the file's content and not by its name.</summary>
     public static class PointReaders
     {
-        /// <summary>How a kind of file is known, and what is done with it.</summary>
+        /// <summary>How a kind of file is recognised and opened.</summary>
         readonly struct Kind
         {
             /// <summary>Bytes that the file starts with.</summary>
             public readonly byte[] Magic;
 
-            /// <summary>Opens it, or null for a kind that is known but not read.</summary>
+            /// <summary>Opens it, or null for a kind that is recognised but not supported.</summary>
             public readonly Func<FileSource, PointReader> Open;
 
-            /// <summary>What a kind that is not read is called.</summary>
+            /// <summary>The name of a kind that is not supported.</summary>
             public readonly string Name;
 
             public Kind(string magic, Func<FileSource, PointReader> open)
@@ -60,20 +60,22 @@ namespace FastPoints.Files
             new Kind("a Leica PTG file", "PTG"),
         };
 
-        /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one as it is. Dispose the reader.</summary>
-        /// <exception cref="PointCloudException">As for one file.</exception>
+        /// <summary>Opens files as one cloud (<see cref="TiledReader"/>); a single one directly. Dispose the reader.</summary>
+        /// <exception cref="PointCloudException">The same as for one file.</exception>
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
             paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
-        /// <summary>Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that
-        /// lie in a folder as one. Dispose the reader.</summary>
-        /// <exception cref="PointCloudException">No such file, no permission, a kind that is not read (Unsupported), or a broken
-        /// header; one line.</exception>
+        /// <summary>
+        /// Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that lie in
+        /// a folder as one. Dispose the reader.
+        /// </summary>
+        /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
+        /// or the header is broken; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
         {
             if (!string.IsNullOrEmpty(path) && Directory.Exists(path))
             {
-                // Tiles may lie beside a metadata.json that is something else.
+                // Tiles may lie beside a metadata.json of another kind.
                 string index = SourceFolder.FindIndex(path);
                 if (index == null)
                     return TiledReader.OpenFolder(path, options);
@@ -103,7 +105,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>The octree that a JSON index is the head of; null for other JSON.</summary>
+        /// <summary>Opens the octree of a JSON index; null for other JSON.</summary>
         static PointReader OpenIndex(JsonMembers index)
         {
             if (index.IsObject("hierarchy") && index.Has("encoding"))
@@ -133,7 +135,7 @@ namespace FastPoints.Files
             return true;
         }
 
-        /// <summary>The first bytes as text where they are text, otherwise in hexadecimal.</summary>
+        /// <summary>The first bytes as text if they are text, otherwise in hexadecimal.</summary>
         static string Shown(byte[] head)
         {
             int count = Math.Min(head.Length, 16);
@@ -150,11 +152,13 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>What a caller knows of files better than they say themselves. All of it may be left out.</summary>
+    /// <summary>What a caller knows about files better than the files themselves. All of it is optional.</summary>
     public sealed class ReadOptions
     {
-        /// <summary>Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other;
-        /// "-" leaves a column out. Null: by the file's own names, or guessed.</summary>
+        /// <summary>
+        /// Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other; "-" leaves a
+        /// column out. If null, the file's own names apply, or they are guessed.
+        /// </summary>
         public string[] TextColumns;
     }
 }

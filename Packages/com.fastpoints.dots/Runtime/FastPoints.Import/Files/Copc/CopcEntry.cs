@@ -13,7 +13,7 @@ namespace FastPoints.Files
         /// <summary>The point count that stands for "a page".</summary>
         public const int PageCount = -1;
 
-        /// <summary>Deeper nodes have no cell that an int holds.</summary>
+        /// <summary>The cells of deeper nodes do not fit into an int.</summary>
         public const int MaxLevel = 30;
 
         public int Level;
@@ -24,7 +24,7 @@ namespace FastPoints.Files
 
         public bool IsPage => PointCount == PageCount;
 
-        /// <summary>Whether level and cell are such that the octree can have them.</summary>
+        /// <summary>Whether the octree can have this level and cell.</summary>
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
 
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);

@@ -9,16 +9,16 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is a claim:
-    /// what the file cannot hold is left out with a warning.
+    /// Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is a
+    /// claim: entries that the file cannot hold are left out with a warning.
     /// </summary>
     /// <remarks>
-    /// Time and memory follow the file's size: a page is read once, all pages together take no more bytes than the file has, nor
-    /// do all nodes' chunks.
+    /// Time and memory are bounded by the file's size: a page is read once, and neither all pages nor all nodes' chunks take
+    /// more bytes than the file has.
     /// </remarks>
     sealed class CopcHierarchy : IDisposable
     {
-        /// <summary>Of a page that are read and looked at in one step: 2,048 entries.</summary>
+        /// <summary>Bytes of a page that are read and examined in one step: 2,048 entries.</summary>
         const int PieceBytes = 64 << 10;
 
         const int MaxWarnings = 8;
@@ -52,13 +52,15 @@ namespace FastPoints.Files
             AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
-        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
-        /// are about <paramref name="node"/> and what is below it.</summary>
+        /// <summary>
+        /// Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far as
+        /// they concern <paramref name="node"/> and what is below it.
+        /// </summary>
         public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_pages.TryPeek(node, levels, out var next))
             {
-                // A page takes effect when it is read to its end, so that this work can be given up and begun again.
+                // A page takes effect when it is completely read, so that this work can be abandoned and begun again.
                 yield return Work.Of(Read(next));
                 m_tree.PageCount++;
             }
@@ -67,7 +69,7 @@ namespace FastPoints.Files
         /// <summary>Whether <see cref="Read(int4, int)"/> has nothing to do.</summary>
         public bool IsKnown(int4 node, int levels) => !m_pages.TryPeek(node, levels, out _);
 
-        /// <summary>Says how many anomalies were not told one by one. When all is read.</summary>
+        /// <summary>Reports, after everything is read, how many anomalies were not reported one by one.</summary>
         public void WarnRest()
         {
             if (m_untold > 0)
@@ -122,7 +124,7 @@ namespace FastPoints.Files
             });
         }
 
-        /// <summary>The entries of a piece whose keys are ones.</summary>
+        /// <summary>Collects the entries of a piece that have valid keys.</summary>
         void Collect(ByteReader piece, int bytes, List<(CopcEntry, long)> entries)
         {
             for (int at = 0; at + CopcEntry.Bytes <= bytes; at += CopcEntry.Bytes)
@@ -135,7 +137,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Nodes of a page, level by level: a parent comes before its children.</summary>
+        /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>
         void Add(List<(CopcEntry Entry, long At)> entries)
         {
             entries.Sort((a, b) => a.Entry.Level != b.Entry.Level ? a.Entry.Level.CompareTo(b.Entry.Level)
@@ -147,8 +149,8 @@ namespace FastPoints.Files
                     AddNode(entry, at);
         }
 
-        /// <param name="root">That the page begins with.</param>
-        /// <param name="at">Of the entry in the file, as everywhere here.</param>
+        /// <param name="root">The node that the page begins with.</param>
+        /// <param name="at">Offset of the entry in the file, as everywhere here.</param>
         void AddPage(int4 root, long offset, long bytes, long at)
         {
             if (bytes < CopcEntry.Bytes || offset > m_fileBytes - bytes)
@@ -190,7 +192,7 @@ namespace FastPoints.Files
             m_reader.AddNode(entry, bytes);
         }
 
-        /// <param name="bytes">Of the chunk, as far as the file goes.</param>
+        /// <param name="bytes">Bytes of the chunk, as far as the file goes.</param>
         string Trouble(CopcEntry entry, out long bytes)
         {
             bytes = 0;
@@ -213,7 +215,7 @@ namespace FastPoints.Files
             + NumberText.Of(entry.Cell.y)
             + "-" + NumberText.Of(entry.Cell.z);
 
-        /// <summary>The first few are told; a hierarchy that is noise is not listed.</summary>
+        /// <summary>Reports the first few; a hierarchy that is noise is not listed.</summary>
         void Warn(long at, string text)
         {
             if (m_warnings++ < MaxWarnings)

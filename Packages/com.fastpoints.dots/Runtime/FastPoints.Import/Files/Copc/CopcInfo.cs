@@ -13,16 +13,16 @@ namespace FastPoints.Files
         public const ushort HierarchyRecord = 1000;
         public const int Bytes = 160;
 
-        /// <summary>Bytes of the fields that mean anything; the others are reserved.</summary>
+        /// <summary>Bytes of the fields that have a meaning; the others are reserved.</summary>
         const int FieldBytes = 72;
 
-        /// <summary>CRS units, as all lengths here.</summary>
+        /// <summary>In CRS units, like all lengths here.</summary>
         public double3 Center;
 
         /// <summary>Half of the root cube's edge.</summary>
         public double HalfSize;
 
-        /// <summary>Between points of the root; halved from level to level.</summary>
+        /// <summary>Distance between points of the root; it halves from level to level.</summary>
         public double Spacing;
 
         public ulong RootPageOffset;
@@ -30,12 +30,12 @@ namespace FastPoints.Files
         public double MinGpsTime;
         public double MaxGpsTime;
 
-        /// <summary>Where it lies in the file, for messages.</summary>
+        /// <summary>Its offset in the file, for messages.</summary>
         public long FileOffset;
 
         public BoundsGeo Cube => new BoundsGeo(Center - HalfSize, Center + HalfSize);
 
-        /// <returns>Null where the file has no such VLR: it is no COPC file.</returns>
+        /// <returns>Null if the file has no such VLR: it is not a COPC file.</returns>
         public static CopcInfo Find(LasFile las)
         {
             var record = las.Vlrs.Find(UserId, InfoRecord);
@@ -56,7 +56,7 @@ namespace FastPoints.Files
             return info;
         }
 
-        /// <returns>What makes it useless, or null.</returns>
+        /// <returns>Why it is useless, or null.</returns>
         public string Trouble(long fileBytes)
         {
             if (!Cube.IsFinite || !(HalfSize > 0))

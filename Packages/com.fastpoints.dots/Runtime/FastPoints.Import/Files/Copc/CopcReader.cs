@@ -7,12 +7,12 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they are
-    /// known as far as pages of the hierarchy have been read.
+    /// Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they are known
+    /// as far as pages of the hierarchy have been read.
     /// </summary>
     /// <remarks>
-    /// The hierarchy is a claim like any other. What it leaves out but the LAZ chunk table has is read too, behind the tree's
-    /// blocks; a file whose hierarchy cannot be had at all is read as the LAZ that it is.
+    /// The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the tree's
+    /// blocks. A file without a readable hierarchy is read as the LAZ file that it is.
     /// </remarks>
     internal sealed class CopcReader : LazChunkReader
     {
@@ -38,9 +38,9 @@ namespace FastPoints.Files
             m_hierarchy = new CopcHierarchy(this, m_tree, source.Length);
         }
 
-        /// <returns>Null where the file is no COPC, or one that can only be read as LAZ (with a warning in <paramref
+        /// <returns>Null if the file is not COPC, or can only be read as LAZ (with a warning in <paramref
         /// name="las"/>).</returns>
-        /// <param name="longChunkPoints">Points up to which a node is one block.</param>
+        /// <param name="longChunkPoints">The most points of a node that is one block.</param>
         public static PointReader TryOpen(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var copc = CopcInfo.Find(las);
@@ -88,8 +88,8 @@ namespace FastPoints.Files
             m_tree.IsWhole = true;
         }
 
-        /// <summary>Adds a node that the hierarchy has, and its blocks.</summary>
-        /// <param name="bytes">Of its chunk; as many as the file has.</param>
+        /// <summary>Adds a node of the hierarchy and its blocks.</summary>
+        /// <param name="bytes">Bytes of its chunk, as many as the file has.</param>
         internal void AddNode(CopcEntry entry, long bytes)
         {
             int firstBlock = BlockCount;
@@ -109,7 +109,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Nodes and header disagree: looks in the chunk table for chunks that no node has.</summary>
+        /// <summary>Searches the chunk table for chunks that no node has, when nodes and header disagree.</summary>
         void Reconcile()
         {
             long ofNodes = PointCount;

@@ -5,18 +5,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Holds some of a buffer's pages against their checksums and moves their content together, over the checksums of
-    /// the pages before: a chain of these makes a buffer of pages one of content.</summary>
+    /// <summary>
+    /// Checks some of a buffer's pages against their checksums and moves their content together, over the checksums of earlier
+    /// pages: a chain of these turns a buffer of pages into one of content.
+    /// </summary>
     [BurstCompile]
     unsafe struct CheckE57PagesJob : IJob
     {
-        /// <summary>About 1 ms.</summary>
+        /// <summary>A slice takes about 1 ms.</summary>
         public const int SlicePages = 1024;
 
         [ReadOnly] public NativeArray<uint> CrcTable;
         public NativeArray<byte> Buffer;
 
-        /// <summary>By page: 1 where the checksum is wrong.</summary>
+        /// <summary>For each page, 1 if its checksum is wrong.</summary>
         public NativeArray<byte> IsDamaged;
         public int FirstPage;
         public int Pages;
@@ -36,7 +38,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>All pages of a buffer, in slices.</summary>
+        /// <summary>Schedules all pages of a buffer in slices.</summary>
         public static JobHandle Schedule(NativeArray<uint> crcTable, NativeArray<byte> buffer, NativeArray<byte> isDamaged,
             int pages, JobHandle read)
         {

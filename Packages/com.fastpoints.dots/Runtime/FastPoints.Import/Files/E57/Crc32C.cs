@@ -30,7 +30,7 @@ namespace FastPoints.Files
                 m_tables[i] = m_tables[i - 256] >> 8 ^ m_tables[(int)(m_tables[i - 256] & 255)];
         }
 
-        /// <summary>For jobs, which hand it to <see cref="Compute"/>.</summary>
+        /// <summary>The tables for jobs, which pass them to <see cref="Compute"/>.</summary>
         public NativeArray<uint> Table => m_tables;
 
         public uint Of(byte[] bytes, int first, int count)

@@ -8,8 +8,8 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put where they belong.
-    /// A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> comes behind it.
+    /// Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put where
+    /// they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodeE57Job : IJob
@@ -26,7 +26,7 @@ namespace FastPoints.Files
         /// <summary>Bytestreams of a packet.</summary>
         public int StreamCount;
 
-        /// <summary>Fields, and where the bytes of each are.</summary>
+        /// <summary>Fields, and where the bytes of each lie.</summary>
         [ReadOnly] public NativeArray<E57FieldRead> Reads;
         [ReadOnly] public NativeArray<E57StreamRange> Ranges;
         public int FirstRead;
@@ -41,7 +41,7 @@ namespace FastPoints.Files
         public NativeArray<double> Vectors;
         public int RowLength;
 
-        /// <summary>By point: 0, or an <see cref="E57Drop"/>.</summary>
+        /// <summary>For each point, 0 or an <see cref="E57Drop"/>.</summary>
         public NativeArray<byte> Drops;
 
         /// <summary>Bytes of one field.</summary>
@@ -72,7 +72,7 @@ namespace FastPoints.Files
             Anomalies.Value = anomalies;
         }
 
-        /// <returns>Values whose bytes are there.</returns>
+        /// <returns>The number of values whose bytes are present.</returns>
         int Gather(in E57FieldRead read, in E57StreamRange range, byte* drops)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();
@@ -115,9 +115,9 @@ namespace FastPoints.Files
             return (int)math.clamp(whole, 0, Count);
         }
 
-        /// <summary>Points that have bits in damaged pages are left out.</summary>
-        /// <param name="logical">Place of the bytes.</param>
-        /// <param name="inStream">Their place in the bytestream.</param>
+        /// <summary>Marks points that have bits in damaged pages to be left out.</summary>
+        /// <param name="logical">Logical offset of the bytes.</param>
+        /// <param name="inStream">Their offset in the bytestream.</param>
         void MarkDamage(in E57Extent extent, long logical, long inStream, int bytes, int bits, byte* drops)
         {
             long firstPage = logical / E57Pages.DataBytes, lastPage = (logical + bytes - 1) / E57Pages.DataBytes;
@@ -134,7 +134,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <returns>Integers that were too large.</returns>
+        /// <returns>The number of integers that were too large.</returns>
         int Decode(in E57FieldRead read, int count, byte* drops)
         {
             ulong* raw = stackalloc ulong[TileValues];
@@ -283,7 +283,7 @@ namespace FastPoints.Files
                 UnsafeUtility.MemCpy((double*)column + first, values, count * 8);
         }
 
-        /// <summary>Not a number becomes 0.</summary>
+        /// <summary>Stores shares; NaN becomes 0.</summary>
         static void StoreShares(double* values, int count, ushort* column)
         {
             for (int i = 0; i < count; i++)

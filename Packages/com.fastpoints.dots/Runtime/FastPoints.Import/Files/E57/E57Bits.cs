@@ -12,7 +12,7 @@ namespace FastPoints.Files
         /// <summary>The largest number of so many bits, 0 to 64.</summary>
         public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;
 
-        /// <param name="firstBit">Of the first value.</param>
+        /// <param name="firstBit">First bit of the first value.</param>
         /// <param name="bits">1 to 64.</param>
         public static void Unpack(byte* bytes, long firstBit, int bits, int count, ulong* values)
         {
@@ -35,7 +35,7 @@ namespace FastPoints.Files
                 int shift = (int)(at & 7);
                 byte* p = bytes + (at >> 3);
                 ulong value = *(ulong*)p >> shift;
-                // Twice, since a shift by 64 is one by 0.
+                // This shifts twice, since a shift by 64 is one by 0.
                 value |= (ulong)p[8] << (63 - shift) << 1;
                 values[i] = value & mask;
             }
@@ -54,7 +54,7 @@ namespace FastPoints.Files
                     values[i] = ((uint*)bytes)[i];
         }
 
-        /// <summary>Bytes that so many values take from a bit on.</summary>
+        /// <summary>Bytes that this many values take, starting at a bit.</summary>
         public static long BytesOf(long firstBit, int bits, long count) => (firstBit + count * bits + 7 >> 3) - (firstBit >> 3);
     }
 }

@@ -6,8 +6,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>A slot of <see cref="E57Reader"/>: the pages of a range are read, checked, decoded field by field and
-    /// placed.</summary>
+    /// <summary>
+    /// A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and places
+    /// the points.
+    /// </summary>
     sealed class E57BlockRead : SlotRead
     {
         const int VectorRows = 6;
@@ -58,7 +60,7 @@ namespace FastPoints.Files
             return Schedule(first, range.Count);
         }
 
-        /// <summary>What is read of the scan's fields.</summary>
+        /// <summary>Plans what is read of the scan's fields.</summary>
         void TakeSection(E57Section section)
         {
             m_section = section;
@@ -161,22 +163,22 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>What a range had besides points. Written by jobs, told on the main thread.</summary>
+    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
     struct E57Anomalies
     {
-        /// <summary>Points left out since their scan marks them as invalid.</summary>
+        /// <summary>Points left out because their scan marks them as invalid.</summary>
         public int Invalid;
 
-        /// <summary>Points left out since a page that holds some of them has a wrong checksum.</summary>
+        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
         public int Damaged;
         public int DamagedPages;
         public long FirstDamagedPage;
 
-        /// <summary>Integers above the maximum that their field has: it was taken.</summary>
+        /// <summary>Integers above the maximum of their field, which were kept.</summary>
         public int Misfits;
     }
 
-    /// <summary>Where the bytes of a bytestream that a range takes are to be found. Blittable, for jobs.</summary>
+    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
     struct E57StreamRange
     {
         /// <summary>Logical offset of a packet at or before the first byte.</summary>

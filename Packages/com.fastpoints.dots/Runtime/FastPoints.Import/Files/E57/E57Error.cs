@@ -1,6 +1,6 @@
 namespace FastPoints.Files
 {
-    /// <summary>What jobs say went wrong in a binary section; 0 is nothing.</summary>
+    /// <summary>The errors that jobs report for a binary section; 0 means none.</summary>
     static class E57Error
     {
         public const int None = 0;

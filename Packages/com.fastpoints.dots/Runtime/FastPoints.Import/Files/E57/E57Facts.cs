@@ -5,10 +5,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the XML section says, as facts, claims and warnings.</summary>
+    /// <summary>Turns the contents of the XML section into facts, claims and warnings.</summary>
     static class E57Facts
     {
-        /// <summary>Scans told with all that is known of them; of later ones only names and counts.</summary>
+        /// <summary>This many scans are listed with all that is known of them; later ones with names and counts only.</summary>
         const int MaxWholeScans = 50;
         const int MaxScans = 1000;
         const int MaxImages = 50;
@@ -101,7 +101,7 @@ namespace FastPoints.Files
             info.HasBoundsClaimed &= !info.BoundsClaimed.IsEmpty;
         }
 
-        /// <summary>One attribute of some scans only is 0 in the points of the others.</summary>
+        /// <summary>Warns that an attribute of some scans is 0 in the points of the others.</summary>
         static void AddMissing(List<E57Scan> scans, SourceInfo info)
         {
             var scansWith = new Dictionary<string, int>();
@@ -133,7 +133,7 @@ namespace FastPoints.Files
 
         static void AddCrs(string metadata, SourceInfo info)
         {
-            // Lengths are metres (ASTM E2807, 8.2); the text is free, and well-known text by custom.
+            // Lengths are metres (ASTM E2807, 8.2). The text is free-form, by custom well-known text.
             info.Crs.MetresPerUnit = 1;
             if (string.IsNullOrWhiteSpace(metadata))
                 return;

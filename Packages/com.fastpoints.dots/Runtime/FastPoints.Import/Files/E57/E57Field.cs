@@ -7,19 +7,19 @@ namespace FastPoints.Files
     /// <summary>One field of a scan's points: an element of its prototype, and one bytestream of its packets.</summary>
     sealed class E57Field
     {
-        /// <summary>As in the file; fields within structures with the structures' names before it: "a/b".</summary>
+        /// <summary>The name in the file; fields within structures have the structures' names before theirs: "a/b".</summary>
         public string Name;
 
         public E57FieldKind Kind;
 
-        /// <summary>Its place among the bytestreams.</summary>
+        /// <summary>Its index among the bytestreams.</summary>
         public int Stream;
 
-        /// <summary>Integers: the least and the largest that the file says there are.</summary>
+        /// <summary>For integers: the smallest and the largest that the file declares.</summary>
         public long Minimum;
         public long Maximum;
 
-        /// <summary>Floats: the same, NaN where the file does not say.</summary>
+        /// <summary>For floats: the same; NaN if the file does not say.</summary>
         public double FloatMinimum;
         public double FloatMaximum;
 
@@ -30,7 +30,7 @@ namespace FastPoints.Files
         public double Scale = 1;
         public double Offset;
 
-        /// <summary>Bits of one value; 0 for a field that is the same in all points, -1 for strings.</summary>
+        /// <summary>Bits of one value; 0 for a field with the same value in all points, -1 for strings.</summary>
         public int Bits;
 
         public bool IsInteger => Kind == E57FieldKind.Integer;
@@ -41,7 +41,7 @@ namespace FastPoints.Files
         /// <summary>The largest value as a real number.</summary>
         public double Most => IsInteger ? math.max(Minimum * Scale, Maximum * Scale) + Offset : FloatMaximum;
 
-        /// <param name="problem">What is wrong with it, where it cannot be read.</param>
+        /// <param name="problem">What is wrong with it, if it cannot be read.</param>
         /// <returns>The field, or null.</returns>
         public static E57Field Read(E57Node node, string name, int stream, out string problem)
         {
@@ -100,7 +100,7 @@ namespace FastPoints.Files
                 return Unreadable(node, "precision");
             Kind = precision == "single" ? E57FieldKind.Float32 : E57FieldKind.Float64;
             Bits = precision == "single" ? 32 : 64;
-            // Limits of floats are for people; what cannot be read of them is as if it were not there.
+            // Limits of floats are for people; unreadable ones are ignored.
             if (!E57Text.TryReal(node.Attribute("minimum"), double.NaN, out FloatMinimum))
                 FloatMinimum = double.NaN;
             if (!E57Text.TryReal(node.Attribute("maximum"), double.NaN, out FloatMaximum))
@@ -111,7 +111,7 @@ namespace FastPoints.Files
         static string Unreadable(E57Node node, string attribute) =>
             attribute + ": got \"" + E57Text.OneLine(node.Attribute(attribute)) + "\"";
 
-        /// <summary>Type and range, for people.</summary>
+        /// <summary>Describes type and range for people.</summary>
         public string Summary()
         {
             switch (Kind)
@@ -132,7 +132,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>How a field's values lie in its bytestream.</summary>
+    /// <summary>The layout of a field's values in its bytestream.</summary>
     enum E57FieldKind
     {
         /// <summary>Bit-packed differences from a minimum.</summary>
@@ -149,48 +149,50 @@ namespace FastPoints.Files
     {
         public E57FieldKind Kind;
 
-        /// <summary>Its place among the bytestreams; -1 for a value that no stream holds.</summary>
+        /// <summary>Its index among the bytestreams; -1 for a value that no stream holds.</summary>
         public int Stream;
 
-        /// <summary>Of one value; 0 for one that is the same in all points.</summary>
+        /// <summary>Bits of one value; 0 for one that is the same in all points.</summary>
         public int Bits;
 
-        /// <summary>Integers: what the packed differences are added to, and the largest difference.</summary>
+        /// <summary>For integers: what the packed differences are added to, and the largest difference.</summary>
         public long Minimum;
         public ulong Range;
 
         public E57Target Target;
 
-        /// <summary>Columns: the type of their values and where the column starts.</summary>
+        /// <summary>For columns: the type of their values and where the column starts.</summary>
         public AttributeType ColumnType;
         public int ColumnOffsetBytes;
 
-        /// <summary>Vectors: 0 to 2 for positions, 3 to 5 for normals.</summary>
+        /// <summary>For vectors: 0 to 2 for positions, 3 to 5 for normals.</summary>
         public int Row;
 
-        /// <summary>Columns of integers: stored * Steps + Bias.</summary>
+        /// <summary>For columns of integers: stored * Steps + Bias.</summary>
         public long Steps;
         public long Bias;
         public double Factor;
         public double Addend;
     }
 
-    /// <summary>Where a field's values go.</summary>
+    /// <summary>The destination of a field's values.</summary>
     enum E57Target
     {
         /// <summary>A column of an integer type: integer * steps + bias.</summary>
         Integers,
 
-        /// <summary>A column of an integer type: round(value * factor + addend), kept within 0 and 65,535.</summary>
+        /// <summary>A column of an integer type: round(value * factor + addend), clamped to 0 to 65,535.</summary>
         Shares,
 
         /// <summary>A column of floats or doubles: value * factor + addend.</summary>
         Reals,
 
-        /// <summary>One of the three (or six) rows of doubles that become positions and normals: the same.</summary>
+        /// <summary>
+        /// One of the three (or six) rows of doubles that become positions and normals: computed the same way.
+        /// </summary>
         Vector,
 
-        /// <summary>Nowhere: points whose value is not 0 are left out.</summary>
+        /// <summary>None: points whose value is not 0 are left out.</summary>
         Invalid,
     }
 }

@@ -26,8 +26,8 @@ namespace FastPoints.Files
         /// <summary>Bytes of content of the XML section.</summary>
         public int XmlBytes;
 
-        /// <summary>Warnings go to <paramref name="info"/>.</summary>
-        /// <exception cref="PointCloudException">The XML section cannot be there where the header says it is.</exception>
+        /// <summary>Reads the header; warnings go to <paramref name="info"/>.</summary>
+        /// <exception cref="PointCloudException">The XML section cannot be where the header says.</exception>
         public static E57Header Read(FileSource source, SourceInfo info)
         {
             var fields = source.Read(0, Bytes, "the E57 header");

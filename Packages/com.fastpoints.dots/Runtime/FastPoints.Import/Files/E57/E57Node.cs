@@ -7,10 +7,10 @@ namespace FastPoints.Files
     {
         static readonly List<E57Node> s_none = new List<E57Node>();
 
-        /// <summary>With its prefix, if it has one: "nor:normalX".</summary>
+        /// <summary>The name with its prefix, if it has one: "nor:normalX".</summary>
         public readonly string Name;
 
-        /// <summary>Of the XML section, for messages.</summary>
+        /// <summary>Line of the XML section, for messages.</summary>
         public readonly int Line;
 
         /// <summary>Text between its tags; "" for none.</summary>
@@ -27,7 +27,7 @@ namespace FastPoints.Files
 
         public IReadOnlyList<E57Node> Children => m_children ?? s_none;
 
-        /// <summary>"Structure", "Integer", ...; null where the element does not say.</summary>
+        /// <summary>"Structure", "Integer", ...; null if the element does not say.</summary>
         public string Type => Attribute("type");
 
         public void Add(E57Node child) => (m_children ??= new List<E57Node>()).Add(child);
@@ -54,15 +54,15 @@ namespace FastPoints.Files
             return null;
         }
 
-        /// <returns>A child's text in one line, or null where there is none.</returns>
+        /// <returns>A child's text in one line, or null if there is none.</returns>
         public string TextOf(string child)
         {
             string text = Child(child)?.Text;
             return string.IsNullOrWhiteSpace(text) ? null : E57Text.OneLine(text);
         }
 
-        /// <summary>A child's number: its text, where a number's text may be missing and then is 0.</summary>
-        /// <returns>NaN where there is no such child, or its text is no number.</returns>
+        /// <summary>A child's number; an empty text means 0.</summary>
+        /// <returns>NaN if there is no such child, or its text is not a number.</returns>
         public double NumberOf(string child)
         {
             var node = Child(child);

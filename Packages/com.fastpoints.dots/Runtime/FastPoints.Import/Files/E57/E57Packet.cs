@@ -10,7 +10,7 @@ namespace FastPoints.Files
         public const int DataKind = 1;
         public const int IgnoredKind = 2;
 
-        /// <summary>Kind, flags, length, number of bytestreams.</summary>
+        /// <summary>Bytes of kind, flags, length and number of bytestreams.</summary>
         public const int LeastBytes = 4;
         public const int DataHeaderBytes = 6;
         const int RestartFlag = 1;
@@ -20,12 +20,12 @@ namespace FastPoints.Files
         public bool IsRestart;
         public int Bytes;
 
-        /// <summary>Bytes in front of the bytestreams; 0 for packets that are no data.</summary>
+        /// <summary>Bytes in front of the bytestreams; 0 for packets without data.</summary>
         public int HeaderBytes;
 
-        /// <summary>Reads a header and holds it against what is around it.</summary>
-        /// <param name="available">Bytes at <paramref name="p"/>; a header that they may not hold whole gives
-        /// <paramref name="needsMore"/>.</param>
+        /// <summary>Reads a header and checks it against its surroundings.</summary>
+        /// <param name="available">Bytes at <paramref name="p"/>; if they may not hold the whole header, it sets <paramref
+        /// name="needsMore"/>.</param>
         /// <param name="toEnd">Bytes of the section from here.</param>
         /// <returns>0, or an <see cref="E57Error"/>.</returns>
         public static int Read(byte* p, long available, long toEnd, int streams, out E57Packet packet, out bool needsMore)

@@ -18,15 +18,15 @@ namespace FastPoints.Files
 
         public static long ToPhysical(long logical) => logical / DataBytes * PageBytes + logical % DataBytes;
 
-        /// <summary>Whether content can start there: at no byte of a checksum, and at a multiple of four.</summary>
+        /// <summary>Whether content can start there: not inside a checksum, and at a multiple of four.</summary>
         public static bool IsPlace(ulong physical) => physical % PageBytes < DataBytes && physical % 4 == 0;
 
-        /// <summary>Content of whole pages only.</summary>
+        /// <summary>Bytes of content, counting only whole pages.</summary>
         public static long LogicalLength(long fileBytes) => fileBytes / PageBytes * DataBytes;
 
-        /// <summary>Content that starts at a logical offset.</summary>
+        /// <summary>Reads content from a logical offset.</summary>
         /// <param name="damagedPage">The first page whose checksum is wrong, or -1.</param>
-        /// <exception cref="PointCloudException">Truncated where the file ends before.</exception>
+        /// <exception cref="PointCloudException">Truncated if the file ends before.</exception>
         public static byte[] Read(FileSource source, Crc32C crc, long logical, int count, string field, out long damagedPage)
         {
             damagedPage = -1;

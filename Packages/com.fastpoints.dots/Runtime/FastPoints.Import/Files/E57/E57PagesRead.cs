@@ -7,8 +7,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Some extents of a file at once in native memory, checked and freed of checksums; at most one such read in
-    /// flight.</summary>
+    /// <summary>
+    /// Reads some extents of a file together into native memory, checks them and removes checksums; at most one such read is in
+    /// flight.
+    /// </summary>
     sealed unsafe class E57PagesRead : IDisposable
     {
         /// <summary>Bytes behind the content that jobs may load and not use.</summary>
@@ -35,12 +37,12 @@ namespace FastPoints.Files
 
         public int PageCapacity { get; }
 
-        /// <summary>Content, valid behind the handle that <see cref="Begin"/> gives.</summary>
+        /// <summary>Content, valid after the handle that <see cref="Begin"/> gives.</summary>
         public NativeArray<byte> Buffer => m_buffer;
 
         public NativeArray<byte> IsDamaged => m_isDamaged;
 
-        /// <summary>Set by <see cref="Add"/>, in the file's order.</summary>
+        /// <summary>The extents that <see cref="Add"/> has set, in the file's order.</summary>
         public NativeArray<E57Extent> Extents => m_extents;
 
         public int ExtentCount { get; private set; }
@@ -53,8 +55,8 @@ namespace FastPoints.Files
             Pages = 0;
         }
 
-        /// <summary>More pages, behind those before; less than asked for where the file or the buffer ends.</summary>
-        /// <returns>Whether there are any.</returns>
+        /// <summary>Adds pages behind the earlier ones; fewer than requested if the file or the buffer ends.</summary>
+        /// <returns>Whether any were added.</returns>
         public bool Add(long firstPage, int pages)
         {
             pages = (int)Math.Min(Math.Min(pages, PageCapacity - Pages), m_reader.FilePages - firstPage);
@@ -87,7 +89,7 @@ namespace FastPoints.Files
             return CheckE57PagesJob.Schedule(m_reader.CrcTable, m_buffer, m_isDamaged, Pages, m_handle.JobHandle);
         }
 
-        /// <summary>Closes a read behind which all jobs are finished.</summary>
+        /// <summary>Closes a read after which all jobs are finished.</summary>
         /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
         public void End()
         {
@@ -128,15 +130,16 @@ namespace FastPoints.Files
         public long FirstPage;
         public int Pages;
 
-        /// <summary>Its first page's place in the buffer, in pages.</summary>
+        /// <summary>The index of its first page in the buffer.</summary>
         public int BufferPage;
 
         public long LogicalStart => FirstPage * E57Pages.DataBytes;
 
         public long LogicalEnd => (FirstPage + Pages) * E57Pages.DataBytes;
 
-        /// <summary>What is added to a logical offset to have its place among the buffer's content, once the checksums are
-        /// taken out.</summary>
+        /// <summary>
+        /// Added to a logical offset to give the offset in the buffer's content, once the checksums are removed.
+        /// </summary>
         public long ToBuffer => ((long)BufferPage - FirstPage) * E57Pages.DataBytes;
     }
 }

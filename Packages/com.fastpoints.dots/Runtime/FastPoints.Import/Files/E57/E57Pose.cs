@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>Where a scanner stood (ASTM E2807, 8.4.4): from its own coordinates to those of the file, in double.</summary>
+    /// <summary>
+    /// The pose of a scanner (ASTM E2807, 8.4.4): it transforms its own coordinates to those of the file, in double.
+    /// </summary>
     struct E57Pose
     {
         /// <summary>Columns of the rotation: the scanner's axes in the file's coordinates.</summary>
@@ -26,7 +28,7 @@ namespace FastPoints.Files
 
         public bool IsIdentity => IsShift && math.all(Translation == new double3(0, 0, 0));
 
-        /// <param name="problem">What was assumed instead, where the numbers make no pose; null otherwise.</param>
+        /// <param name="problem">What was assumed instead, if the numbers are not a valid pose; otherwise null.</param>
         public static E57Pose Read(E57Node node, out string problem)
         {
             var pose = Identity;

@@ -9,19 +9,19 @@ using Unity.IO.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put them. Blocks
-    /// are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.
+    /// Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put them.
+    /// Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.
     /// </summary>
     /// <remarks>
-    /// Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is read is
-    /// held against its checksum: points that lie in a damaged one are left out with a warning. Images are named, not read.
+    /// Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is read
+    /// is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not read.
     /// </remarks>
     internal sealed class E57Reader : PointReader
     {
-        /// <summary>Pages of a block's fields at most: a slot's memory, whatever a file claims.</summary>
+        /// <summary>The most pages of a block's fields: it bounds a slot's memory, whatever a file claims.</summary>
         const int MostBlockPages = 24 << 10;
 
-        /// <summary>Records that take no bytes at all prove nothing about how many there are.</summary>
+        /// <summary>Records that take no bytes at all prove nothing about their number.</summary>
         const ulong MostRecordsWithoutBits = 65536;
 
         const int MostScansTold = 20;
@@ -59,8 +59,8 @@ namespace FastPoints.Files
         }
 
         /// <summary>Opens an E57 file: its header, its XML section and the headers of its scans' sections are read.</summary>
-        /// <exception cref="PointCloudException">The header or the XML section is not sound, or none of the scans that the file
-        /// has can be read.</exception>
+        /// <exception cref="PointCloudException">The header or the XML section is invalid, or none of the file's scans can be
+        /// read.</exception>
         public static E57Reader Open(FileSource source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };
@@ -98,7 +98,7 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
-        /// <summary>Within a few thousand records and a packet or two.</summary>
+        /// <summary>Fixed within a few thousand records and a packet or two.</summary>
         public override bool HasFixedStride => true;
 
         public override int BlockCount => Known(m_blockCount);
@@ -111,10 +111,10 @@ namespace FastPoints.Files
 
         internal NativeArray<uint> CrcTable => m_crc.Table;
 
-        /// <summary>Whether some scan's positions or normals pass through rows of doubles.</summary>
+        /// <summary>Whether any scan's positions or normals pass through rows of doubles.</summary>
         internal bool HasVectors { get; }
 
-        /// <summary>Most pages that a range within one block takes.</summary>
+        /// <summary>The most pages of a range within one block.</summary>
         internal int MaxBlockPages => m_maxPages;
 
         public override long FirstPointOfBlock(int block)
@@ -129,8 +129,9 @@ namespace FastPoints.Files
             return (int)Math.Min(section.BlockPoints, section.Records - (long)(block - section.FirstBlock) * section.BlockPoints);
         }
 
-        /// <summary>An estimate by the range's share of its scan's section: packets hold fields that are not asked for,
-        /// too.</summary>
+        /// <summary>
+        /// Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.
+        /// </summary>
         public override long BytesOfRange(BlockRange range)
         {
             var section = SectionOf(range.Block);
@@ -194,7 +195,7 @@ namespace FastPoints.Files
             return m_sections[low];
         }
 
-        /// <summary>Tells what a range had besides points; of each block once.</summary>
+        /// <summary>Reports what a range contained besides points, once for each block.</summary>
         internal void Warn(BlockRange range, DecodeResult result, in E57Anomalies anomalies)
         {
             bool isNew = range.First == 0 && range.Count == PointsInBlock(range.Block) && m_toldBlocks.Add(range.Block);
@@ -274,7 +275,7 @@ namespace FastPoints.Files
                     " of the " + NumberText.Of(section.Scan.RecordsClaimed) + " claimed are given");
         }
 
-        /// <summary>A scan whose points' fields lie too far apart ends before the first such block.</summary>
+        /// <summary>Ends a scan before the first block whose fields lie too far apart.</summary>
         void LimitPages(E57Section section)
         {
             var firstPages = new long[section.EndOfStream.Length];

@@ -5,13 +5,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>One entry of data3D: a scan as the XML section tells it.</summary>
+    /// <summary>One entry of data3D: a scan as the XML section describes it.</summary>
     sealed class E57Scan
     {
-        /// <summary>Bytestreams beyond any real prototype.</summary>
+        /// <summary>More bytestreams than any real prototype has.</summary>
         public const int MaxFields = 250;
 
-        /// <summary>Its place in the file, from 0: scans that cannot be read are left out of the list.</summary>
+        /// <summary>Its index in the file, from 0: scans that cannot be read are missing in the list.</summary>
         public int Index;
         public string Name;
         public ulong RecordsClaimed;
@@ -22,10 +22,10 @@ namespace FastPoints.Files
         public readonly List<E57Field> Fields = new List<E57Field>();
         public E57Pose Pose = E57Pose.Identity;
 
-        /// <summary>In the scanner's own coordinates; empty where the file does not say.</summary>
+        /// <summary>In the scanner's own coordinates; empty if the file does not say.</summary>
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
-        /// <summary>Limits of what a color and the intensity can be; NaN where the file does not say.</summary>
+        /// <summary>Limits of colours and intensity; NaN if the file does not say.</summary>
         public double2[] ColorLimits;
         public double2 IntensityLimits;
 
@@ -37,7 +37,7 @@ namespace FastPoints.Files
             return null;
         }
 
-        /// <returns>The fields of these names, or null where one is missing or no number.</returns>
+        /// <returns>The fields of these names, or null if one is missing or not a number.</returns>
         public E57Field[] Three(string[] names)
         {
             var three = new E57Field[3];
@@ -52,10 +52,10 @@ namespace FastPoints.Files
 
         public bool IsCartesian => Three(E57Names.Cartesian) != null;
 
-        /// <summary>For messages: "scan 2".</summary>
+        /// <summary>Name for messages: "scan 2".</summary>
         public string Label => "scan " + NumberText.Of(Index + 1L);
 
-        /// <summary>Bits of a record in all its bytestreams that are read.</summary>
+        /// <summary>Bits of a record in all bytestreams that are read.</summary>
         public long RecordBits
         {
             get
@@ -67,7 +67,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <param name="problem">Why it cannot be read; null where it can.</param>
+        /// <param name="problem">Why it cannot be read; null if it can.</param>
         /// <param name="remark">What was assumed, or null.</param>
         public static E57Scan Read(E57Node node, int index, out string problem, out string remark)
         {
@@ -141,7 +141,7 @@ namespace FastPoints.Files
             double2 x = Limits(box, "xMinimum", "xMaximum"), y = Limits(box, "yMinimum", "yMaximum"),
                 z = Limits(box, "zMinimum", "zMaximum");
             var bounds = new BoundsGeo(new double3(x.x, y.x, z.x), new double3(x.y, y.y, z.y));
-            // Writers that do not know them put the largest doubles there.
+            // Writers that do not know the bounds put the largest doubles there.
             if (bounds.IsFinite && !bounds.IsEmpty && math.cmax(math.abs(bounds.Min)) < 1e30 &&
                 math.cmax(math.abs(bounds.Max)) < 1e30)
                 BoundsClaimed = bounds;

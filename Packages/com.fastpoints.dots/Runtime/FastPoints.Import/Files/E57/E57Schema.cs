@@ -23,7 +23,7 @@ namespace FastPoints.Files
             Doubles,
         }
 
-        /// <summary>Shares of a step that are taken for rounding of decimal scales.</summary>
+        /// <summary>Differences of less than this share of a step count as rounding of decimal scales.</summary>
         const double GridToleranceSteps = 1e-6;
 
         const double MaxShare = 65535;
@@ -31,12 +31,13 @@ namespace FastPoints.Files
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
 
-        /// <summary>Grid positions: by scan and axis, steps of the grid that one of the scan's is, and what is added
-        /// then.</summary>
+        /// <summary>
+        /// For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added then.
+        /// </summary>
         long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
 
-        /// <summary>Grid positions: by axis.</summary>
+        /// <summary>For grid positions: the type of each axis.</summary>
         readonly AttributeType[] m_gridTypes = new AttributeType[3];
 
         /// <summary>The field that each attribute comes from.</summary>
@@ -63,19 +64,19 @@ namespace FastPoints.Files
 
         public PositionTransform Transform { get; private set; } = PositionTransform.Identity;
 
-        /// <summary>For people.</summary>
+        /// <summary>A description for people.</summary>
         public string PositionSummary { get; private set; }
 
-        /// <summary>Fields whose names are those of other attributes, or that are too many to be had.</summary>
+        /// <summary>Fields whose names belong to other attributes, or that exceed the limit.</summary>
         public List<string> LeftOut { get; } = new List<string>();
 
         /// <summary>Whether positions pass through rows of doubles.</summary>
         public bool HasVectorPositions => m_positions == PositionKind.Doubles;
 
-        /// <summary>Whether a scan's normals are turned with it, and so pass through rows of doubles.</summary>
+        /// <summary>Whether a scan's normals are rotated with it, and so pass through rows of doubles.</summary>
         public static bool HasVectorNormals(E57Scan scan) => !scan.Pose.IsShift && scan.Three(E57Names.Normals) != null;
 
-        /// <summary>The fields that must be read for these columns.</summary>
+        /// <summary>The fields to read for these columns.</summary>
         public List<E57FieldRead> ReadsOf(int scanIndex, PointBatch batch)
         {
             var scan = m_scans[scanIndex];
@@ -125,7 +126,7 @@ namespace FastPoints.Files
             return reads;
         }
 
-        /// <summary>Colors that are neither bytes nor 16-bit numbers nor shares of 1 are told as 16-bit numbers.</summary>
+        /// <summary>Whether colours are neither bytes, 16-bit numbers nor shares of 1: they become 16-bit numbers.</summary>
         public bool HasScaledColors { get; private set; }
 
         void ChoosePositions()
@@ -153,7 +154,7 @@ namespace FastPoints.Files
         AttributeType PositionType(int axis) => m_positions == PositionKind.Grid ? m_gridTypes[axis]
             : m_positions == PositionKind.Floats ? AttributeType.Float32 : AttributeType.Float64;
 
-        /// <summary>Whether all scans' integers lie on one grid, by whole factors and shifts of whole steps.</summary>
+        /// <summary>Whether all scans' integers lie on one grid, with whole factors and shifts of whole steps.</summary>
         bool TryGrid()
         {
             var factors = new long[m_scans.Count][];
@@ -195,7 +196,7 @@ namespace FastPoints.Files
                     least = Math.Min(least, Math.Min(first, last));
                     most = Math.Max(most, Math.Max(first, last));
                 }
-                // As doubles these limits are rounded, and wide of what 64 bits hold where a shift could leave them.
+                // As doubles these limits are rounded, and far outside what 64 bits hold if a shift could exceed them.
                 bool isMoved = !isOneScale || shifts.Any(shift => shift[axis] != 0);
                 if (isMoved && !(Math.Abs(least) < 1L << 62 && Math.Abs(most) < 1L << 62))
                     return false;
@@ -317,8 +318,10 @@ namespace FastPoints.Files
                 : areFloats ? AttributeType.Float32 : AttributeType.Float64;
         }
 
-        /// <summary>What stands for none and for all of a color. Some writers give the least and the largest value met: limits
-        /// are widened to 0 and to all ones, so that colors keep their balance.</summary>
+        /// <summary>
+        /// The values for none and all of a colour. Some writers give the smallest and the largest value that occurs: limits
+        /// are widened to 0 and to all ones, so that colours keep their balance.
+        /// </summary>
         static double2 ColorLimits(E57Scan scan, int color, E57Field field)
         {
             var limits = scan.ColorLimits[color];

@@ -4,40 +4,42 @@ using System.Collections.Generic;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A scan's binary section, and where in its packets runs of records begin: bytestream by bytestream, since a packet need not
-    /// hold the same records of each.
+    /// A scan's binary section, and where its packets contain the starts of record ranges: separately for each bytestream,
+    /// since a packet need not hold the same records of each.
     /// </summary>
     sealed class E57Section
     {
         public const int HeaderBytes = 32;
         const int SectionId = 1;
 
-        /// <summary>Records from mark to mark, unless records are long: a range costs what it holds to that.</summary>
+        /// <summary>
+        /// Records between two marks, unless records are long: a range costs what it holds, rounded up to that.
+        /// </summary>
         const int UsualMarkRecords = 4096;
         const int LeastMarkRecords = 64;
         const long MaxMarkBytes = 512 << 10;
         const int MarksPerBlock = 8;
 
-        /// <summary>Extents nearer to each other than this are read as one.</summary>
+        /// <summary>Extents closer to each other than this are read as one.</summary>
         const int GapPages = 16;
 
         public readonly E57Scan Scan;
         public readonly List<E57Mark>[] MarksOfStream;
 
-        /// <summary>By stream: logical offset behind its last packet.</summary>
+        /// <summary>For each stream, the logical offset behind its last packet.</summary>
         public readonly long[] EndOfStream;
 
         /// <summary>Logical offsets of the first packet and of the section's end.</summary>
         public long DataStart;
         public long End;
 
-        /// <summary>Records that are there; by the walk.</summary>
+        /// <summary>Number of records that exist, as the walk found.</summary>
         public long Records;
 
-        /// <summary>Its place among the scans that are read.</summary>
+        /// <summary>Its index among the scans that are read.</summary>
         public int Index;
 
-        /// <summary>Of all the file's blocks and points.</summary>
+        /// <summary>Index of its first block and point in the whole file.</summary>
         public int FirstBlock;
         public long FirstPoint;
 
@@ -61,8 +63,8 @@ namespace FastPoints.Files
         public long RecordsPossible =>
             (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 
-        /// <summary>Reads the section's header; what is odd about it becomes a warning.</summary>
-        /// <param name="problem">Why the section cannot be read; null where it can.</param>
+        /// <summary>Reads the section's header; anomalies become warnings.</summary>
+        /// <param name="problem">Why the section cannot be read; null if it can.</param>
         /// <param name="offset">Byte of the file that the problem is about.</param>
         public static E57Section Read(E57Scan scan, FileSource source, Crc32C crc, SourceInfo info, out string problem,
             out long offset)
@@ -104,11 +106,11 @@ namespace FastPoints.Files
             return section;
         }
 
-        /// <summary>Pages that hold some records of some fields, as runs in the file's order.</summary>
-        /// <param name="isWanted">By stream; null for all.</param>
-        /// <param name="firstPages">Filled; as long as there are streams.</param>
-        /// <param name="endPages">Filled likewise.</param>
-        /// <returns>Runs.</returns>
+        /// <summary>Pages that hold some records of some fields, as ranges in the file's order.</summary>
+        /// <param name="isWanted">Whether each stream is wanted; null for all.</param>
+        /// <param name="firstPages">Filled with first pages; one entry for each stream.</param>
+        /// <param name="endPages">Filled with end pages likewise.</param>
+        /// <returns>The number of ranges.</returns>
         public int PagesOf(long firstRecord, long endRecord, bool[] isWanted, long[] firstPages, long[] endPages)
         {
             int runs = 0;
@@ -146,7 +148,9 @@ namespace FastPoints.Files
 
         public E57Mark MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / MarkRecords)];
 
-        /// <summary>Logical offset behind the last packet that records before this one need; sometimes behind one more.</summary>
+        /// <summary>
+        /// Logical offset behind the last packet that records before this one need, or sometimes behind one more.
+        /// </summary>
         public long EndOf(int stream, long endRecord)
         {
             var marks = MarksOfStream[stream];
@@ -155,9 +159,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>
-    /// The packet in which one bytestream comes to a multiple of so many records: where reading can start.
-    /// </summary>
+    /// <summary>The packet in which one bytestream reaches a multiple of so many records: reading can start there.</summary>
     struct E57Mark
     {
         public int Stream;

@@ -5,7 +5,7 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>Numbers and lines of the XML section.</summary>
+    /// <summary>Reads numbers and lines of the XML section.</summary>
     static class E57Text
     {
         const int MaxShownChars = 400;
@@ -33,7 +33,7 @@ namespace FastPoints.Files
         public static bool TryCount(string text, out ulong value) =>
             ulong.TryParse(text?.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out value);
 
-        /// <summary>For people: no line ends, nothing unprintable, not longer than a few lines.</summary>
+        /// <summary>Makes text for people: no line ends, nothing unprintable, not longer than a few lines.</summary>
         public static string OneLine(string text)
         {
             var line = new StringBuilder(Math.Min(text.Length, MaxShownChars));

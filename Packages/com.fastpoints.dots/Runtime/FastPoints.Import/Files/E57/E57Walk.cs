@@ -7,25 +7,25 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Walks through the packets of one scan's binary section, reading little but their headers: most writers make packets of
-    /// nearly the same length, so that the places of the next ones can be guessed and read at once. Where the guesses fail,
-    /// everything is read.
+    /// Walks through the packets of one scan's binary section, reading little more than their headers: most writers make
+    /// packets of nearly the same length, so that the places of the next ones can be guessed and read together. If the guesses
+    /// fail, everything is read.
     /// </summary>
     sealed class E57Walk : IDisposable
     {
         const int BufferPages = 2048;
 
-        /// <summary>A first look, at all of a small file.</summary>
+        /// <summary>The first read; it covers all of a small file.</summary>
         const int FirstPages = 256;
 
-        /// <summary>A guess is a page before the expected one to two behind it.</summary>
+        /// <summary>A guess covers one page before the expected one to two behind it.</summary>
         const int GuessPages = 4;
         const int Guesses = BufferPages / GuessPages;
 
-        /// <summary>Shorter packets are sooner read with all that is between their headers.</summary>
+        /// <summary>For shorter packets, reading everything between their headers is faster.</summary>
         const int LeastGuessedBytes = 16 * E57Pages.DataBytes;
 
-        /// <summary>Guesses that must hold, or as many steps are made without.</summary>
+        /// <summary>This many guesses must hold; otherwise the walk makes as many steps without guessing.</summary>
         const int LeastHits = 32;
         const int StepsWithoutGuess = 8;
 
@@ -69,7 +69,7 @@ namespace FastPoints.Files
             }, Allocator.Persistent);
         }
 
-        /// <summary>Work for a pump; afterwards the section has its marks and knows its records.</summary>
+        /// <summary>Work for a pump; afterwards the section has its marks and knows its number of records.</summary>
         public IEnumerator<Work> Run()
         {
             while (!m_state.Value.IsDone)
@@ -161,10 +161,10 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>How far a walk through packets has come in one bytestream.</summary>
+    /// <summary>Progress of a walk through packets in one bytestream.</summary>
     struct E57StreamWalk
     {
-        /// <summary>Of one value.</summary>
+        /// <summary>Bits of one value.</summary>
         public int Bits;
 
         /// <summary>Bytes in the packets so far.</summary>
@@ -177,17 +177,17 @@ namespace FastPoints.Files
         public long MarkStep;
         public long NextMark;
 
-        /// <summary>Logical offset behind the packet with the last byte wanted; 0 while it has not come.</summary>
+        /// <summary>Logical offset behind the packet with the last wanted byte; 0 until it has come.</summary>
         public long EndOffset;
     }
 
-    /// <summary>Where a walk through the packets of one scan stands.</summary>
+    /// <summary>Progress of a walk through the packets of one scan.</summary>
     struct E57WalkState
     {
         /// <summary>Logical offset of the next packet.</summary>
         public long Position;
 
-        /// <summary>Streams that have not all their bytes yet.</summary>
+        /// <summary>Number of streams that are still incomplete.</summary>
         public int StreamsLeft;
 
         /// <summary>Data packets in this step, and the length of the last one.</summary>

@@ -7,24 +7,24 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads the XML section into a tree. Prefixes need not be declared (some writers forget to), document type definitions
-    /// and with them entities are refused, and what a document may claim of memory is bounded.
+    /// Reads the XML section into a tree. Prefixes need not be declared (some writers forget to). Document type definitions,
+    /// and with them entities, are refused, and a document's use of memory is bounded.
     /// </summary>
     static class E57XmlTree
     {
         public const int MaxBytes = 32 << 20;
 
-        /// <summary>Elements and attributes: about 100 bytes each.</summary>
+        /// <summary>The most elements and attributes: about 100 bytes each.</summary>
         const int MaxItems = 1_000_000;
         const int MaxDepth = 64;
 
-        /// <summary>Between two tags; the parser holds all attributes of a tag at once.</summary>
+        /// <summary>The most bytes between two tags: the parser holds all attributes of a tag together.</summary>
         const int MaxTagBytes = 1 << 20;
         const int MaxTextChars = 1 << 20;
 
-        /// <param name="xml">UTF-8.</param>
+        /// <param name="xml">The text in UTF-8.</param>
         /// <param name="offset">Where it starts in the file.</param>
-        /// <exception cref="PointCloudException">It is no well-formed XML, or larger than any E57 file has use for.</exception>
+        /// <exception cref="PointCloudException">It is not well-formed XML, or larger than any E57 file needs.</exception>
         public static E57Node Parse(byte[] xml, string path, long offset)
         {
             CheckTags(xml, path, offset);
@@ -37,7 +37,7 @@ namespace FastPoints.Files
                     DtdProcessing = DtdProcessing.Prohibit,
                     XmlResolver = null,
                     WhitespaceHandling = WhitespaceHandling.None,
-                    // Without definitions there is none to expand: one that is named is an error.
+                    // Without definitions there are no entities to expand: a named one is an error.
                     EntityHandling = EntityHandling.ExpandEntities,
                 })
                     return Parse(reader, path, offset);

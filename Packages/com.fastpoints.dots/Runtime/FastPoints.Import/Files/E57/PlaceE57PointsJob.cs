@@ -7,8 +7,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>The last step of a range: positions from the scanner's coordinates to the file's, normals turned likewise, and
-    /// points that are left out taken from all columns.</summary>
+    /// <summary>
+    /// The last step of a range: it transforms positions from the scanner's coordinates to the file's, rotates normals, and
+    /// removes points that are left out from all columns.
+    /// </summary>
     [BurstCompile]
     unsafe struct PlaceE57PointsJob : IJob
     {
@@ -29,7 +31,7 @@ namespace FastPoints.Files
         public bool HasNormals;
         public E57Pose Pose;
 
-        /// <summary>Columns of x, y, z and of the normal's components; -1 for those that are not wanted.</summary>
+        /// <summary>Columns of x, y, z and of the normal's components; -1 for unwanted ones.</summary>
         public int3 PositionColumns;
         public int3 NormalColumns;
 

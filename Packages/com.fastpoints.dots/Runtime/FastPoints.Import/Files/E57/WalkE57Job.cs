@@ -5,8 +5,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Steps from packet header to packet header as far as the pages at hand reach, and marks where in the bytestreams
-    /// runs of records begin.</summary>
+    /// <summary>
+    /// Steps from packet header to packet header as far as the pages at hand reach, and marks where ranges of records begin in
+    /// the bytestreams.
+    /// </summary>
     [BurstCompile]
     unsafe struct WalkE57Job : IJob
     {
@@ -88,7 +90,7 @@ namespace FastPoints.Files
             state.StreamsLeft--;
         }
 
-        /// <summary>A restart where every bytestream is at a value's end changes nothing.</summary>
+        /// <summary>A restart changes nothing if every bytestream is at a value's end.</summary>
         bool IsWithinValue(E57StreamWalk* streams)
         {
             for (int i = 0; i < StreamCount; i++)

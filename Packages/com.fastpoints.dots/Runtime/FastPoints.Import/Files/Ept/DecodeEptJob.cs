@@ -5,13 +5,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>A slice of records in the schema's layout to columns.</summary>
+    /// <summary>Copies a slice of records in the schema's layout to columns.</summary>
     [BurstCompile]
     unsafe struct DecodeEptJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
 
-        /// <summary>How the records came about; broken: they are none.</summary>
+        /// <summary>The outcome of making the records; if broken, there are none.</summary>
         [ReadOnly] public NativeReference<DecompressState> State;
 
         [ReadOnly] public NativeArray<LasFieldCopy> Copies;
@@ -19,10 +19,10 @@ namespace FastPoints.Files
         public NativeReference<DecodeResult> Result;
         public int RecordBytes;
 
-        /// <summary>First of the slice among the records.</summary>
+        /// <summary>Index of the slice's first record.</summary>
         public int FirstRecord;
 
-        /// <summary>First point of the slice, counted from the range's.</summary>
+        /// <summary>First point of the slice, counted from the range's start.</summary>
         public int First;
         public int Count;
 
@@ -50,7 +50,7 @@ namespace FastPoints.Files
     /// <summary>What the decoding jobs of EPT report in <see cref="DecodeResult.Error"/>.</summary>
     static class EptError
     {
-        /// <summary>The stream broke off, or is none.</summary>
+        /// <summary>The stream broke off, or is invalid.</summary>
         public const int Broken = 1;
     }
 }

@@ -9,15 +9,15 @@ namespace FastPoints.Files
         /// <summary>The point count that stands for "a page of its own".</summary>
         public const long PageCount = -1;
 
-        /// <summary>Deeper nodes have no cell that an int holds.</summary>
+        /// <summary>The cells of deeper nodes do not fit into an int.</summary>
         public const int MaxLevel = 30;
 
-        /// <summary>-1 where the key is none.</summary>
+        /// <summary>-1 if the key is invalid.</summary>
         public int Level;
         public int3 Cell;
         public long Points;
 
-        /// <summary>Byte of the key in its page.</summary>
+        /// <summary>Offset of the key in its page.</summary>
         public int At;
 
         public bool IsPage => Points == PageCount;
@@ -28,7 +28,7 @@ namespace FastPoints.Files
 
         public string Name => NameOf(Level, Cell);
 
-        /// <summary>What the node's files are called, without their endings.</summary>
+        /// <summary>The name of the node's files, without extensions.</summary>
         public static string NameOf(int level, int3 cell) =>
             NumberText.Of(level) + "-" + NumberText.Of(cell.x) + "-" + NumberText.Of(cell.y) + "-" + NumberText.Of(cell.z);
     }

@@ -9,33 +9,37 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with what its file can hold: missing
-    /// pages and files are holes, and warnings.
+    /// Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with the points that its file can
+    /// hold: missing pages and files are holes with warnings.
     /// </summary>
-    /// <remarks>Memory: some 50 bytes a node, up to 120 of those whose files are there, and 32 an entry of the page that is being
-    /// read: measured, 220 MB with as many nodes without files as there may be, all in one page.</remarks>
+    /// <remarks>
+    /// It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read. Measured:
+    /// 220 MB with the most nodes without files, all in one page.
+    /// </remarks>
     sealed class EptHierarchy
     {
         const string HierarchyFolder = "ept-hierarchy";
 
-        /// <summary>A page of more bytes is not read; it has room for 1.5 million nodes, and writers begin new ones long
-        /// before.</summary>
+        /// <summary>
+        /// Larger pages are not read; this has room for 1.5 million nodes, and writers begin new pages long before.
+        /// </summary>
         const int MaxPageBytes = 32 << 20;
 
-        /// <summary>Of a page that a job parses: about a millisecond.</summary>
+        /// <summary>Bytes of a page that a job parses: about a millisecond.</summary>
         const int SliceBytes = 128 << 10;
 
-        /// <summary>More nodes and pages than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
+        /// <summary>More nodes and pages than the largest clouds have: it bounds the memory of a hierarchy.</summary>
         const int MaxNodes = 1 << 21;
 
-        /// <summary>A compressed node is read whole.</summary>
+        /// <summary>Limit of a compressed node, which is read whole.</summary>
         const long MaxCompressedBytes = 1L << 28;
 
-        /// <summary>No zstandard frame makes more of a byte: a block of 128 KiB takes 4.</summary>
+        /// <summary>The most bytes that a zstandard frame makes of one: a block of 128 KiB takes 4.</summary>
         const long MaxZstandardRatio = 1 << 15;
 
-        /// <summary>Nodes whose files are looked up at once: with what they add, far below a millisecond of the main
-        /// thread.</summary>
+        /// <summary>
+        /// Nodes whose files are looked up together: adding them takes far less than a millisecond of the main thread.
+        /// </summary>
         const int StepNodes = 256;
 
         readonly EptReader m_reader;
@@ -55,13 +59,15 @@ namespace FastPoints.Files
             m_pages.Add(default);
         }
 
-        /// <summary>Work for a pump: all pages whose nodes may be of the first <paramref name="levels"/> levels, as far as they
-        /// are about <paramref name="node"/> and what is below it.</summary>
+        /// <summary>
+        /// Work for a pump: reads all pages that may contain nodes of the first <paramref name="levels"/> levels, as far as
+        /// they concern <paramref name="node"/> and what is below it.
+        /// </summary>
         public IEnumerator<Work> Read(int4 node, int levels)
         {
             while (m_waiting.TryPeek(node, levels, out var page))
             {
-                // Given up between two yields, this begins the page again; nodes that it had added are known by their keys.
+                // If abandoned between two yields, this begins the page again; nodes that it had added are known by their keys.
                 string name = EptEntry.NameOf(page.Root.w, page.Root.xyz);
                 string path = Path.Combine(m_index.Folder, HierarchyFolder, name + ".json");
                 using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
@@ -77,8 +83,8 @@ namespace FastPoints.Files
         /// <summary>Whether <see cref="Read"/> has nothing to do.</summary>
         public bool IsKnown(int4 node, int levels) => !m_waiting.TryPeek(node, levels, out _);
 
-        /// <summary>A page's entries; none for one that is not there.</summary>
-        /// <param name="name">Of the node that it begins with.</param>
+        /// <summary>Parses a page's entries; a missing page has none.</summary>
+        /// <param name="name">Name of the node that it begins with.</param>
         IEnumerator<Work> Parse(string path, string name, NativeList<EptEntry> entries)
         {
             long length = FileSource.NoSuchFile;
@@ -128,7 +134,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>The nodes of a page, level by level: a parent comes before its children.</summary>
+        /// <summary>Adds the nodes of a page level by level: a parent comes before its children.</summary>
         IEnumerator<Work> Add(NativeList<EptEntry> entries, string path)
         {
             int first = int.MaxValue, last = -1;
@@ -143,7 +149,7 @@ namespace FastPoints.Files
                 first = Math.Min(first, level);
                 last = Math.Max(last, level);
             }
-            // Doubled as it grows, the set would be there twice for a while.
+            // If it doubled as it grows, the set would exist twice for a while.
             m_nodes.EnsureCapacity(Math.Min(MaxNodes, m_nodes.Count + entries.Length));
             var step = new List<EptEntry>(StepNodes);
             for (int level = first; level <= last; level++)
@@ -158,7 +164,7 @@ namespace FastPoints.Files
                 }
         }
 
-        /// <summary>Some nodes, with their files' lengths.</summary>
+        /// <summary>Adds some nodes with their files' lengths.</summary>
         IEnumerator<Work> Add(List<EptEntry> step, string path)
         {
             var files = new string[step.Count];
@@ -171,7 +177,7 @@ namespace FastPoints.Files
             });
         }
 
-        /// <param name="length">Of its file.</param>
+        /// <param name="length">Length of its file.</param>
         void Add(EptEntry entry, long length, string path)
         {
             if (m_nodes.Count + m_pages.Count > MaxNodes)
@@ -226,7 +232,7 @@ namespace FastPoints.Files
             m_reader.AddNode(entry, points, bytes);
         }
 
-        /// <summary>Points that so many bytes of a node's file can hold.</summary>
+        /// <summary>The most points that this many bytes of a node's file can hold.</summary>
         long MostPoints(long bytes)
         {
             if (m_index.DataType == EptDataType.Binary)

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What ept.json says: the octree's cube, how nodes are kept, and what a record of a point is.</summary>
+    /// <summary>The contents of ept.json: the octree's cube, how nodes are stored, and the record of a point.</summary>
     sealed class EptIndex
     {
         /// <summary>Longer records than any cloud has.</summary>
@@ -30,18 +30,18 @@ namespace FastPoints.Files
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
 
-        /// <summary>Of the root's points, CRS units.</summary>
+        /// <summary>Spacing of the root's points in CRS units.</summary>
         public double Spacing { get; private set; }
         public EptDataType DataType { get; private set; }
 
-        /// <summary>Bytes of a point by the schema.</summary>
+        /// <summary>Bytes of a point according to the schema.</summary>
         public int RecordBytes { get; private set; }
 
-        /// <summary>Where ept.json lies.</summary>
+        /// <summary>The folder of ept.json.</summary>
         public string Folder { get; private set; }
 
-        /// <exception cref="PointCloudException">A member is missing or of another type, or names a kind of data that is not
-        /// known.</exception>
+        /// <exception cref="PointCloudException">A member is missing or of another type, or names an unknown kind of
+        /// data.</exception>
         public static EptIndex Read(JsonMembers json)
         {
             var info = new SourceInfo
@@ -75,8 +75,8 @@ namespace FastPoints.Files
             return index;
         }
 
-        /// <summary>Where a column's value lies in a record.</summary>
-        /// <exception cref="ArgumentException">The records have no such attribute, or have it in another type.</exception>
+        /// <summary>The location of a column's value in a record.</summary>
+        /// <exception cref="ArgumentException">The records lack the attribute, or have it in another type.</exception>
         public LasField FieldOf(PointAttribute column) =>
             m_fields.TryGetValue(column.Name, out var field) && field.Type == column.Type
                 ? field
@@ -137,7 +137,7 @@ namespace FastPoints.Files
                 int axis = Array.IndexOf(s_axes, name);
                 if (axis >= 0 && !m_fields.ContainsKey(name))
                 {
-                    // Positions keep theirs in the cloud's transform.
+                    // Positions keep their scale and offset in the cloud's transform.
                     transform.Scale[axis] = scale;
                     transform.Offset[axis] = offset;
                     scale = 1;
@@ -190,10 +190,10 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>How an EPT octree keeps the points of a node, each in a file of its own.</summary>
+    /// <summary>How an EPT octree stores the points of a node, each in a file of its own.</summary>
     internal enum EptDataType
     {
-        /// <summary>Records as the schema says, one behind the other (<c>.bin</c>).</summary>
+        /// <summary>Records as the schema describes them, one behind the other (<c>.bin</c>).</summary>
         Binary,
 
         /// <summary>The same in a zstandard frame (<c>.zst</c>).</summary>

@@ -4,8 +4,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the slots of EPT nodes have in common: the batch, the read of a node's file, how a range begins and
-    /// ends.</summary>
+    /// <summary>
+    /// The common base of the slots for EPT nodes: the batch, the read of a node's file, and how a range begins and ends.
+    /// </summary>
     abstract class EptRead : SlotRead
     {
         readonly NativeFileRead m_file;
@@ -19,13 +20,13 @@ namespace FastPoints.Files
 
         protected EptReader Reader { get; }
 
-        /// <summary>The bytes of the read that began last, and as many as were asked for behind them.</summary>
+        /// <summary>The bytes of the last read, and the requested padding behind them.</summary>
         protected NativeArray<byte> Input => m_file.Buffer;
 
         /// <summary>Starts the read and the jobs behind it.</summary>
         protected abstract JobHandle Schedule(BlockRange range, in EptBlock block);
 
-        /// <summary>Says what became of a range that did not give all of its points.</summary>
+        /// <summary>Reports what happened to a range that did not give all of its points.</summary>
         protected virtual void WarnBroken(DecodeResult result)
         {
         }
@@ -38,7 +39,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Reads a stretch of a block's file.</summary>
-        /// <param name="padding">Bytes behind it that jobs may touch.</param>
+        /// <param name="padding">Number of bytes behind it that jobs may touch.</param>
         protected JobHandle BeginRead(in EptBlock block, long offset, int bytes, int padding)
         {
             // Nodes come to be known while slots are in use: room for the largest is made when it is met.
@@ -66,7 +67,7 @@ namespace FastPoints.Files
             DisposeTables();
         }
 
-        /// <summary>The passes that copy the wanted columns out of the schema's records.</summary>
+        /// <summary>Plans the passes that copy the wanted columns out of the schema's records.</summary>
         protected static LasFieldCopy[] PlanCopies(EptReader reader, PointSchema wanted, PointBatch batch)
         {
             var fields = new LasField[wanted.Count];

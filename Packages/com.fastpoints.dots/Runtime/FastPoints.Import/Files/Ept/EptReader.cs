@@ -13,8 +13,8 @@ namespace FastPoints.Files
     /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.
     /// </summary>
     /// <remarks>
-    /// A node's file is opened for its range and closed behind it. A node of more points than a slot should hold becomes several
-    /// blocks; of compressed ones each decodes its file from the start.
+    /// A node's file is opened for its range and closed behind it. A node with more points than a slot should hold becomes
+    /// several blocks; if it is compressed, each block decodes its file from the start.
     /// </remarks>
     internal sealed class EptReader : PointReader
     {
@@ -45,15 +45,15 @@ namespace FastPoints.Files
             m_hierarchy = new EptHierarchy(this, index, m_tree);
         }
 
-        /// <summary>Reads ept.json and, where nodes are LAZ, the header of one.</summary>
-        /// <exception cref="PointCloudException">The index is not sound, or names data that are not known; no node's LAZ file can
-        /// be read.</exception>
+        /// <summary>Reads ept.json and, if nodes are LAZ, the header of one.</summary>
+        /// <exception cref="PointCloudException">The index is invalid or names unknown data, or no node's LAZ file can be
+        /// read.</exception>
         internal static EptReader Open(JsonMembers json)
         {
             var index = EptIndex.Read(json);
             if (index.DataType != EptDataType.Laszip)
                 return new EptReader(index, null, null);
-            // Nodes have scale and offset of their own, which ept.json may give differently: they count.
+            // Nodes have a scale and offset of their own, which count even if ept.json gives others.
             using (var source = FileSource.Open(AnyNode(index)))
             {
                 var las = LasFile.Read(source);
@@ -74,7 +74,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>The root's file, or any other where it is missing.</summary>
+        /// <summary>The root's file, or another one if it is missing.</summary>
         static string AnyNode(EptIndex index)
         {
             string folder = Path.Combine(index.Folder, DataFolder);
@@ -98,7 +98,7 @@ namespace FastPoints.Files
 
         internal EptIndex Index => m_index;
 
-        /// <summary>Of the nodes, where they are LAZ; null otherwise.</summary>
+        /// <summary>The LAS header of the nodes, if they are LAZ; otherwise null.</summary>
         internal LasFile Las { get; }
         internal LazFormat Laz { get; }
 
@@ -160,7 +160,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Adds a node and its blocks.</summary>
-        /// <param name="points">That can be read.</param>
+        /// <param name="points">Number of points that can be read.</param>
         internal void AddNode(EptEntry entry, long points, long fileBytes)
         {
             var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
@@ -194,15 +194,17 @@ namespace FastPoints.Files
             return m_blocks[block];
         }
 
-        /// <summary>A node gave its last point before <paramref name="point"/>: blocks behind it are not tried, which would
-        /// cost each the node from its start.</summary>
+        /// <summary>
+        /// Records that a node gave its last point before <paramref name="point"/>: later blocks are not tried, since each
+        /// would decode the node from its start.
+        /// </summary>
         internal void EndNode(in EptBlock block, long point)
         {
             var node = (block.Level, block.Cell);
             m_endOfNode[node] = Math.Min(point, EndOfNode(block));
         }
 
-        /// <summary>Points that a node can have, as far as is known.</summary>
+        /// <summary>The most points that a node can have, as far as is known.</summary>
         internal long EndOfNode(in EptBlock block) =>
             m_endOfNode.TryGetValue((block.Level, block.Cell), out long end) ? end : block.NodePoints;
 
@@ -213,7 +215,7 @@ namespace FastPoints.Files
             return Path.Combine(m_index.Folder, DataFolder, EptEntry.NameOf(level, cell) + ending);
         }
 
-        /// <summary>A warning for a block that gave fewer points than it has; once a block.</summary>
+        /// <summary>Warns about a block that gave fewer points than it has, once for each block.</summary>
         internal void WarnBroken(int block, string what, string detail, long byteOffset)
         {
             var of = Block(block);
@@ -233,15 +235,15 @@ namespace FastPoints.Files
         public int Level;
         public int3 Cell;
 
-        /// <summary>First point over the whole source.</summary>
+        /// <summary>Index of the first point in the whole source.</summary>
         public long FirstPoint;
 
-        /// <summary>First point, counted from the file's start.</summary>
+        /// <summary>Index of the first point in the file.</summary>
         public long FirstInNode;
 
         public int Points;
 
-        /// <summary>Of the node, as the hierarchy claims.</summary>
+        /// <summary>Points of the node, as the hierarchy claims.</summary>
         public long NodePoints;
 
         public long FileBytes;

@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// <summary>A slot for nodes of plain records.</summary>
     sealed class EptRecordRead : EptRead
     {
-        /// <summary>About a millisecond of copying.</summary>
+        /// <summary>A slice takes about a millisecond of copying.</summary>
         const int SlicePoints = 1 << 16;
 
         NativeArray<LasFieldCopy> m_copies;

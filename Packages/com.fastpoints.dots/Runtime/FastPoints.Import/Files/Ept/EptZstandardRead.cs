@@ -6,12 +6,12 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slot for nodes of records in a zstandard frame: decompressed tile by tile, as far as the range goes, each tile then
-    /// copied to the columns.
+    /// A slot for nodes of records in a zstandard frame: it decompresses tile by tile, as far as the range goes, and copies
+    /// each tile to the columns.
     /// </summary>
     sealed class EptZstandardRead : EptRead
     {
-        /// <summary>Less than a millisecond of decompression.</summary>
+        /// <summary>A tile takes less than a millisecond of decompression.</summary>
         const int TileBytes = 256 << 10;
 
         readonly int m_tilePoints;

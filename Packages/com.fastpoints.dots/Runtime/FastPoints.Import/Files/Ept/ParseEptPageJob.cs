@@ -6,18 +6,18 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slice of a hierarchy page: a flat JSON object of <c>"level-x-y-z": points</c>, as far as some bytes of it. In a job and
-    /// without the JSON parser, since pages of large clouds are megabytes: nothing is made for the garbage collector.
+    /// Parses a slice of a hierarchy page: a flat JSON object of <c>"level-x-y-z": points</c>, up to a number of bytes. It is a
+    /// job without the JSON parser because pages of large clouds are megabytes: it makes no garbage.
     /// </summary>
     [BurstCompile]
     internal struct ParseEptPageJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Text;
 
-        /// <summary>Bytes of the text that are there.</summary>
+        /// <summary>Bytes of the text that are present.</summary>
         public int TextBytes;
 
-        /// <summary>After so many bytes the slice ends, between two entries.</summary>
+        /// <summary>The slice ends after this many bytes, between two entries.</summary>
         public int SliceBytes;
 
         public NativeReference<EptPageState> State;
@@ -41,11 +41,11 @@ namespace FastPoints.Files
             Expect(ref state, (byte)'{');
         }
 
-        /// <summary>An entry and the comma behind it, or the end of the object.</summary>
+        /// <summary>Reads an entry and the comma behind it, or the end of the object.</summary>
         void ReadEntry(ref EptPageState state)
         {
             SkipBlanks(ref state.At);
-            // A comma behind the last entry is let through, as elsewhere.
+            // A comma behind the last entry is accepted, as elsewhere.
             if (Peek(state.At) == '}')
             {
                 state.IsDone = true;
@@ -75,7 +75,7 @@ namespace FastPoints.Files
                 state.At = at;
                 return;
             }
-            // Some other member: to the end of its name.
+            // This is some other member: skip to the end of its name.
             entry.Level = -1;
             while (state.At < TextBytes && Text[state.At] != '"')
                 state.At += Text[state.At] == '\\' ? 2 : 1;
@@ -85,7 +85,7 @@ namespace FastPoints.Files
                 state.At++;
         }
 
-        /// <summary>Digits up to an end mark, of a number that an int holds.</summary>
+        /// <summary>Reads digits up to an end mark, of a number that fits into an int.</summary>
         bool ReadIndex(ref int at, int end, out int value)
         {
             long number = 0;
@@ -140,18 +140,18 @@ namespace FastPoints.Files
         int Peek(int at) => at < TextBytes ? Text[at] : -1;
     }
 
-    /// <summary>How far a hierarchy page has been parsed, from slice to slice.</summary>
+    /// <summary>Progress of parsing a hierarchy page, from slice to slice.</summary>
     internal struct EptPageState
     {
         /// <summary>The next byte.</summary>
         public int At;
 
-        /// <summary>Entries so far, those without a key among them.</summary>
+        /// <summary>Number of entries so far, including those without a valid key.</summary>
         public int Entries;
 
         public bool IsDone;
 
-        /// <summary>Whether the text is no such page at <see cref="At"/>; entries before it stand.</summary>
+        /// <summary>Whether the text stops being such a page at <see cref="At"/>; earlier entries are valid.</summary>
         public bool IsBroken;
     }
 }

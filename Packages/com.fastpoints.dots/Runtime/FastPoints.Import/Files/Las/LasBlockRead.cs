@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>One range of records: read as it lies in the file, then decoded by one job.</summary>
+    /// <summary>Reads one range of records as it lies in the file, then decodes it in one job.</summary>
     sealed class LasBlockRead : SlotRead
     {
         readonly LasReader m_reader;
@@ -52,8 +52,10 @@ namespace FastPoints.Files
             m_copies.Dispose();
         }
 
-        /// <summary>The header's claims were held against the file's size when it was opened, so a short read means that the
-        /// file has changed since: an error, and not a cloud with fewer points.</summary>
+        /// <summary>
+        /// Closes the read. The header's claims were checked against the file's size at opening, so a short read means that the
+        /// file has changed since: an error, not a cloud with fewer points.
+        /// </summary>
         protected override void EndRead()
         {
             var status = m_file.Close(out long got);
@@ -72,7 +74,9 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>Records that a read has brought into memory, to the columns of a batch. See <see cref="LasRecords"/>.</summary>
+    /// <summary>
+    /// Decodes records that a read has brought into memory into the columns of a batch. See <see cref="LasRecords"/>.
+    /// </summary>
     [BurstCompile]
     internal struct DecodeLasJob : IJob
     {

@@ -6,11 +6,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>Holds what a header claims against what the file can hold. Differences are warnings; the file wins.</summary>
+    /// <summary>Checks a header's claims against what the file can hold. Differences are warnings; the file wins.</summary>
     internal static class LasClaims
     {
-        /// <summary>Points that the file's size has room for, at most those claimed.</summary>
-        /// <exception cref="PointCloudException">Truncated: points are claimed and not one is there.</exception>
+        /// <summary>Points that fit into the file's size, at most those claimed.</summary>
+        /// <exception cref="PointCloudException">Truncated: points are claimed, but there are none.</exception>
         public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
         {
             ulong claimed = header.PointsClaimed;
@@ -45,7 +45,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Compares the claimed box with what integers, scale and offset can express, and with a few points.</summary>
-        /// <param name="readable">Points that can be read; their first, middle and last are looked at.</param>
+        /// <param name="readable">Points that can be read; the first, middle and last are checked.</param>
         public static void CheckBounds(LasHeader header, FileSource source, long readable, SourceInfo info)
         {
             var records = new List<long>();
@@ -55,7 +55,7 @@ namespace FastPoints.Files
             CheckBounds(header, source, records, info);
         }
 
-        /// <summary>As above, with points whose records start at these bytes of the file.</summary>
+        /// <summary>The same, with points whose records start at these bytes of the file.</summary>
         public static void CheckBounds(LasHeader header, FileSource source, IReadOnlyList<long> records, SourceInfo info)
         {
             int readable = records.Count;
@@ -99,7 +99,7 @@ namespace FastPoints.Files
             info.Warn(LasHeader.At.Bounds, "the bounds " + Text(claimed) + " leave out points such as " + Text(seen.Min));
         }
 
-        /// <summary>What lies between the last claimed point and the next thing that the header names.</summary>
+        /// <summary>Checks what lies between the last claimed point and the next part that the header names.</summary>
         static void CheckRest(LasHeader header, long pointsEnd, long fileBytes, SourceInfo info)
         {
             long end = fileBytes;
@@ -127,7 +127,7 @@ namespace FastPoints.Files
         static long NextSection(ulong at, long start, long fileBytes) =>
             at > (ulong)start && at < (ulong)fileBytes ? (long)at : fileBytes;
 
-        // Writers round the box to the step, or print it with few digits: two steps are no contradiction.
+        // Writers round the box to the step, or print it with few digits: two steps are not a contradiction.
         static bool Contains(BoundsGeo box, BoundsGeo seen, double3 step) =>
             math.all(seen.Min >= box.Min - 2 * step) && math.all(seen.Max <= box.Max + 2 * step);
 

@@ -4,12 +4,12 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>The passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
+    /// <summary>Plans the passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
     internal static class LasCopyPlan
     {
-        /// <param name="layout">Of the records.</param>
+        /// <param name="layout">The layout of the records.</param>
         /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
-        /// <exception cref="ArgumentException">An attribute that the records do not have, or have in another type.</exception>
+        /// <exception cref="ArgumentException">The records lack an attribute, or have it in another type.</exception>
         public static LasFieldCopy[] Make(LasRecordLayout layout, PointBatch batch)
         {
             var fields = new LasField[batch.Schema.Count];
@@ -101,24 +101,24 @@ namespace FastPoints.Files
         /// <summary>Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.</summary>
         ThreeOfTwo,
         ThreeOfFour,
-        /// <summary>X, Y, Z and R, G, B, six columns in one pass: what most scenes want, faster than in two.</summary>
+        /// <summary>X, Y, Z and R, G, B, six columns in one pass: what most scenes want, and faster than two passes.</summary>
         PositionAndColor,
     }
 
-    /// <summary>From a place in each record to one column, or several. Blittable: jobs carry arrays of these.</summary>
+    /// <summary>A copy from a place in each record to one or several columns. Blittable: jobs carry arrays of these.</summary>
     internal struct LasFieldCopy
     {
-        /// <summary>Byte of the value in the record.</summary>
+        /// <summary>Offset of the value in the record.</summary>
         public int RecordByte;
 
-        /// <summary>Byte of the column's first value in the batch.</summary>
+        /// <summary>Offset of the column's first value in the batch.</summary>
         public int Column0;
 
         /// <summary>The second and third column of the kinds that have them.</summary>
         public int Column1;
         public int Column2;
 
-        /// <summary>As the first four, for the colour of <see cref="LasCopyKind.PositionAndColor"/>.</summary>
+        /// <summary>Like the first four, for the colour of <see cref="LasCopyKind.PositionAndColor"/>.</summary>
         public int ColorByte;
         public int Red;
         public int Green;
@@ -127,7 +127,7 @@ namespace FastPoints.Files
         public LasCopyKind Kind;
         public byte BitShift;
 
-        /// <summary>After the shift.</summary>
+        /// <summary>Mask to apply after the shift.</summary>
         public byte BitMask;
     }
 }

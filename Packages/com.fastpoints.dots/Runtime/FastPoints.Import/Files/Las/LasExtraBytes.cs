@@ -5,8 +5,8 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a point.
-    /// Read where present in any version; real files have it from LAS 1.2 on.
+    /// The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a point. It
+    /// is read in any version if present; real files have it from LAS 1.2 on.
     /// </summary>
     internal static class LasExtraBytes
     {
@@ -31,8 +31,8 @@ namespace FastPoints.Files
         };
 
         /// <summary>The described fields, one for each component (<c>Name[0]</c>, <c>Name[1]</c>, ... of several).</summary>
-        /// <param name="first">Byte of the record at which the extra bytes start.</param>
-        /// <param name="recordBytes">End of the record: descriptions that do not fit into it are left out with a warning.</param>
+        /// <param name="first">Offset of the extra bytes in the record.</param>
+        /// <param name="recordBytes">End of the record: descriptions that do not fit are left out with a warning.</param>
         public static List<LasField> Read(ByteReader entries, int first, int recordBytes, SourceInfo info)
         {
             var fields = new List<LasField>();
@@ -51,7 +51,7 @@ namespace FastPoints.Files
                         + NumberText.Of(type) + ": it and what follows are read as single bytes");
                     return fields;
                 }
-                // Type 0 has no type: its options are its length in bytes.
+                // Type 0 means untyped: its options field holds its length in bytes.
                 var component = type == 0 ? AttributeType.UInt8 : s_types[(type - 1) % s_types.Length];
                 int components = type == 0 ? options : 1 + (type - 1) / s_types.Length;
                 int bytes = components * component.SizeOf();
@@ -77,7 +77,7 @@ namespace FastPoints.Files
             return fields;
         }
 
-        /// <summary>One description for <see cref="LasWriter"/>: a single component.</summary>
+        /// <summary>Makes one description for <see cref="LasWriter"/>: of a single component.</summary>
         public static byte[] Entry(PointAttribute attribute)
         {
             var entry = new byte[EntryBytes];

@@ -5,7 +5,7 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>The parts of a LAS header that nothing computes with, as lines for people.</summary>
+    /// <summary>Lists the parts of a LAS header that are not used in computations, as lines for people.</summary>
     internal static class LasFacts
     {
         static readonly string[] s_encodingBits =

@@ -2,7 +2,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>Where one attribute lies in a LAS point record.</summary>
+    /// <summary>The location of one attribute in a LAS point record.</summary>
     internal readonly struct LasField
     {
         public readonly string Name;
@@ -15,10 +15,10 @@ namespace FastPoints.Files
         /// <summary>Lowest bit of a bit field within its byte.</summary>
         public readonly int BitShift;
 
-        /// <summary>Bits of a bit field, or 0 for a value that has its bytes to itself.</summary>
+        /// <summary>Bits of a bit field, or 0 for a value with bytes of its own.</summary>
         public readonly int BitWidth;
 
-        /// <summary>Value = stored * Scale + Offset; 1 and 0 but for extra bytes that say otherwise.</summary>
+        /// <summary>Value = stored * Scale + Offset; 1 and 0 unless extra bytes say otherwise.</summary>
         public readonly double Scale;
 
         public readonly double Offset;

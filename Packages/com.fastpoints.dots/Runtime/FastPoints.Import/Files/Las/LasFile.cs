@@ -3,15 +3,19 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>All of a LAS or LAZ file but its points: header, records, layout of a point, and what they tell.</summary>
+    /// <summary>
+    /// Everything in a LAS or LAZ file except its points: header, records, the layout of a point, and what they say.
+    /// </summary>
     internal sealed class LasFile
     {
         public LasHeader Header { get; private set; }
         public LasVlrTable Vlrs { get; private set; }
         public LasRecordLayout Layout { get; private set; }
 
-        /// <summary>Complete but for the points: <see cref="SourceInfo.PointsReadable"/> and the claimed bounds are for the
-        /// reader to judge, since only it knows how points lie in the file.</summary>
+        /// <summary>
+        /// Complete except for the points: the reader decides on <see cref="SourceInfo.PointsReadable"/> and the claimed
+        /// bounds, since only it knows how points lie in the file.
+        /// </summary>
         public SourceInfo Info { get; private set; }
 
         /// <exception cref="PointCloudException">The points are unreadable: see <see cref="LasHeader.Read"/>.</exception>
@@ -48,8 +52,10 @@ namespace FastPoints.Files
             return new LasFile { Header = header, Vlrs = vlrs, Layout = layout, Info = info };
         }
 
-        /// <summary>WKT where there is any that reads, otherwise GeoTIFF keys: a file that has both has the keys for programs
-        /// that know no WKT.</summary>
+        /// <summary>
+        /// Uses readable WKT if there is any, otherwise GeoTIFF keys: files with both have the keys for programs that cannot
+        /// read WKT.
+        /// </summary>
         static void ReadCrs(LasVlrTable vlrs, SourceInfo info)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.WktRecord);

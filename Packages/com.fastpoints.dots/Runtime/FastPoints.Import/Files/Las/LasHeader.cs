@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>The public header block of LAS 1.0 to 1.5, field by field, as it stands in the file.</summary>
+    /// <summary>The public header block of LAS 1.0 to 1.5, field by field, as it is in the file.</summary>
     internal sealed class LasHeader
     {
         /// <summary>Byte offsets of the fields in the file; the same in every version that has the field.</summary>
@@ -44,7 +44,7 @@ namespace FastPoints.Files
         public const string Magic = "LASF";
         public const int MaxMinorVersion = 5;
 
-        /// <summary>Bytes of the header in LAS 1.0 to 1.2: no file has fewer.</summary>
+        /// <summary>Bytes of the header in LAS 1.0 to 1.2: no file has a shorter one.</summary>
         public const int LeastBytes = 227;
 
         const int TextBytes = 32;
@@ -65,7 +65,7 @@ namespace FastPoints.Files
         public uint PointsOffset;
         public uint VlrCount;
         public int PointFormat;
-        /// <summary>LAZ: the points are not records of <see cref="RecordBytes"/>.</summary>
+        /// <summary>LAZ: the points are not plain records of <see cref="RecordBytes"/>.</summary>
         public bool IsCompressed;
         public int RecordBytes;
         public uint LegacyCount;
@@ -81,12 +81,12 @@ namespace FastPoints.Files
         /// <summary>0 before LAS 1.4.</summary>
         public ulong Count;
         public readonly ulong[] ByReturn = new ulong[15];
-        /// <summary>0 before LAS 1.5, as the next two.</summary>
+        /// <summary>0 before LAS 1.5, like the next two.</summary>
         public double MaxGpsTime;
         public double MinGpsTime;
         public ushort TimeOffset;
 
-        /// <summary>Bytes that the header of a version has.</summary>
+        /// <summary>Bytes of a version's header.</summary>
         public static int BytesOf(int minorVersion) => s_bytesOfMinor[minorVersion];
 
         /// <summary>Whether the version has the field that ends at <paramref name="end"/>, and the header is long enough for
@@ -95,14 +95,16 @@ namespace FastPoints.Files
 
         public bool Has64BitCount => HasBytes(At.ByReturn);
 
-        /// <summary>Points by the header: the 64-bit count where there is one.</summary>
+        /// <summary>Points according to the header: the 64-bit count if there is one.</summary>
         public ulong PointsClaimed => Has64BitCount && (Count != 0 || LegacyCount == 0) ? Count : LegacyCount;
 
         public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
 
-        /// <summary>Reads the header. What makes the points unreadable is a failure; all else is left to be judged.</summary>
-        /// <exception cref="PointCloudException">Truncated, BadInput, or Unsupported for a version or point format that is
-        /// not known.</exception>
+        /// <summary>
+        /// Reads the header. Whatever makes the points unreadable is a failure; everything else is checked later.
+        /// </summary>
+        /// <exception cref="PointCloudException">Truncated, BadInput, or Unsupported for an unknown version or point
+        /// format.</exception>
         public static LasHeader Read(FileSource source)
         {
             if (source.ReadAtMost(0, 4).Text(0, (int)Math.Min(4, source.Length), "signature") != Magic)
@@ -148,7 +150,7 @@ namespace FastPoints.Files
             return header;
         }
 
-        /// <summary>The fields that came with LAS 1.3, 1.4 and 1.5, as far as this header has them.</summary>
+        /// <summary>Reads the fields that came with LAS 1.3, 1.4 and 1.5, as far as this header has them.</summary>
         void ReadLaterFields(ByteReader bytes)
         {
             if (HasBytes(At.EvlrOffset))
@@ -184,7 +186,7 @@ namespace FastPoints.Files
                     "at least " + LeastBytes, PointsOffset);
         }
 
-        /// <summary>The header as bytes, of the length that its version has.</summary>
+        /// <summary>The header as bytes, with the length of its version.</summary>
         public byte[] ToBytes()
         {
             var bytes = new byte[BytesOf(VersionMinor)];
@@ -241,7 +243,7 @@ namespace FastPoints.Files
         internal static void PutFloat(byte[] bytes, int at, double value) =>
             Put(bytes, at, 8, (ulong)BitConverter.DoubleToInt64Bits(value));
 
-        /// <summary>ASCII, cut to the field's length, padded with zeros.</summary>
+        /// <summary>Writes ASCII text, cut to the field's length and padded with zeros.</summary>
         internal static void PutText(byte[] bytes, int at, int count, string text)
         {
             for (int i = 0; i < count && i < text.Length; i++)

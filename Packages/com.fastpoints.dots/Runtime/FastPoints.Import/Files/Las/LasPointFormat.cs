@@ -4,12 +4,12 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The eleven point data record formats of LAS 1.0 to 1.5, each put together from the parts that the specification puts
-    /// together: a core, then GPS time, colour, near infrared, wave packet.
+    /// The eleven point data record formats of LAS 1.0 to 1.5, each composed of the specification's parts: a core, then GPS
+    /// time, colour, near infrared, wave packet.
     /// </summary>
     internal sealed class LasPointFormat
     {
-        /// <summary>A run of fields with offsets from its own start.</summary>
+        /// <summary>Consecutive fields with offsets from their own start.</summary>
         sealed class Part
         {
             public readonly int Bytes;

@@ -8,8 +8,8 @@ using Unity.IO.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a run of
-    /// records of a size that suits slices of work, and any range of it costs what it holds.
+    /// Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a range of
+    /// records whose size suits slices of work, and any part of it costs what it holds.
     /// </summary>
     internal sealed class LasReader : PointReader
     {
@@ -34,11 +34,13 @@ namespace FastPoints.Files
             BlockCount = (int)blocks;
         }
 
-        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
-        /// <returns>A <see cref="LazReader"/> where the points are compressed, a <see cref="CopcReader"/> where they lie in an
+        /// <summary>
+        /// Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.
+        /// </summary>
+        /// <returns>A <see cref="LazReader"/> if the points are compressed, a <see cref="CopcReader"/> if they lie in an
         /// octree.</returns>
-        /// <exception cref="PointCloudException">Not LAS, cut before its first point, or of an unknown version or point
-        /// format.</exception>
+        /// <exception cref="PointCloudException">The file is not LAS, is cut before its first point, or has an unknown version
+        /// or point format.</exception>
         public static PointReader Open(FileSource source)
         {
             var las = LasFile.Read(source);
@@ -46,7 +48,7 @@ namespace FastPoints.Files
                 : CopcReader.TryOpen(las, source) ?? LazReader.Open(las, source);
         }
 
-        /// <summary>Plain records, whatever the header says of compression.</summary>
+        /// <summary>Opens plain records, whatever the header says about compression.</summary>
         internal static PointReader OpenUncompressed(LasFile las, FileSource source)
         {
             las.Info.PointsReadable = LasClaims.CountReadable(las.Header, source.Length, las.Info);
@@ -99,8 +101,8 @@ namespace FastPoints.Files
         public override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             new LasRunRead(this, target, maxRuns, maxBytes, allocator);
 
-        /// <summary>Byte of a record in the file.</summary>
-        /// <param name="point">Over the whole source.</param>
+        /// <summary>Offset of a record in the file.</summary>
+        /// <param name="point">Index in the whole source.</param>
         public long OffsetOfPoint(long point) => m_las.Header.PointsOffset + point * Info.RecordBytes;
 
         public override void CloseFile()

@@ -4,15 +4,15 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>All that a record of one file holds: the fields of its point format, then extra bytes.</summary>
+    /// <summary>Everything that a record of one file holds: the fields of its point format, then extra bytes.</summary>
     internal sealed class LasRecordLayout
     {
         readonly List<LasField> m_fields = new List<LasField>();
         readonly Dictionary<string, int> m_indexOfName = new Dictionary<string, int>();
 
-        /// <param name="recordBytes">By the header; at least the format's own.</param>
-        /// <param name="extra">Described extra bytes, with offsets from the record's start. What they leave of the record becomes
-        /// columns of single bytes named <c>ExtraBytes[i]</c>, so that nothing of a record is lost.</param>
+        /// <param name="recordBytes">According to the header; at least the format's own.</param>
+        /// <param name="extra">Described extra bytes, with offsets from the record's start. The rest of the record becomes
+        /// columns of single bytes named <c>ExtraBytes[i]</c>, so that no part of a record is lost.</param>
         public LasRecordLayout(LasPointFormat format, int recordBytes, IEnumerable<LasField> extra)
         {
             Format = format;
@@ -38,12 +38,12 @@ namespace FastPoints.Files
         public LasPointFormat Format { get; }
         public int RecordBytes { get; }
 
-        /// <summary>End of the last byte of a record that the format or a description accounts for.</summary>
+        /// <summary>End of the last byte that the format or a description covers.</summary>
         public int DescribedBytes { get; }
 
         public IReadOnlyList<LasField> Fields => m_fields;
 
-        /// <summary>One attribute a field, in the same order.</summary>
+        /// <summary>One attribute for each field, in the same order.</summary>
         public PointSchema Schema { get; }
 
         public bool TryFind(string name, out LasField field)

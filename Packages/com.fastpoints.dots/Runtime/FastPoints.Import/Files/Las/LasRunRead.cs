@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Scattered runs of plain LAS records.</summary>
+    /// <summary>Reads scattered runs of plain LAS records.</summary>
     sealed class LasRunRead : RunRead
     {
         readonly int m_recordBytes;
@@ -39,7 +39,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>Scattered records that a read has brought into memory, to their places in a batch.</summary>
+    /// <summary>Decodes scattered records that a read has brought into memory to their places in a batch.</summary>
     [BurstCompile]
     struct DecodeLasRunsJob : IJob
     {
@@ -49,7 +49,7 @@ namespace FastPoints.Files
         public int RunCount;
         public int RecordBytes;
 
-        // Other slots write other places of it at the same time.
+        // Other slots write to other parts of it at the same time.
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Columns;
 
         public unsafe void Execute()

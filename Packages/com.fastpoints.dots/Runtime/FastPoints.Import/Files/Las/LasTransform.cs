@@ -3,18 +3,18 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>From a header's scale and offset to a transform that keeps points apart, whatever the header says.</summary>
+    /// <summary>Turns a header's scale and offset into a transform that keeps points apart, whatever the header says.</summary>
     internal static class LasTransform
     {
-        /// <summary>A hundredth of a unit: what LAS files most often have.</summary>
+        /// <summary>A hundredth of a unit, which is most common in LAS files.</summary>
         const double UsualScale = 0.01;
 
         static readonly string[] s_axes = { "x", "y", "z" };
 
         /// <summary>
-        /// The header's transform. An axis whose scale is zero or not finite would lose its points, so it takes the scale of
-        /// another axis (x and y each other's first) or 0.01; an offset that is not finite becomes 0. Each is a warning.
-        /// A negative scale is kept: it mirrors, and says so exactly.
+        /// Reads the header's transform. An axis whose scale is zero or not finite would lose its points, so it takes the scale
+        /// of another axis (x and y each other's first) or 0.01; an offset that is not finite becomes 0. Each of these is a
+        /// warning. A negative scale is kept: it mirrors, and that is exact.
         /// </summary>
         public static PositionTransform Read(LasHeader header, SourceInfo info)
         {
@@ -42,7 +42,7 @@ namespace FastPoints.Files
             return transform;
         }
 
-        // A scale that takes a 32-bit integer beyond the doubles is as good as infinite.
+        // A scale that moves a 32-bit integer beyond the doubles is as good as infinite.
         static bool IsUsable(double scale) => scale != 0 && IsFinite(scale) && IsFinite(scale * int.MinValue * 2);
 
         static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);

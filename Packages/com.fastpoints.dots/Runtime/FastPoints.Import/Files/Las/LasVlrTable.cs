@@ -5,12 +5,12 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The variable length records of a file, before the points and after them. Counts and lengths are claims: the walk ends
-    /// with a warning where they leave the room that the file has, and points load all the same.
+    /// The variable length records of a file, before and after the points. Counts and lengths are claims: the walk ends with a
+    /// warning if they exceed the file, and points still load.
     /// </summary>
     internal sealed class LasVlrTable
     {
-        /// <summary>More records than any real file has (390 were met): a bound for the memory that a header can claim.</summary>
+        /// <summary>More records than any real file has (390 were met): it bounds the memory that a header can claim.</summary>
         public const int MaxRecords = 65536;
 
         /// <summary>Payloads above this are listed but not read: WKT and key tables are a few kilobytes.</summary>
@@ -44,7 +44,7 @@ namespace FastPoints.Files
             return table;
         }
 
-        /// <returns>The first record of that kind whose bytes can be had, or null.</returns>
+        /// <returns>The first record of that kind whose bytes can be read, or null.</returns>
         public LasVlr Find(string userId, ushort recordId)
         {
             foreach (var record in m_records)
@@ -53,7 +53,7 @@ namespace FastPoints.Files
             return null;
         }
 
-        /// <summary>The bytes of a record; none, with a warning, for one of an absurd size.</summary>
+        /// <summary>The bytes of a record; none, with a warning, if its size is absurd.</summary>
         public ByteReader Payload(LasVlr record)
         {
             if (record.DataBytes <= MaxPayloadBytes)
@@ -102,7 +102,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>One (extended) variable length record: whose it is, what it is, where its bytes lie.</summary>
+    /// <summary>One (extended) variable length record: its owner, its kind, and where its bytes lie.</summary>
     internal sealed class LasVlr
     {
         public const int HeaderBytes = 54;
@@ -120,15 +120,15 @@ namespace FastPoints.Files
         public ushort RecordId;
         public string Description;
 
-        /// <summary>Where its own header starts in the file.</summary>
+        /// <summary>Offset of its own header in the file.</summary>
         public long Offset;
 
         public long DataOffset;
 
-        /// <summary>Bytes that lie in the file; fewer than claimed where it was cut.</summary>
+        /// <summary>Bytes present in the file; fewer than claimed if it was cut.</summary>
         public long DataBytes;
 
-        /// <summary>From the end of the file, with a 64-bit length (LAS 1.4).</summary>
+        /// <summary>Whether it comes from the end of the file, with a 64-bit length (LAS 1.4).</summary>
         public bool IsExtended;
 
         public bool Is(string userId, ushort recordId) => RecordId == recordId && UserId == userId;

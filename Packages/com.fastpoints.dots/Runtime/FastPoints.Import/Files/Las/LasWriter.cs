@@ -10,8 +10,8 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Writes a LAS file point by point as they come; counts and bounds go into the header at the end. The file has a temporary
-    /// name until <see cref="Complete"/>: disposed before that, nothing of it stays, and a file of that name is as it was.
+    /// Writes a LAS file as points come; counts and bounds go into the header at the end. The file has a temporary name until
+    /// <see cref="Complete"/>: if disposed before that, nothing of it stays, and an existing file of that name is unchanged.
     /// </summary>
     internal sealed unsafe class LasWriter : IDisposable
     {
@@ -72,7 +72,7 @@ namespace FastPoints.Files
         public ulong PointCount => m_header.Count;
 
         /// <summary>Creates the temporary file.</summary>
-        /// <exception cref="ArgumentException">Settings that make no LAS file.</exception>
+        /// <exception cref="ArgumentException">The settings do not describe a valid LAS file.</exception>
         /// <exception cref="PointCloudException">The file cannot be created.</exception>
         public static LasWriter Create(string path, LasWriterSettings settings)
         {
@@ -101,7 +101,8 @@ namespace FastPoints.Files
         }
 
         /// <summary>Appends the batch's valid points. Attributes that it lacks are zero.</summary>
-        /// <exception cref="ArgumentException">The records lack an attribute of the batch, or type it otherwise.</exception>
+        /// <exception cref="ArgumentException">The records lack an attribute of the batch, or have it in another
+        /// type.</exception>
         /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void Append(PointBatch batch)
         {
@@ -152,7 +153,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Without <see cref="Complete"/> before it: gives up, and leaves nothing.</summary>
+        /// <summary>If <see cref="Complete"/> was not called, gives up and leaves nothing.</summary>
         public void Dispose()
         {
             if (m_isComplete || m_isGivenUp)
@@ -166,7 +167,7 @@ namespace FastPoints.Files
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // The failure that led here is the one to tell; a file that cannot be deleted could not be made either.
+                // The failure that led here is the one to report; a file that cannot be deleted could not be made either.
             }
         }
 
@@ -214,7 +215,7 @@ namespace FastPoints.Files
                 m_header.ByReturn[i] = m_byReturn[i + 1];
             if (m_header.Count == 0)
                 return;
-            // A negative scale turns the axis round.
+            // A negative scale reverses the axis.
             var a = new double3(m_min.x, m_min.y, m_min.z) * m_header.Scale + m_header.Offset;
             var b = new double3(m_max.x, m_max.y, m_max.z) * m_header.Scale + m_header.Offset;
             m_header.Min = math.min(a, b);
@@ -260,7 +261,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>What a LAS file to be written is.</summary>
+    /// <summary>Settings of a LAS file to be written.</summary>
     internal sealed class LasWriterSettings
     {
         /// <summary>LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.</summary>
@@ -269,7 +270,7 @@ namespace FastPoints.Files
         /// <summary>0 to 10.</summary>
         public int PointFormat = 7;
 
-        /// <summary>Position = stored * scale + offset; finite, the scale not 0.</summary>
+        /// <summary>Position = stored * scale + offset; all finite, and the scale not 0.</summary>
         public double3 Scale = new double3(0.001, 0.001, 0.001);
 
         public double3 Offset;
@@ -280,7 +281,7 @@ namespace FastPoints.Files
         public string SystemIdentifier = "OTHER";
         public string GeneratingSoftware = "FastPoints";
 
-        /// <summary>Day of the year and year; 0 where not stated, so that equal clouds give equal files.</summary>
+        /// <summary>Day of the year and year; 0 if not stated, so that equal clouds give equal files.</summary>
         public int CreationDay;
         public int CreationYear;
 

@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slice of a whole LAZ or LAS file in memory, header and all: the nodes of octrees that keep each in a file of its own. A
-    /// chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
+    /// Decodes a slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file of its
+    /// own. A chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
@@ -18,10 +18,12 @@ namespace FastPoints.Files
 
         public int InputBytes;
 
-        /// <summary>The grid of the columns: a file of another scale or offset is placed on it, where that is exact.</summary>
+        /// <summary>The grid of the columns: a file with another scale or offset is placed on it if that is exact.</summary>
         public PositionTransform Transform;
 
-        /// <summary>An offset that is no whole number of steps from the grid's is taken for the nearest that is.</summary>
+        /// <summary>
+        /// Whether an offset that is not a whole number of steps from the grid's is rounded to the nearest that is.
+        /// </summary>
         public bool RoundsOffset;
 
         /// <summary>The LASzip VLR's list of items, from their number on, as it must be; none for LAS.</summary>
@@ -48,7 +50,7 @@ namespace FastPoints.Files
         public long First;
         public int Count;
 
-        /// <summary>Points in front of the range, which are decoded because the others follow from them, and not kept.</summary>
+        /// <summary>Points before the range, which are decoded because the others depend on them, but not kept.</summary>
         public long Skip;
 
         bool IsPlain => Compressor == LazCompressor.None;
@@ -119,8 +121,8 @@ namespace FastPoints.Files
                 : PointwiseChunk.Decode(Pointwise, chunk, state.End - state.ChunkOffset, tile, count);
         }
 
-        /// <summary>The tile's positions, which begin its records, onto the columns' grid.</summary>
-        /// <returns>Points before the first that 32 bits do not hold there.</returns>
+        /// <summary>Moves the tile's positions, which begin its records, onto the columns' grid.</summary>
+        /// <returns>The number of points before the first that does not fit into 32 bits there.</returns>
         int Place(in LazFilePlacing placing, int count)
         {
             byte* record = (byte*)Tile.GetUnsafePtr();
@@ -130,7 +132,7 @@ namespace FastPoints.Files
             return count;
         }
 
-        /// <summary>The tile's points to the columns, but for those in front of the range.</summary>
+        /// <summary>Copies the tile's points to the columns, except those before the range.</summary>
         void Keep(long first, int count, ref DecodeResult result)
         {
             int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
@@ -172,7 +174,7 @@ namespace FastPoints.Files
             return bytes > 0 && state.ChunkPoints > 0;
         }
 
-        /// <returns>Whether the file is what the reader's nodes are.</returns>
+        /// <returns>Whether the file is like the reader's other nodes.</returns>
         bool ReadHeader(byte* input, ref LazFileState state)
         {
             if (InputBytes < LasHeader.LeastBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
@@ -198,7 +200,7 @@ namespace FastPoints.Files
             return ReadVlrs(input, headerBytes > LasHeader.LeastBytes ? headerBytes : LasHeader.LeastBytes, ref state);
         }
 
-        /// <summary>The chunk table, where there is one: it ends the last chunk, whatever a count claims.</summary>
+        /// <summary>The chunk table's offset, if there is one: it ends the last chunk, whatever a count claims.</summary>
         long EndOfChunks(byte* input, long firstChunk)
         {
             if (Compressor == LazCompressor.Pointwise || firstChunk > InputBytes)
@@ -207,7 +209,7 @@ namespace FastPoints.Files
             return table > firstChunk && table <= InputBytes ? table : InputBytes;
         }
 
-        /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder is made for.</returns>
+        /// <returns>Whether there is a LASzip VLR, and its items are those that the decoder supports.</returns>
         bool ReadVlrs(byte* input, long at, ref LazFileState state)
         {
             const int UserId = 2, LastOfUserId = UserId + 13;

@@ -6,8 +6,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// One slice of a chunk: the next points after those of the slice before it, first into a tile of records, then to the
-    /// columns that are wanted. A chain of these decodes a range.
+    /// Decodes one slice of a chunk: the points after those of the previous slice, first into a tile of records, then to the
+    /// wanted columns. A chain of these decodes a range.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodeLazJob : IJob
@@ -42,20 +42,20 @@ namespace FastPoints.Files
         public int First;
         public int Count;
 
-        /// <summary>Points in front of the range, which are decoded because the others follow from them, and not kept.</summary>
+        /// <summary>Points before the range, which are decoded because the others depend on them, but not kept.</summary>
         public int Skip;
 
-        /// <summary>Points that the range takes from the state's start, <see cref="Skip"/> among them.</summary>
+        /// <summary>Points to decode from the state's start, including <see cref="Skip"/>.</summary>
         public int Total;
 
-        /// <summary>Points that the input of layers holds at most.</summary>
+        /// <summary>The most points that the input of layers holds.</summary>
         public long InputPoints;
 
-        /// <summary>What the whole chunk has, as told by whoever knows where it is.</summary>
+        /// <summary>Points of the whole chunk, as its listing claims.</summary>
         public long ChunkPoints;
         public long ChunkBytes;
 
-        /// <summary>Where the input lies in the file.</summary>
+        /// <summary>Offset of the input in the file.</summary>
         public long FileOffset;
 
         /// <summary>Whether the range takes the chunk to its end, so that the stream must end with it.</summary>
@@ -100,7 +100,7 @@ namespace FastPoints.Files
                 if (got < wanted)
                 {
                     result.Error = LazError.Short;
-                    // Layers are packed in the input: where a byte of them lies in the file is the chunk's business.
+                    // Layers are packed in the input: only the chunk knows where a byte of them lies in the file.
                     result.ErrorOffset = FileOffset + (IsLayered ? 0 : ((PointwiseChunk*)state)->InputOffset);
                     if (!IsLayered)
                         DropDoubtful((PointwiseChunk*)state, ref result);
@@ -111,7 +111,7 @@ namespace FastPoints.Files
             Result.Value = result;
         }
 
-        /// <summary>All points were there: is that where the stream ends?</summary>
+        /// <summary>Checks, after all points, whether the stream ends there.</summary>
         void CheckEnd(PointwiseChunk* chunk, long inputBytes, ref DecodeResult result)
         {
             if (chunk->IsAtEnd)
@@ -127,7 +127,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Points that the stream's end does not vouch for are not given: a decoder makes some of no bytes.</summary>
+        /// <summary>Drops points that the stream's end does not confirm: a decoder makes some of no bytes.</summary>
         static void DropDoubtful(PointwiseChunk* chunk, ref DecodeResult result)
         {
             int kept = result.Points - chunk->PointsInDoubt;
@@ -135,24 +135,28 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>What the decoding jobs report in <see cref="DecodeResult.Error"/>.</summary>
+    /// <summary>The values of <see cref="DecodeResult.Error"/> from decoding jobs.</summary>
     static class LazError
     {
         public const int None = 0;
 
-        /// <summary>The input ended (or one of its layers did) before the points that were asked for.</summary>
+        /// <summary>The input, or one of its layers, ended before the requested points.</summary>
         public const int Short = 1;
 
-        /// <summary>All points are there, but the stream does not end where its chunk does: some of them are noise.</summary>
+        /// <summary>
+        /// All points were decoded, but the stream does not end where its chunk does: some of them are noise.
+        /// </summary>
         public const int EndMismatch = 2;
 
-        /// <summary>All points are there, and the stream has more bytes: the file claims too few, or some are noise.</summary>
+        /// <summary>
+        /// All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.
+        /// </summary>
         public const int GoesOn = 4;
 
-        /// <summary>What lies there is no chunk: neither its count nor its length is what was told of it.</summary>
+        /// <summary>There is no chunk here: neither its count nor its length matches the claims.</summary>
         public const int NoChunk = 3;
 
-        /// <summary>A file's positions do not lie on the grid that they are wanted on.</summary>
+        /// <summary>A file's positions do not lie on the required grid.</summary>
         public const int OffGrid = 5;
     }
 }

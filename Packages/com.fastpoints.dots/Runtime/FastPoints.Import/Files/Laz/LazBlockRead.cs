@@ -9,18 +9,19 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// One range of a block: its bytes are read (of a layered chunk only the wanted layers: first the header that says where they
-    /// are, then a read that a job has planned), then a chain of slices decodes them.
+    /// Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they are, then
+    /// a read that a job has planned), then decodes it in a chain of slices.
     /// </summary>
     sealed unsafe class LazBlockRead : SlotRead
     {
-        /// <summary>About 4 ms of decoding on one core.</summary>
+        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
 
-        /// <summary>Layered chunks up to this are read whole: two reads one after the other cost more than the bytes
-        /// saved.</summary>
+        /// <summary>
+        /// Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
+        /// </summary>
         const int SmallChunkBytes = 16 << 10;
 
         const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
@@ -65,7 +66,7 @@ namespace FastPoints.Files
             m_plannedArray = new NativeArray<ReadCommandArray>(1, allocator);
         }
 
-        /// <returns>Whether there is no layer to leave out.</returns>
+        /// <returns>Whether all layers are wanted.</returns>
         bool ConfigureState(PointSchema wanted, Allocator allocator)
         {
             var layers = m_format.Layers;
@@ -134,7 +135,7 @@ namespace FastPoints.Files
             checkpoint?.Restore(m_state);
             long start = m_inputOffset = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
-            // Streams of layers are places in the input: it is the same for every range that goes on from another.
+            // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
             m_file.Reserve(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(inputPoints)) + ExtraPadding);
@@ -164,7 +165,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Starts the read of a range's input.</summary>
-        /// <param name="decode">Gets what the read means for the decoding.</param>
+        /// <param name="decode">Receives the settings that the read implies.</param>
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
@@ -199,7 +200,7 @@ namespace FastPoints.Files
             }.Schedule(header);
             m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, planned);
             m_isPlanned = true;
-            // The read follows the plan, but nothing promises that its handle says so.
+            // The read follows the plan, but its handle does not promise to include it.
             return JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle);
         }
 

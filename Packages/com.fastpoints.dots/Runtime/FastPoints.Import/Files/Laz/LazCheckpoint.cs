@@ -6,15 +6,15 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A decoder's state somewhere within a chunk, to go on from. Pages of zeros (models that have not
-    /// come up) are not kept: about 0.3 of 1.4 MB are. Not in managed memory: a preview keeps a hundred of them, and the editor's
+    /// A decoder's state somewhere within a chunk, from which decoding can continue. Pages of zeros (unused models) are not
+    /// kept: about 0.3 of 1.4 MB are. It is not in managed memory because a preview keeps a hundred of them, and the editor's
     /// managed heap never shrinks.
     /// </summary>
     sealed unsafe class LazCheckpoint : DecoderState
     {
         const int PageBytes = 4096;
 
-        /// <summary>Room grows by so many pages, so that one that is used again seldom has to.</summary>
+        /// <summary>Room grows by this many pages, so that a reused one seldom has to grow.</summary>
         const int PagesPerGrowth = 16;
 
         readonly List<int> m_pages = new List<int>();
@@ -30,7 +30,7 @@ namespace FastPoints.Files
 
         public bool HasState => m_content.IsCreated;
 
-        /// <summary>Gives up the state and keeps the place: the block decodes from an earlier checkpoint.</summary>
+        /// <summary>Drops the state but keeps the position: the block then decodes from an earlier checkpoint.</summary>
         public void Drop()
         {
             if (m_content.IsCreated)
@@ -55,7 +55,7 @@ namespace FastPoints.Files
                     LengthOf(m_pages[i], state.Length));
         }
 
-        /// <summary>Makes <paramref name="state"/> what it was.</summary>
+        /// <summary>Restores <paramref name="state"/>.</summary>
         public void Restore(NativeArray<byte> state)
         {
             byte* to = (byte*)state.GetUnsafePtr();

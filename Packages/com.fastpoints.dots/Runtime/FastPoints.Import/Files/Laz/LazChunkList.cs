@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Chunks of a file, however many: where each begins behind the one before, as in a chunk table, four bytes a chunk (eight
-    /// where they do not hold equal numbers of points) and sums every 64. Other lists (hierarchies of octrees) have 24 bytes a
-    /// chunk.
+    /// The chunks of a file, in any number. If each begins where the one before ends, as in a chunk table, it takes four bytes
+    /// for a chunk (eight if they do not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of octrees)
+    /// take 24 bytes for a chunk.
     /// </summary>
     internal sealed class LazChunkList
     {
@@ -20,7 +20,7 @@ namespace FastPoints.Files
         /// <summary>Points of each chunk; null while all but the last have as many as the first.</summary>
         Pages m_points;
 
-        /// <summary>In place of all of the above where chunks are not in a row.</summary>
+        /// <summary>Replaces all of the above if chunks are not in a row.</summary>
         List<LazChunk> m_scattered;
 
         long m_firstPoints;
@@ -29,10 +29,10 @@ namespace FastPoints.Files
 
         public int Count => m_scattered?.Count ?? m_bytes.Count;
 
-        /// <summary>Of all chunks.</summary>
+        /// <summary>Number of points in all chunks.</summary>
         public long PointCount { get; private set; }
 
-        /// <summary>No chunk has, or had, more points.</summary>
+        /// <summary>The most points that any chunk has or had.</summary>
         public long MaxPoints { get; private set; }
 
         public long MaxBytes { get; private set; }
@@ -62,7 +62,7 @@ namespace FastPoints.Files
             return m_points != null ? m_points[chunk] : chunk == Count - 1 ? m_lastPoints : m_firstPoints;
         }
 
-        /// <summary>Points of all chunks before, where they are in a row.</summary>
+        /// <summary>Number of points in all earlier chunks, if they are in a row.</summary>
         public long FirstPointOf(int chunk)
         {
             CheckChunk(chunk);
@@ -87,7 +87,7 @@ namespace FastPoints.Files
             MaxBytes = Math.Max(MaxBytes, chunk.Bytes);
         }
 
-        /// <summary>Corrects what a chunk was taken to hold.</summary>
+        /// <summary>Corrects the number of points that a chunk was assumed to hold.</summary>
         public void SetPoints(int chunk, long points)
         {
             var chunks = Scatter();
@@ -123,7 +123,7 @@ namespace FastPoints.Files
             m_end = chunk.Offset + chunk.Bytes;
         }
 
-        /// <summary>A chunk follows one that has other points than the first.</summary>
+        /// <summary>Keeps a count for each chunk from here on, since this one differs from the first.</summary>
         void CountEach()
         {
             var points = new Pages();
@@ -136,7 +136,7 @@ namespace FastPoints.Files
             m_points = points;
         }
 
-        /// <summary>The chunks as they are, from now on.</summary>
+        /// <summary>Switches to a list of single chunks.</summary>
         List<LazChunk> Scatter()
         {
             if (m_scattered != null)
@@ -164,7 +164,7 @@ namespace FastPoints.Files
                 throw new ArgumentOutOfRangeException(nameof(chunk), chunk, "the file has " + Count + " chunks");
         }
 
-        /// <summary>Numbers in pages: none is copied when there are more, but those of the first page.</summary>
+        /// <summary>Numbers in pages: growing copies none of them except those of the first page.</summary>
         sealed class Pages
         {
             const int PageBits = 16, PageLength = 1 << PageBits, LeastLength = 16;
@@ -198,15 +198,15 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>A stretch of a file that decodes on its own.</summary>
+    /// <summary>A stretch of a file that can be decoded on its own.</summary>
     internal struct LazChunk
     {
-        /// <summary>In the file.</summary>
+        /// <summary>Offset in the file.</summary>
         public long Offset;
 
         public long Bytes;
 
-        /// <summary>As the file says, or as walking it found.</summary>
+        /// <summary>Points as the file claims, or as a walk found.</summary>
         public long Points;
 
         /// <summary>
@@ -215,7 +215,7 @@ namespace FastPoints.Files
         /// </summary>
         public const int MaxPointsPerByte = 2000;
 
-        /// <summary>At most so many points are in <paramref name="bytes"/> bytes of a chunk.</summary>
+        /// <summary>The most points in <paramref name="bytes"/> bytes of a chunk.</summary>
         public static long MaxPoints(long bytes) => 1 + bytes * MaxPointsPerByte;
     }
 }

@@ -11,26 +11,26 @@ namespace FastPoints.Files
     /// <summary>
     /// A file whose points lie in LAZ chunks, wherever these are listed: in a chunk table (<see cref="LazReader"/>) or in the
     /// hierarchy of an octree (<see cref="CopcReader"/>). A block is a chunk, or a part of one that is too long; any of them
-    /// decodes on its own, and the first points of one without the rest of it.
+    /// can be decoded on its own, and its first points without the rest.
     /// </summary>
     internal abstract class LazChunkReader : PointReader
     {
-        /// <summary>Chunks up to this are one block, unless their records are long.</summary>
+        /// <summary>Chunks up to this size are one block, unless their records are long.</summary>
         public const int MaxBlockPoints = 1 << 20;
 
         /// <summary>Compressed bytes of a layered chunk, which a slot holds whole.</summary>
         public const long MaxLayeredChunkBytes = 1L << 29;
 
-        /// <summary>No record is so long that fewer points make a block.</summary>
+        /// <summary>A block has at least this many points, however long its records are.</summary>
         const int LeastLongChunkPoints = 1 << 16;
 
-        /// <summary>Records of a block: a slot holds its columns, whatever a file claims.</summary>
+        /// <summary>Limit for the records of a block: a slot holds its columns, whatever a file claims.</summary>
         const int MaxBlockBytes = 32 << 20;
 
         readonly LasFile m_las;
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
 
-        /// <summary>Whether each chunk is one block, and none is listed.</summary>
+        /// <summary>Whether each chunk is one block, so that no list of blocks is needed.</summary>
         bool m_areChunksBlocks;
         long m_maxInputBytes = -1;
         readonly HashSet<int> m_toldBlocks = new HashSet<int>();
@@ -70,7 +70,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Chunks of more points become several blocks.</summary>
+        /// <summary>Chunks with more points become several blocks.</summary>
         internal int LongChunkPoints { get; }
 
         private protected FileSource Source { get; }
@@ -88,7 +88,7 @@ namespace FastPoints.Files
             return Info.Path;
         }
 
-        /// <summary>An estimate by the block's share; unwanted layers are not taken off.</summary>
+        /// <summary>Estimates by the block's share of its chunk; unwanted layers are not deducted.</summary>
         public override long BytesOfRange(BlockRange range)
         {
             var block = Block(range.Block);
@@ -118,23 +118,25 @@ namespace FastPoints.Files
             };
         }
 
-        /// <summary>A chunk gave its last point before <paramref name="point"/>, counted in it: blocks behind it are not tried,
-        /// which would cost each the chunk from its start.</summary>
+        /// <summary>
+        /// Records that a chunk gave its last point before <paramref name="point"/>, counted in it: later blocks are not tried,
+        /// since each would decode the chunk from its start.
+        /// </summary>
         internal void EndChunk(LazBlock block, long point) => m_endOfChunk[block.Chunk] = Math.Min(point, EndOfChunk(block));
 
-        /// <summary>Points that a chunk can have, as far as is known.</summary>
+        /// <summary>The most points that a chunk can have, as far as is known.</summary>
         internal long EndOfChunk(LazBlock block) =>
             m_endOfChunk.TryGetValue(block.Chunk, out long end) ? end : Chunks[block.Chunk].Points;
 
         internal LazChunk ChunkOf(LazBlock block) => Chunks[block.Chunk];
 
-        /// <summary>Where a block's decoding starts, if not at its chunk's start.</summary>
+        /// <summary>The checkpoint from which a block is decoded, if not from its chunk's start.</summary>
         internal virtual LazCheckpoint CheckpointOf(LazBlock block) => null;
 
-        /// <summary>Input of the largest block that is known, for a slot that takes any.</summary>
+        /// <summary>Input bytes of the largest known block, for a slot that takes any.</summary>
         internal long MaxInputBytes()
         {
-            // Of millions of blocks it takes longer than reading some of them.
+            // For millions of blocks this takes longer than reading some of them.
             if (m_maxInputBytes >= 0)
                 return m_maxInputBytes;
             if (m_areChunksBlocks)
@@ -150,14 +152,16 @@ namespace FastPoints.Files
             return m_maxInputBytes = most;
         }
 
-        /// <summary>Bytes that so many points of a chunk take at most: all that is read of one, however long it says it
-        /// is.</summary>
+        /// <summary>
+        /// The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to be.
+        /// </summary>
         internal long MaxInputBytes(long points) => Format.IsLayered
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
-        /// <summary>A warning for a block that gave fewer points than it has, or did not end where it should; once a
-        /// block.</summary>
+        /// <summary>
+        /// Warns about a block that gave fewer points than it has, or did not end where it should, once for each block.
+        /// </summary>
         internal void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_toldBlocks.Add(range.Block))
@@ -191,8 +195,7 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
-        /// <summary>Takes each chunk for a block, where none is too long for that: millions of them take no memory
-        /// then.</summary>
+        /// <summary>Uses each chunk as a block if none is too long for that: millions of them then take no memory.</summary>
         private protected bool TryTakeChunksAsBlocks()
         {
             m_areChunksBlocks = Chunks.AreInRow && Chunks.MaxPoints <= LongChunkPoints;
@@ -201,7 +204,7 @@ namespace FastPoints.Files
             return m_areChunksBlocks;
         }
 
-        /// <summary>A chunk that starts without a checkpoint, as one block or several.</summary>
+        /// <summary>Adds a chunk that starts without a checkpoint, as one block or several.</summary>
         private protected void AddBlocksOf(int chunk)
         {
             var of = Chunks[chunk];
@@ -210,7 +213,7 @@ namespace FastPoints.Files
                     part + LongChunkPoints >= of.Points, -1);
         }
 
-        /// <summary>Makes way for other blocks of the same chunks.</summary>
+        /// <summary>Removes the blocks, to add others of the same chunks.</summary>
         private protected void ClearBlocks()
         {
             m_blocks.Clear();
@@ -237,7 +240,7 @@ namespace FastPoints.Files
             m_maxInputBytes = -1;
         }
 
-        /// <summary>Holds the claimed bounds against the first points of some chunks, which are stored as they are.</summary>
+        /// <summary>Checks the claimed bounds against the first points of some chunks, which are stored uncompressed.</summary>
         private protected void CheckBounds()
         {
             var offsets = new List<long>();
@@ -259,12 +262,12 @@ namespace FastPoints.Files
         /// <summary>First point, counted from the chunk's start.</summary>
         public long FirstInChunk;
 
-        /// <summary>First point over the whole source.</summary>
+        /// <summary>Index of its first point in the whole source.</summary>
         public long FirstPoint;
 
         public int Points;
 
-        /// <summary>Where its last point ends in the file: the chunk's end but for parts of one.</summary>
+        /// <summary>Offset of its end in the file: the chunk's end, except for parts of one.</summary>
         public long EndOffset;
 
         /// <summary>Whether it takes the chunk to its end.</summary>

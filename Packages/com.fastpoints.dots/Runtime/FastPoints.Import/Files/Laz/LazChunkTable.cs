@@ -16,24 +16,24 @@ namespace FastPoints.Files
     /// </remarks>
     internal sealed class LazChunkTable
     {
-        /// <summary>Between the offset of the points and the first chunk: where the table is.</summary>
+        /// <summary>Bytes between the offset of the points and the first chunk, which say where the table is.</summary>
         public const int TableOffsetBytes = 8;
         const int TableHeaderBytes = 8;
 
-        /// <summary>Bytes of the points of a file that has none: the table's offset, and the table.</summary>
+        /// <summary>Bytes of a file's points when there are none: the table's offset, and the table.</summary>
         public const int LeastBytes = TableOffsetBytes + TableHeaderBytes;
         const long OffsetAtFileEnd = -1;
 
-        /// <summary>Two numbers a chunk, of 15 + 15 bits modelled and 23 raw at most.</summary>
+        /// <summary>The most bytes of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.</summary>
         const int MaxEntryBytes = 14;
 
-        /// <summary>Of the table that are in memory at a time.</summary>
+        /// <summary>Bytes of the table that are in memory at a time.</summary>
         const int WindowBytes = 64 << 10;
 
-        /// <summary>What the range coder takes to start and to end.</summary>
+        /// <summary>Bytes that the range coder takes to start and to end.</summary>
         const int CoderBytes = 16;
 
-        /// <summary>A table takes no more, with the eight bytes that may say behind it where it is.</summary>
+        /// <summary>The most bytes of a table, with the eight bytes behind it that may say where it is.</summary>
         public static long MaxBytes(long chunks) => TableHeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
 
         readonly FileSource m_source;
@@ -53,11 +53,13 @@ namespace FastPoints.Files
 
         public long FirstChunkOffset { get; }
 
-        /// <summary>In the file's order.</summary>
+        /// <summary>Chunks in the file's order.</summary>
         public LazChunkList Chunks { get; } = new LazChunkList();
 
-        /// <summary>Whether the chunks had to be taken for lost: <see cref="Chunks"/> is what is known of them (perhaps none),
-        /// and the rest must be looked for from <see cref="EndOfKnown"/>.</summary>
+        /// <summary>
+        /// Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must be
+        /// searched for from <see cref="EndOfKnown"/>.
+        /// </summary>
         public bool IsLost { get; private set; }
 
         /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>
@@ -90,7 +92,7 @@ namespace FastPoints.Files
             long start = OffsetAt(pointsOffset);
             if (start == OffsetAtFileEnd)
             {
-                // A writer that could not go back wrote the offset where it was in the end.
+                // A writer that could not seek back wrote the offset at the end of the file.
                 at = m_source.Length - TableOffsetBytes;
                 start = OffsetAt(at);
             }
@@ -180,8 +182,8 @@ namespace FastPoints.Files
             return null;
         }
 
-        /// <summary>Fills the window with what the table has from <paramref name="at"/> on, and zeros behind it.</summary>
-        /// <returns>Bytes of the table.</returns>
+        /// <summary>Fills the window with the table's bytes from <paramref name="at"/> on, followed by zeros.</summary>
+        /// <returns>The number of bytes from the table.</returns>
         int Fill(byte[] window, long at, long endOfTable)
         {
             int count = (int)Math.Min(WindowBytes, endOfTable - at);
@@ -190,7 +192,7 @@ namespace FastPoints.Files
             return count;
         }
 
-        /// <summary>Holds the table's sum against the header's count.</summary>
+        /// <summary>Compares the table's sum with the header's count.</summary>
         void Check()
         {
             ulong sum = (ulong)Chunks.PointCount;
@@ -206,7 +208,7 @@ namespace FastPoints.Files
                     + NumberText.Of(sum) + ": the table is believed");
                 return;
             }
-            // With chunks of one size only the header says how many points the last one has.
+            // If all chunks have one size, only the header says how many points the last one has.
             m_info.Warn(LasHeader.At.LegacyCount, "the header claims " + NumberText.Of(m_pointsClaimed)
                 + " points, the chunks in the table have room for " + NumberText.Of(sum));
         }

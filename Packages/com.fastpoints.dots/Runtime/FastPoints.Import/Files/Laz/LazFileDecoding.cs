@@ -6,11 +6,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Decodes whole LAS or LAZ files that are all of one kind, one at a time, from memory: a chain of slices as far
-    /// as a range goes.</summary>
+    /// <summary>
+    /// Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
+    /// </summary>
     sealed unsafe class LazFileDecoding : IDisposable
     {
-        /// <summary>About 4 ms of decoding on one core.</summary>
+        /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
         const int SlicePoints = 16384;
 
         const int MaxTileBytes = 64 << 10;
@@ -25,9 +26,9 @@ namespace FastPoints.Files
         NativeReference<LazFileState> m_state;
 
         /// <param name="las">One of the files: the others are like it.</param>
-        /// <param name="format">Of that, or null for LAS.</param>
-        /// <param name="batch">What is wanted, and where it goes.</param>
-        /// <exception cref="ArgumentException">An attribute that the files do not have.</exception>
+        /// <param name="format">The format of that file, or null for LAS.</param>
+        /// <param name="batch">The batch with the wanted columns, to be filled.</param>
+        /// <exception cref="ArgumentException">The files lack an attribute.</exception>
         public LazFileDecoding(LasFile las, LazFormat format, PointBatch batch, Allocator allocator)
         {
             m_las = las;
@@ -41,12 +42,12 @@ namespace FastPoints.Files
             m_state = new NativeReference<LazFileState>(allocator);
         }
 
-        /// <summary>Of the file that was decoded last, by its header.</summary>
+        /// <summary>Points of the last decoded file, according to its header.</summary>
         public long PointsInFile => m_state.Value.PointsInFile;
 
-        /// <param name="input">The file, with <see cref="RangeCode.PaddingBytes"/> behind it, after
-        /// <paramref name="inputDeps"/>.</param>
-        /// <param name="first">Of the range, counted from the file's start.</param>
+        /// <param name="input">The file, with <see cref="RangeCode.PaddingBytes"/> behind it, after <paramref
+        /// name="inputDeps"/>.</param>
+        /// <param name="first">First point of the range, counted from the file's start.</param>
         /// <param name="roundsOffset">See <see cref="DecodeLazFileJob.RoundsOffset"/>.</param>
         public JobHandle Schedule(NativeArray<byte> input, int inputBytes, long first, int count, bool roundsOffset,
             PointBatch to, NativeReference<DecodeResult> result, JobHandle inputDeps)
@@ -112,26 +113,26 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>How far a whole LAZ file in memory has been decoded, from slice to slice.</summary>
+    /// <summary>Progress of decoding a whole LAZ file in memory, from slice to slice.</summary>
     struct LazFileState
     {
-        /// <summary>Points by its header.</summary>
+        /// <summary>Points according to its header.</summary>
         public long PointsInFile;
 
-        /// <summary>Of every chunk but the last; 0 where chunks say so themselves.</summary>
+        /// <summary>Points of every chunk except the last; 0 if chunks say so themselves.</summary>
         public long PointsOfChunks;
 
-        /// <summary>Byte at which the chunk in work starts.</summary>
+        /// <summary>Offset of the current chunk.</summary>
         public long ChunkOffset;
 
-        /// <summary>Byte behind it; known beforehand of layered chunks only.</summary>
+        /// <summary>Offset behind it; known in advance for layered chunks only.</summary>
         public long ChunkEnd;
 
-        /// <summary>Points of the chunk in work, and those that are done; both 0 before a chunk is started.</summary>
+        /// <summary>Points of the current chunk, and those that are done; both 0 before a chunk is started.</summary>
         public long ChunkPoints;
         public long ChunkDone;
 
-        /// <summary>Behind the last chunk's last byte.</summary>
+        /// <summary>Offset behind the last chunk.</summary>
         public long End;
 
         public LazFilePlacing Placing;

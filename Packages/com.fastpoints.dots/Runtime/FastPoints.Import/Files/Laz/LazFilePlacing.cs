@@ -3,11 +3,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>How a LAZ file's whole numbers become those of another scale and offset: exactly, or by the nearest whole number
-    /// of steps where that is wanted, or not at all.</summary>
+    /// <summary>
+    /// How a LAZ file's whole numbers are converted to another scale and offset: exactly, to the nearest whole number of steps
+    /// if allowed, or not at all.
+    /// </summary>
     unsafe struct LazFilePlacing
     {
-        /// <summary>Whether scale and offset are the same, and nothing is to do.</summary>
+        /// <summary>Whether scale and offset are the same, so that there is nothing to do.</summary>
         public bool IsSame;
 
         Axis m_x;
@@ -21,7 +23,7 @@ namespace FastPoints.Files
 
             public readonly bool TryPlace(ref int value)
             {
-                // Below 2^28 * 2^31 + 2^59: no overflow.
+                // This stays below 2^28 * 2^31 + 2^59, so it cannot overflow.
                 long place = value * Factor + Shift;
                 if (place != (int)place)
                     return false;
@@ -30,23 +32,23 @@ namespace FastPoints.Files
             }
         }
 
-        /// <param name="header">Of the LAZ file.</param>
-        /// <param name="roundsOffset">Where steps are the same, offsets are taken for the nearest that lie whole steps
+        /// <param name="header">The header of the LAZ file.</param>
+        /// <param name="roundsOffset">If steps are the same, offsets are rounded to the nearest that lie whole steps
         /// apart.</param>
         /// <returns>Whether the file's steps are whole steps of the grid.</returns>
         public static bool TryMake(byte* header, in PositionTransform grid, bool roundsOffset, out LazFilePlacing placing)
         {
             double* scale = (double*)(header + LasHeader.At.Scale), offset = (double*)(header + LasHeader.At.Offset);
             placing = default;
-            // Nodes that are all alike are read whatever their scale is, zero or no number among them.
+            // Nodes that are all alike are read whatever their scale is, even zero or NaN.
             placing.IsSame = AreSame(scale, offset, grid);
             return placing.IsSame || TryMake(scale[0], offset[0], grid.Scale.x, grid.Offset.x, roundsOffset, out placing.m_x)
                 && TryMake(scale[1], offset[1], grid.Scale.y, grid.Offset.y, roundsOffset, out placing.m_y)
                 && TryMake(scale[2], offset[2], grid.Scale.z, grid.Offset.z, roundsOffset, out placing.m_z);
         }
 
-        /// <param name="position">X, Y, Z of a record; left unfinished where false is returned.</param>
-        /// <returns>Whether 32 bits hold the place on the grid.</returns>
+        /// <param name="position">X, Y, Z of a record; left half-converted if false is returned.</param>
+        /// <returns>Whether the position on the grid fits into 32 bits.</returns>
         public readonly bool TryPlace(int* position) =>
             m_x.TryPlace(ref position[0]) && m_y.TryPlace(ref position[1]) && m_z.TryPlace(ref position[2]);
 

@@ -7,7 +7,7 @@ namespace FastPoints.Files
     /// <summary>How a file's points are compressed, in the LASzip VLR's terms.</summary>
     internal enum LazCompressor
     {
-        /// <summary>Not at all: plain records in a file that says LAZ.</summary>
+        /// <summary>Not compressed: plain records in a file that says LAZ.</summary>
         None = 0,
 
         /// <summary>One stream from the first point to the last (LASzip 1.x).</summary>
@@ -20,19 +20,19 @@ namespace FastPoints.Files
         LayeredChunked = 3,
     }
 
-    /// <summary>What the LASzip VLR says, checked against the header.</summary>
+    /// <summary>The contents of the LASzip VLR, checked against the header.</summary>
     internal sealed class LazFormat
     {
         public const string UserId = "laszip encoded";
         public const ushort RecordId = 22204;
 
-        /// <summary>The chunk size that stands for "in the chunk table"; 0 has been written for it as well.</summary>
+        /// <summary>The chunk size that means "in the chunk table"; 0 has been written for it as well.</summary>
         public const uint VariableChunkPoints = uint.MaxValue;
 
         /// <summary>More extra bytes in a point than any file has: a decoder's state takes 1.6 KB for each.</summary>
         public const int MaxExtraBytes = 4096;
 
-        /// <summary>Byte of the VLR's data at which the number of items stands; they follow it.</summary>
+        /// <summary>Offset of the number of items in the VLR's data; the items follow it.</summary>
         public const int ItemsAt = 32;
 
         const int FixedBytes = ItemsAt + 2;
@@ -40,7 +40,7 @@ namespace FastPoints.Files
 
         public LazCompressor Compressor;
 
-        /// <summary>Points of each chunk but the last, or <see cref="VariableChunkPoints"/>.</summary>
+        /// <summary>Points of each chunk except the last, or <see cref="VariableChunkPoints"/>.</summary>
         public uint ChunkPoints;
 
         public LazItem[] Items;
@@ -49,15 +49,15 @@ namespace FastPoints.Files
         /// <summary>LASzip's own version, for people.</summary>
         public string WriterVersion;
 
-        /// <summary>By layered chunks; empty otherwise.</summary>
+        /// <summary>The layers of layered chunks; otherwise empty.</summary>
         public LazLayer[] Layers;
 
         public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
 
         public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;
 
-        /// <exception cref="PointCloudException">The VLR is missing or does not fit the header, or names a coder or an item
-        /// that is not known.</exception>
+        /// <exception cref="PointCloudException">The VLR is missing or does not fit the header, or names an unknown coder or
+        /// item.</exception>
         public static LazFormat Read(LasFile las)
         {
             string path = las.Info.Path;
@@ -120,7 +120,7 @@ namespace FastPoints.Files
             return bytes;
         }
 
-        /// <summary>All of it as lines for people.</summary>
+        /// <summary>Adds all of it as lines for people.</summary>
         public void AddFacts(SourceInfo info)
         {
             info.Fact("LASzip version", WriterVersion);
@@ -155,7 +155,9 @@ namespace FastPoints.Files
             return item;
         }
 
-        /// <summary>The items must be those of the point format, in the record's order, and as long as the record.</summary>
+        /// <summary>
+        /// Checks that the items are those of the point format, in the record's order, and as long as the record.
+        /// </summary>
         static void CheckItems(LazFormat format, LasFile las, long at)
         {
             var got = new List<string>();

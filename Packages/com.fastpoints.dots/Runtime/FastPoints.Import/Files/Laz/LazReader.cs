@@ -5,13 +5,13 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's chunks; any
-    /// of them decodes on its own, and the first points of one without the rest of it.
+    /// Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's chunks;
+    /// any of them can be decoded on its own, and its first points without the rest.
     /// </summary>
     /// <remarks>
-    /// A chunk of more than <see cref="MaxBlockPoints"/> points becomes several blocks. Of a pointwise one each block starts
-    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once;
-    /// of a layered one a block decodes the chunk from its start (no writer makes such chunks unasked).
+    /// A chunk of more than <see cref="MaxBlockPoints"/> points becomes several blocks. In a pointwise chunk each block starts
+    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
+    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).
     /// </remarks>
     internal sealed class LazReader : LazChunkReader
     {
@@ -30,11 +30,11 @@ namespace FastPoints.Files
                 MakeBlocks(null);
         }
 
-        /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in <see
-        /// cref="PointReader.Info"/>.</summary>
-        /// <param name="longChunkPoints">Points up to which a chunk is one block.</param>
-        /// <exception cref="PointCloudException">The points cannot be told apart, or are coded in a way that is not
-        /// known.</exception>
+        /// <summary>
+        /// Reads the header, the LASzip VLR and the chunk table. Warnings are in <see cref="PointReader.Info"/>.
+        /// </summary>
+        /// <param name="longChunkPoints">The most points of a chunk that is one block.</param>
+        /// <exception cref="PointCloudException">The points cannot be located, or are coded in an unknown way.</exception>
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
         {
             var format = LazFormat.Read(las);
@@ -44,16 +44,18 @@ namespace FastPoints.Files
                 : new LazReader(las, format, source, longChunkPoints);
         }
 
-        /// <summary>Byte of the file at which the chunk begins that a block is of.</summary>
+        /// <summary>Offset in the file of the chunk that a block belongs to.</summary>
         public long OffsetOfBlock(int block) => ChunkOf(Block(block)).Offset;
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
-        /// <summary>Not those of layered files, whose chunks say how long they are: all are soon found.</summary>
+        /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
         public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
-        /// <summary>Points of a long chunk's beginning, which takes no checkpoint; the first chunks of a file without a table are
-        /// found up to as many: about 50 ms of decoding.</summary>
+        /// <summary>
+        /// Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are searched up
+        /// to as many points: about 50 ms of decoding.
+        /// </summary>
         internal int PrefixPoints => Math.Min(LongChunkPoints, MaxPrefixPoints);
 
         public override IEnumerator<Work> FindPrefixes()
@@ -92,7 +94,7 @@ namespace FastPoints.Files
             m_areBlocksKnown = true;
         }
 
-        /// <summary>Drops what an earlier look at the file's beginning, or one that was cancelled, has found.</summary>
+        /// <summary>Drops what an earlier or cancelled search has found.</summary>
         void Forget()
         {
             ClearBlocks();
@@ -159,8 +161,10 @@ namespace FastPoints.Files
             CheckBounds();
         }
 
-        /// <summary>Blocks between the checkpoints of a long chunk; those that lost their state start from an earlier
-        /// one.</summary>
+        /// <summary>
+        /// Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an earlier
+        /// one.
+        /// </summary>
         void AddPartsByCheckpoints(int c, BlockRange checkpoints)
         {
             var chunk = Chunks[c];

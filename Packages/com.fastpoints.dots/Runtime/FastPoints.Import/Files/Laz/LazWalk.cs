@@ -5,8 +5,8 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Looks for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that are too long
-    /// for one block; once over the file, in bounded memory.
+    /// Searches for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that are too
+    /// long for one block: in one pass over the file and in bounded memory.
     /// </summary>
     /// <remarks>
     /// Layered chunks say how long they are. Pointwise ones do not: they are decoded, and the next begins where one ends.
@@ -24,8 +24,10 @@ namespace FastPoints.Files
         readonly List<LazCheckpoint> m_checkpoints;
         readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();
 
-        /// <summary>Points between checkpoints: those of a block. A quarter of what a whole chunk may have, since a block's
-        /// points and its input lie in memory for each slot.</summary>
+        /// <summary>
+        /// Points between checkpoints, which are those of a block: a quarter of the limit for a whole chunk, since a block's
+        /// points and its input lie in memory for each slot.
+        /// </summary>
         readonly int m_checkpointPoints;
 
         public LazWalk(LazReader reader, FileSource source, List<LazCheckpoint> checkpoints)
@@ -46,7 +48,7 @@ namespace FastPoints.Files
             return new BlockRange(chunk, 0, 0);
         }
 
-        /// <param name="chunks">Known ones: looked into where they are long. Added to where <paramref
+        /// <param name="chunks">The known chunks: long ones are walked, and more are added if <paramref
         /// name="isTableLost"/>.</param>
         public IEnumerator<Work> Run(LazChunkList chunks, bool isTableLost)
         {
@@ -55,9 +57,10 @@ namespace FastPoints.Files
             return isTableLost ? WalkStreams(chunks, false) : WalkLongChunks(chunks);
         }
 
-        /// <summary>Of a pointwise file without a table, adds the first chunks, of <see cref="LazReader.PrefixPoints"/>
-        /// points or a little more; one that is too long for a block is taken to be as long as it may be, and not
-        /// walked.</summary>
+        /// <summary>
+        /// For a pointwise file without a table, adds the first chunks, with <see cref="LazReader.PrefixPoints"/> points or a
+        /// little more. A chunk that is too long for a block is assumed to have the maximum length, and not walked.
+        /// </summary>
         public IEnumerator<Work> WalkPrefix(LazChunkList chunks)
         {
             ulong claimed = m_reader.Info.PointsClaimed;
@@ -110,7 +113,7 @@ namespace FastPoints.Files
             Warn(chunks);
         }
 
-        /// <param name="isBeginning">Stop at <see cref="LazReader.PrefixPoints"/>.</param>
+        /// <param name="isBeginning">Whether to stop at <see cref="LazReader.PrefixPoints"/>.</param>
         IEnumerator<Work> WalkStreams(LazChunkList chunks, bool isBeginning)
         {
             long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
@@ -141,8 +144,10 @@ namespace FastPoints.Files
                 Warn(chunks);
         }
 
-        /// <summary>Whether the chunk table follows here, whose place was lost, or nothing but zeros, as in a file that was made
-        /// long before it was written. A decoder would make points of both.</summary>
+        /// <summary>
+        /// Whether what follows here is the chunk table, whose offset was lost, or nothing but zeros, as in a file that was
+        /// allocated long before it was written. A decoder would make points of both.
+        /// </summary>
         bool IsNoChunk(long at, int chunks)
         {
             const int TableHeaderBytes = 8;
@@ -196,13 +201,15 @@ namespace FastPoints.Files
                     && (m_checkpoints.Count == 0 || m_checkpoints[m_checkpoints.Count - 1].FileOffset != stream.FileOffset))
                     m_checkpoints.Add(stream.Checkpoint());
             }
-            // Points that were taken back in the end may have had one.
+            // Points that were taken back at the end may have had a checkpoint.
             while (m_checkpoints.Count > firstCheckpoint && m_checkpoints[m_checkpoints.Count - 1].Point >= stream.Point)
                 m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 
-        /// <summary>Remembers which checkpoints are the chunk's, and gives up the state of every second one while all of them
-        /// take more memory than they should.</summary>
+        /// <summary>
+        /// Remembers the chunk's checkpoints, and drops the state of every second one while all of them exceed the memory
+        /// limit.
+        /// </summary>
         void CloseChunk(int chunk, int firstCheckpoint)
         {
             int count = m_checkpoints.Count - firstCheckpoint;

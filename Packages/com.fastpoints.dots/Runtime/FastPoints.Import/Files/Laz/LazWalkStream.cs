@@ -7,8 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>A pointwise chunk that is decoded from a window of the file, a slice at a time, without keeping its
-    /// points.</summary>
+    /// <summary>Decodes a pointwise chunk from a window of the file, a slice at a time, without keeping its points.</summary>
     sealed unsafe class LazWalkStream : IDisposable
     {
         const int MaxTilePoints = 512;
@@ -29,7 +28,7 @@ namespace FastPoints.Files
         JobHandle m_decode;
         bool m_isReading;
 
-        /// <summary>Where the window lies in the file.</summary>
+        /// <summary>Offset of the window in the file.</summary>
         long m_windowStart;
         long m_windowEnd;
         long m_inputEnd;
@@ -43,7 +42,7 @@ namespace FastPoints.Files
             m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
             m_window = new NativeArray<byte>(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
-            // Zeros, so that checkpoints leave out what no model has written.
+            // The state starts as zeros, so that checkpoints leave out what no model has written.
             m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
             PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
             m_tile = new NativeArray<byte>(m_tilePoints * format.RecordBytes, Allocator.Persistent,
@@ -69,7 +68,7 @@ namespace FastPoints.Files
         {
             FileOffset = offset;
             m_inputEnd = end;
-            // What the window holds beyond this chunk's end is not its own.
+            // Bytes in the window beyond this chunk's end do not belong to it.
             m_windowEnd = Math.Min(m_windowEnd, end);
             Point = 0;
             IsStopped = false;

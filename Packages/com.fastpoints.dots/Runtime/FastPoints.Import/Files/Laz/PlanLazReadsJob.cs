@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// From the header of a layered chunk to the reads that bring its wanted layers behind the header, packed as
-    /// <see cref="LayeredChunk.Start"/> expects them: neighbours in one read, of each no more than the points take.
+    /// Plans, from the header of a layered chunk, the reads that bring its wanted layers behind the header, packed as <see
+    /// cref="LayeredChunk.Start"/> expects them: neighbours in one read, and of each no more than the points take.
     /// </summary>
     [BurstCompile]
     internal unsafe struct PlanLazReadsJob : IJob
@@ -16,16 +16,18 @@ namespace FastPoints.Files
         /// <summary>The chunk's header, at its start.</summary>
         [ReadOnly] public NativeArray<byte> Input;
 
-        /// <summary>By layer: bytes that a point takes at most, 0 for one that is not wanted.</summary>
+        /// <summary>For each layer, the most bytes that a point takes; 0 for one that is not wanted.</summary>
         [ReadOnly] public NativeArray<int> BytesPerPoint;
 
-        /// <summary>Gets the reads: one for each wanted layer at most, one of a byte where there is nothing to read.</summary>
+        /// <summary>
+        /// Receives the reads: at most one for each wanted layer, or one of a single byte if there is nothing to read.
+        /// </summary>
         public NativeArray<ReadCommand> Commands;
 
         /// <summary>One value, whose count is set.</summary>
         public NativeArray<ReadCommandArray> CommandArray;
 
-        /// <summary>One value: gets the bytes that the input has in the end.</summary>
+        /// <summary>One value: receives the number of bytes in the final input.</summary>
         public NativeArray<long> InputBytes;
 
         /// <summary>Where the reads go: the input's memory, which no job touches until they are done.</summary>
@@ -35,7 +37,7 @@ namespace FastPoints.Files
         public int RecordBytes;
         public long ChunkOffset;
 
-        /// <summary>Behind the chunk's last byte that the file has.</summary>
+        /// <summary>Offset behind the chunk's last byte in the file.</summary>
         public long ChunkEnd;
         public long Points;
 
@@ -53,7 +55,7 @@ namespace FastPoints.Files
                 {
                     long enough = LazLayer.StartBytes + BytesPerPoint[i] * Points;
                     long read = bytes < enough ? bytes : enough;
-                    // A size that leaves the file or the buffer is a lie, and so is all behind it.
+                    // A size that exceeds the file or the buffer is wrong, and so is everything behind it.
                     bool isCut = read > ChunkEnd - inFile || read > BufferBytes - inBuffer;
                     if (isCut)
                         read = Least(ChunkEnd - inFile, BufferBytes - inBuffer);

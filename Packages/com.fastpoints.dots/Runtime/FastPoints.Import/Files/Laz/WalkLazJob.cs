@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>How far a slice of a walk came.</summary>
+    /// <summary>The progress of one slice of a walk.</summary>
     struct LazWalkStep
     {
         public int Points;
@@ -16,11 +16,11 @@ namespace FastPoints.Files
         /// <summary>Whether the input does not hold the next point.</summary>
         public bool IsStopped;
 
-        /// <summary>Of the chunk's points, those that its stream's end does not vouch for; where it stopped.</summary>
+        /// <summary>Number of the chunk's points that its stream's end does not confirm, when it stopped.</summary>
         public int InDoubt;
     }
 
-    /// <summary>Decodes points of a pointwise chunk only to know where they end.</summary>
+    /// <summary>Decodes points of a pointwise chunk only to find their end.</summary>
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
@@ -34,7 +34,9 @@ namespace FastPoints.Files
         public int InputStart;
         public int InputEnd;
 
-        /// <summary>Whether the input goes on behind its end, so that no point may be decoded that it may not hold.</summary>
+        /// <summary>
+        /// Whether the input continues behind its end, so that no point may be decoded that might not be complete.
+        /// </summary>
         public bool HasMore;
 
         public int TilePoints;

@@ -8,14 +8,15 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Lines of text into columns. A line that is short of a value or has none where one must be ends the block there; values
-    /// that nobody asked for are stepped over unread.
+    /// Decodes lines of text into columns. A line that lacks a value or has an invalid one ends the block there; unwanted
+    /// values are skipped unread.
     /// </summary>
     [BurstCompile]
     unsafe struct DecodePlyAsciiJob : IJob
     {
-        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to look for the buffer's
-        /// end.</summary>
+        /// <summary>
+        /// Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
+        /// </summary>
         public NativeArray<byte> Input;
         public long InputOffset;
         public int InputBytes;
@@ -25,7 +26,7 @@ namespace FastPoints.Files
         public bool ReachesFileEnd;
         public bool StartsInRow;
 
-        /// <summary>Lines to pass over first.</summary>
+        /// <summary>Lines to skip first.</summary>
         public int RowsBefore;
         public int Points;
         [ReadOnly] public NativeArray<PlyStep> Steps;

@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Binary records whose lists make their lengths vary, one behind the other, into columns.</summary>
+    /// <summary>Decodes binary records, whose lists make their lengths vary, into columns.</summary>
     [BurstCompile]
     unsafe struct DecodePlyListsJob : IJob
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Files
         public int InputBytes;
         [ReadOnly] public NativeArray<PlyStep> Steps;
 
-        /// <summary>Records of the block to pass over first.</summary>
+        /// <summary>Records of the block to skip first.</summary>
         public int FirstPoint;
         public int Points;
         public bool IsBigEndian;

@@ -7,18 +7,18 @@ using Unity.Collections;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, lines of blanks are none; values that run over
-    /// several lines, or several vertices in one, are not read (nor are they by the usual readers).
+    /// An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over several
+    /// lines, or several in one line, are not supported (nor are they by the usual readers).
     /// </summary>
     /// <remarks>
-    /// A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines once. A range
-    /// takes its whole block to read; decoding stops at the range's end.
+    /// A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines once. A
+    /// range reads its whole block; decoding stops at the range's end.
     /// </remarks>
     sealed class PlyAsciiReader : PlyReader
     {
         public const int MaxBlockBytes = 1 << 20;
 
-        /// <summary>Bytes behind its block to which the last line may run.</summary>
+        /// <summary>The last line may extend this many bytes behind its block.</summary>
         public const int MaxLineBytes = 64 << 10;
 
         readonly bool m_hasVerticesAlone;
@@ -48,8 +48,9 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>Vertices all over the file, by jumping: where there are faces as well, nothing tells their lines
-        /// apart.</summary>
+        /// <summary>
+        /// Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look alike.
+        /// </summary>
         public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
             && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
 

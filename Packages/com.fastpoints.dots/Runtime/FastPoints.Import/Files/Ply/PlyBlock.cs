@@ -6,14 +6,14 @@ namespace FastPoints.Files
         public long OffsetBytes;
         public int Bytes;
 
-        /// <summary>Index, over the whole file, of the first vertex.</summary>
+        /// <summary>Index of the first vertex in the whole file.</summary>
         public long FirstPoint;
         public int Points;
 
-        /// <summary>ascii: lines of the block that belong to elements before the vertices.</summary>
+        /// <summary>For ascii: lines of the block that belong to elements before the vertices.</summary>
         public int RowsBefore;
 
-        /// <summary>ascii: whether the block starts within a line that belongs to an earlier block.</summary>
+        /// <summary>For ascii: whether the block starts within a line that belongs to an earlier block.</summary>
         public bool StartsInRow;
     }
 }

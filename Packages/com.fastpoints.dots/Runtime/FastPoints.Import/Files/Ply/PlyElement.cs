@@ -3,17 +3,17 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>One element of a PLY file: how many there are, by the header, and what each holds.</summary>
+    /// <summary>One element of a PLY file: its number of instances according to the header, and what each one holds.</summary>
     internal sealed class PlyElement
     {
         public string Name;
 
-        /// <summary>As claimed: it may be anything.</summary>
+        /// <summary>The claimed number, which may be anything.</summary>
         public ulong Count;
 
         public readonly List<PlyProperty> Properties = new List<PlyProperty>();
 
-        /// <summary>Byte at which the header line starts.</summary>
+        /// <summary>Offset of its header line.</summary>
         public long LineOffset;
 
         public bool HasLists
@@ -27,7 +27,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Bytes of one instance in a binary file, or -1 where lists make it vary.</summary>
+        /// <summary>Bytes of one instance in a binary file, or -1 if lists make it vary.</summary>
         public int FixedBytes
         {
             get
@@ -58,15 +58,15 @@ namespace FastPoints.Files
     {
         public string Name;
 
-        /// <summary>Of the value, or of a list's items.</summary>
+        /// <summary>Type of the value, or of a list's items.</summary>
         public AttributeType Type;
 
         public bool IsList;
 
-        /// <summary>Of the number before a list's items. Always an integer.</summary>
+        /// <summary>Type of the number before a list's items, which is always an integer.</summary>
         public AttributeType CountType;
 
-        /// <summary>Byte at which the header line starts.</summary>
+        /// <summary>Offset of its header line.</summary>
         public long LineOffset;
     }
 }

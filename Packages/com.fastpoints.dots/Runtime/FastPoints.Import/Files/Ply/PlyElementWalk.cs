@@ -21,7 +21,7 @@ namespace FastPoints.Files
         NativeList<PlyBlock> m_blocks;
         JobHandle m_walked;
 
-        /// <param name="isIndexing">Whether the vertices are walked through as well and gathered into blocks.</param>
+        /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
         public PlyElementWalk(PlyReader reader, bool isIndexing)
         {
             m_reader = reader;
@@ -50,13 +50,13 @@ namespace FastPoints.Files
             m_blocks = new NativeList<PlyBlock>(16, Allocator.Persistent);
         }
 
-        /// <summary>How far the walk has come. Not while a job is in flight.</summary>
+        /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
         public PlyWalkState State => m_state.Value;
 
-        /// <summary>The blocks so far. Not while a job is in flight.</summary>
+        /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
         public PlyBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
-        /// <summary>Closes the window before, whose handle must be complete, and starts the next.</summary>
+        /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
         /// <returns>Whether there was a next one.</returns>
         public bool Next(out JobHandle handle)
         {
@@ -101,7 +101,7 @@ namespace FastPoints.Files
     {
         public ulong Count;
 
-        /// <summary>Bytes of one instance, or -1 where lists make it vary.</summary>
+        /// <summary>Bytes of one instance, or -1 if lists make it vary.</summary>
         public int FixedBytes;
         public int FirstStep;
         public int Steps;
@@ -110,11 +110,10 @@ namespace FastPoints.Files
         public bool IsIndexed;
     }
 
-    /// <summary>How far a walk through a binary file's elements has come: it can stop at any step and go on there.</summary>
+    /// <summary>Progress of a walk through a binary file's elements, which can stop at any step and continue there.</summary>
     struct PlyWalkState
     {
-        /// <summary>Byte in the file at which the next step starts. It may lie behind what was read: lists are stepped
-        /// over.</summary>
+        /// <summary>Offset of the next step in the file. It may lie behind what was read: lists are skipped.</summary>
         public long Position;
         public int Element;
         public ulong Instance;

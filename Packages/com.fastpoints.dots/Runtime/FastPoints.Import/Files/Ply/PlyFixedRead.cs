@@ -37,7 +37,7 @@ namespace FastPoints.Files
         protected override void DisposeTables() => m_copies.Dispose();
     }
 
-    /// <summary>Records of one length into columns. See <see cref="PlyRecords"/>.</summary>
+    /// <summary>Decodes records of one length into columns. See <see cref="PlyRecords"/>.</summary>
     [BurstCompile]
     unsafe struct DecodePlyFixedJob : IJob
     {

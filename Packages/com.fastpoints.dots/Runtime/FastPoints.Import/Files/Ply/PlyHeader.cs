@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>What a PLY header declares: encoding, elements in the file's order, remarks, and where the data starts.</summary>
+    /// <summary>
+    /// The declarations of a PLY header: encoding, elements in the file's order, remarks, and where the data starts.
+    /// </summary>
     internal sealed class PlyHeader
     {
         public PlyEncoding Encoding;
@@ -10,12 +12,12 @@ namespace FastPoints.Files
         /// <summary>"1.0" in every file that follows the format's only description.</summary>
         public string Version;
 
-        /// <summary>Byte of the format line.</summary>
+        /// <summary>Offset of the format line.</summary>
         public long FormatOffset;
 
         public readonly List<PlyElement> Elements = new List<PlyElement>();
 
-        /// <summary>comment and obj_info lines: keyword and text.</summary>
+        /// <summary>The comment and obj_info lines: keyword and text.</summary>
         public readonly List<KeyValuePair<string, string>> Remarks = new List<KeyValuePair<string, string>>();
 
         /// <summary>First byte after the header.</summary>

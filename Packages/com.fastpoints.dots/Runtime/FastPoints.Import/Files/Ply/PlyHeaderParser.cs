@@ -8,15 +8,15 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, mixed as they come; words are parted by any blanks.
-    /// What is not understood is refused: a property that is left out would shift all that follows it.
+    /// Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks. Anything
+    /// unknown is refused: a property that is left out would shift all that follows it.
     /// </summary>
     internal sealed class PlyHeaderParser
     {
         /// <summary>A header longer than this is refused.</summary>
         public const int MaxHeaderBytes = 1 << 20;
 
-        /// <summary>Elements of a file, and properties of an element: more are refused.</summary>
+        /// <summary>The most elements of a file, and properties of an element; files with more are refused.</summary>
         public const int MaxDeclarations = 1024;
 
         static readonly Dictionary<string, AttributeType> s_typeOfName = new Dictionary<string, AttributeType>
@@ -52,10 +52,10 @@ namespace FastPoints.Files
         public static bool IsSignature(byte[] start, int length) =>
             length >= 4 && start[0] == 'p' && start[1] == 'l' && start[2] == 'y' && (IsLineEnd(start[3]) || IsBlank(start[3]));
 
-        /// <param name="length">Bytes that are valid.</param>
-        /// <param name="isWhole">Whether the file has no more than these.</param>
+        /// <param name="length">Number of valid bytes.</param>
+        /// <param name="isWhole">Whether these are all bytes of the file.</param>
         /// <returns>The header, or null if it does not end in these bytes and there may be more.</returns>
-        /// <exception cref="PointCloudException">Not a PLY header, or one that is not understood.</exception>
+        /// <exception cref="PointCloudException">The header is not PLY, or is not supported.</exception>
         public static PlyHeader Parse(string path, byte[] bytes, int length, bool isWhole)
         {
             return new PlyHeaderParser(path, bytes, length).Run(isWhole);
@@ -197,7 +197,7 @@ namespace FastPoints.Files
             return type;
         }
 
-        /// <summary>A count that no ulong holds is as absurd as the largest that it does.</summary>
+        /// <summary>A count that does not fit into a ulong is as absurd as the largest that does.</summary>
         ulong Count(string word, int offset)
         {
             foreach (char c in word)
@@ -220,7 +220,7 @@ namespace FastPoints.Files
             return PointCloudException.Wanted(FailureCode.BadInput, m_path, offset, field, wanted, Quote(got));
         }
 
-        /// <summary>A word of the file, made fit for one line of a message.</summary>
+        /// <summary>Quotes a word of the file, fit for a message of one line.</summary>
         internal static string Quote(string word)
         {
             var text = new StringBuilder("\"");

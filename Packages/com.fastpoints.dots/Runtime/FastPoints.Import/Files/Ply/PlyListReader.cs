@@ -31,7 +31,7 @@ namespace FastPoints.Files
 
         public override int PointsInBlock(int block) => Found()[block].Points;
 
-        /// <summary>Any range takes its whole block: where in it a vertex lies is not noted.</summary>
+        /// <summary>Any range reads its whole block: the positions of vertices in it are not recorded.</summary>
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
         public override IEnumerator<Work> FindBlocks()

@@ -4,12 +4,13 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>From the names that PLY writers give their vertex properties to the names that mean the same in every
-    /// format.</summary>
-    /// <remarks>Compared without regard to case. All others keep the name that the file gives them.</remarks>
+    /// <summary>
+    /// Maps the names that PLY writers give their vertex properties to the names that mean the same in every format.
+    /// </summary>
+    /// <remarks>Case is ignored. All others keep the name in the file.</remarks>
     internal static class PlyNames
     {
-        /// <summary>Rows whose names must all be there for any of them to count: "r" alone may be a radius.</summary>
+        /// <summary>Groups of rows that only count if all their names are present: "r" alone may be a radius.</summary>
         static readonly string[][] s_groups =
         {
             new[] { "x", AttributeNames.X }, new[] { "y", AttributeNames.Y }, new[] { "z", AttributeNames.Z },

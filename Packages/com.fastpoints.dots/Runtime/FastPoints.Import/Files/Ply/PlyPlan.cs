@@ -6,10 +6,10 @@ namespace FastPoints.Files
     /// <summary>Turns an element's declaration into the steps that jobs take through each of its instances.</summary>
     static class PlyPlan
     {
-        /// <summary>Steps that only find the end of an instance.</summary>
+        /// <summary>The steps that only find the end of an instance.</summary>
         public static List<PlyStep> Passing(PlyElement element) => Build(element, null, null);
 
-        /// <summary>Steps that fill the batch's columns and pass over all other properties.</summary>
+        /// <summary>The steps that fill the batch's columns and skip all other properties.</summary>
         /// <param name="names">Attribute name of each property.</param>
         public static List<PlyStep> Decoding(PlyElement element, string[] names, PointBatch batch) =>
             Build(element, names, batch);
@@ -62,11 +62,11 @@ namespace FastPoints.Files
 
     enum PlyStepKind : byte
     {
-        /// <summary>Values that nobody asked for.</summary>
+        /// <summary>Values that are not wanted.</summary>
         Skip,
         /// <summary>A value that goes into a column.</summary>
         Value,
-        /// <summary>A list, passed over.</summary>
+        /// <summary>A list, which is skipped.</summary>
         List,
     }
 
@@ -75,16 +75,16 @@ namespace FastPoints.Files
     {
         public PlyStepKind Kind;
 
-        /// <summary>Of the value, or of a list's count.</summary>
+        /// <summary>Type of the value, or of a list's count.</summary>
         public AttributeType Type;
 
-        /// <summary>Skip: values. List: bytes of an item.</summary>
+        /// <summary>Skip: number of values. List: bytes of an item.</summary>
         public int Count;
 
-        /// <summary>In a binary file: of the skipped values, of the value, of a list's count.</summary>
+        /// <summary>In a binary file: bytes of the skipped values, of the value, or of a list's count.</summary>
         public int Bytes;
 
-        /// <summary>Value: where its column starts in the batch.</summary>
+        /// <summary>Value: offset of its column in the batch.</summary>
         public int ColumnOffsetBytes;
     }
 }

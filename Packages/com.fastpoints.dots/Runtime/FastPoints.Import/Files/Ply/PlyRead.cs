@@ -4,7 +4,9 @@ using Unity.Collections;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the slots of all PLY readers have in common: one read, and anomalies.</summary>
+    /// <summary>
+    /// The common base of the slots of all PLY readers: the batch, one read, and how a range begins and ends.
+    /// </summary>
     abstract class PlyRead : SlotRead
     {
         readonly PlyReader m_reader;
@@ -46,10 +48,10 @@ namespace FastPoints.Files
             new NativeArray<T>(items.ToArray(), allocator);
     }
 
-    /// <summary>What a decoding job met that is odd and costs no point.</summary>
+    /// <summary>Anomalies that a decoding job met and that cost no point.</summary>
     struct PlyAnomalies
     {
-        /// <summary>Values that their integer type cannot hold.</summary>
+        /// <summary>Values that do not fit into their integer type.</summary>
         public int Misfits;
         public long FirstMisfitOffset;
 

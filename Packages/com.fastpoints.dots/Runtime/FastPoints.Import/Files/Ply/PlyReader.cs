@@ -7,12 +7,12 @@ using Unity.IO.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads the vertices of a PLY file, ascii or binary, as points: each scalar property is an attribute of its own type, under
-    /// its usual name (<see cref="PlyNames"/>) or the file's. Lists and all other elements are passed over.
+    /// Reads the vertices of a PLY file, ascii or binary, as points: each scalar property is an attribute of its own type,
+    /// under its usual name (<see cref="PlyNames"/>) or the file's. Lists and all other elements are skipped.
     /// </summary>
     /// <remarks>
-    /// Where a file breaks off or has a bad value, what lies before it is given and a warning says where; a file that claims
-    /// vertices and has none that can be read is refused. Coordinates that are not finite pass through.
+    /// If a file breaks off or has a bad value, the points before it are read and a warning says where. A file that claims
+    /// vertices but has no readable ones is refused. Coordinates that are not finite are kept.
     /// </remarks>
     internal abstract class PlyReader : PointReader
     {
@@ -61,8 +61,8 @@ namespace FastPoints.Files
         }
 
         /// <summary>Opens a PLY file. Only its header is read.</summary>
-        /// <exception cref="PointCloudException">The header is not sound, or it has no vertices with x, y and z, or the file
-        /// claims vertices and has none.</exception>
+        /// <exception cref="PointCloudException">The header is invalid or has no vertices with x, y and z, or the file claims
+        /// vertices and has none.</exception>
         public static PlyReader Open(FileSource source)
         {
             var header = ReadHeader(source);
@@ -138,7 +138,7 @@ namespace FastPoints.Files
             m_file.Close().Complete();
         }
 
-        /// <summary>Settles how many vertices there are: fewer than claimed is a warning, none at all a failure.</summary>
+        /// <summary>Settles the number of vertices: fewer than claimed is a warning, none at all a failure.</summary>
         private protected void SettlePoints(long found, long endOffset, string why)
         {
             Info.PointsReadable = found;
@@ -150,7 +150,7 @@ namespace FastPoints.Files
             Info.Warn(endOffset, text);
         }
 
-        /// <summary>A range broke off. What it has is kept; the file's first range must have something.</summary>
+        /// <summary>Warns about a range that broke off. Its points are kept; the file's first range must have some.</summary>
         internal void WarnBroken(BlockRange range, DecodeResult result)
         {
             string text = PlyError.Text(result.Error);
@@ -173,14 +173,14 @@ namespace FastPoints.Files
                 m_brokenBlocks.Count + " blocks so far)");
         }
 
-        /// <summary>Other blocks take the place of those that were known.</summary>
+        /// <summary>Forgets broken ranges when other blocks replace the known ones.</summary>
         private protected void ForgetBroken()
         {
             m_brokenBlocks.Clear();
             m_pointsLost = 0;
         }
 
-        /// <summary>Tells, once a file, of values that were changed or passed over.</summary>
+        /// <summary>Reports, once for each file, values that were changed or skipped.</summary>
         internal void WarnAnomalies(in PlyAnomalies anomalies)
         {
             if (anomalies.Misfits > 0 && !m_hasToldMisfits)

@@ -3,17 +3,19 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Binary PLY records to columns. Every value's bytes are kept, turned round where the file is big endian. Called by jobs;
-    /// HPC#.
+    /// Copies binary PLY records to columns. Every value's bytes are kept, and reversed if the file is big-endian. Called by
+    /// jobs; HPC#.
     /// </summary>
     static unsafe class PlyRecords
     {
-        /// <summary>Records that are taken through all copies before the next ones: they stay in the first-level cache.</summary>
+        /// <summary>Records that go through all copies before the next ones do: they stay in the first-level cache.</summary>
         const int TilePoints = 512;
 
-        /// <summary>Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points, from
-        /// <paramref name="firstPoint"/> of the columns on.</summary>
-        /// <param name="stride">Bytes from one record to the next that is wanted.</param>
+        /// <summary>
+        /// Fills the columns that <paramref name="copies"/> name with <paramref name="count"/> points, from <paramref
+        /// name="firstPoint"/> of the columns on.
+        /// </summary>
+        /// <param name="stride">Bytes from one wanted record to the next.</param>
         public static void ToColumns(byte* records, int stride, int count, PlyCopy* copies, int copyCount, bool isBigEndian,
             byte* columns, int firstPoint = 0)
         {

@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Scattered runs of binary PLY records.</summary>
+    /// <summary>Reads scattered runs of binary PLY records.</summary>
     sealed class PlyRunRead : RunRead
     {
         readonly int m_recordBytes;
@@ -42,7 +42,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>Scattered records that a read has brought into memory, to their places in a batch.</summary>
+    /// <summary>Decodes scattered records that a read has brought into memory to their places in a batch.</summary>
     [BurstCompile]
     struct DecodePlyRunsJob : IJob
     {
@@ -53,7 +53,7 @@ namespace FastPoints.Files
         public int RecordBytes;
         public bool IsBigEndian;
 
-        // Other slots write other places of it at the same time.
+        // Other slots write to other parts of it at the same time.
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Columns;
 
         public unsafe void Execute()

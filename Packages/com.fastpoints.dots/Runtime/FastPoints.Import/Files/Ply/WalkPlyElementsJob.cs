@@ -6,8 +6,8 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Steps through elements with lists as far as one stretch of the file reaches, looking at nothing but the lists' counts, and
-    /// notes a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.
+    /// Steps through elements with lists as far as one stretch of the file reaches, reading only the lists' counts, and records
+    /// a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.
     /// </summary>
     [BurstCompile]
     unsafe struct WalkPlyElementsJob : IJob
@@ -15,14 +15,14 @@ namespace FastPoints.Files
         public const int MaxBlockPoints = 65536;
         public const int MaxBlockBytes = 1 << 20;
 
-        /// <summary>A block is as long as its last vertex makes it; lists longer than this are taken for damage.</summary>
+        /// <summary>A block is as long as its last vertex makes it; longer lists count as damage.</summary>
         public const int MaxRecordBytes = 16 << 20;
 
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeArray<PlyWalkElement> Elements;
         [ReadOnly] public NativeArray<PlyStep> Steps;
 
-        /// <summary>Byte in the file at which the input starts.</summary>
+        /// <summary>Offset of the input in the file.</summary>
         public long InputOffset;
         public int InputBytes;
         public long FileBytes;
@@ -64,7 +64,7 @@ namespace FastPoints.Files
             return true;
         }
 
-        /// <returns>Whether the element is behind us; if not, the walk needs other bytes or is over.</returns>
+        /// <returns>Whether the element is done; if not, the walk needs other bytes or is over.</returns>
         bool PassLists(ref PlyWalkState state, in PlyWalkElement element)
         {
             byte* input = (byte*)Input.GetUnsafeReadOnlyPtr();

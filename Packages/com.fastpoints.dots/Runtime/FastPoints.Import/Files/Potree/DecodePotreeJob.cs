@@ -6,7 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>A slice of a node's records to columns; positions are moved from the node's corner to the cloud's.</summary>
+    /// <summary>
+    /// Decodes a slice of a node's records to columns, and moves positions from the node's corner to the cloud's.
+    /// </summary>
     [BurstCompile]
     unsafe struct DecodePotreeJob : IJob
     {
@@ -17,7 +19,7 @@ namespace FastPoints.Files
         public PotreeSpecialColumns Special;
         public int RecordBytes;
 
-        /// <summary>First point of the slice, counted from the range's.</summary>
+        /// <summary>First point of the slice, counted from the range's start.</summary>
         public int First;
         public int Count;
 
@@ -40,7 +42,7 @@ namespace FastPoints.Files
             Result.Value = result;
         }
 
-        /// <returns>An error where a position left the grid and stays at its edge.</returns>
+        /// <returns>An error if a position left the grid and was moved to its edge.</returns>
         public static int Move(int* column, int count, int shift)
         {
             int error = PotreeError.None;

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Where the files of a Potree 1 cloud lie: <c>r.bin</c> and the others side by side (1.4), or <c>r/r.bin</c> with a folder
+    /// Locates the files of a Potree 1 cloud: <c>r.bin</c> and the others side by side (1.4), or <c>r/r.bin</c> with a folder
     /// for each page of the hierarchy below it (from 1.5 on): <c>r/01234/r01234.hrc</c>.
     /// </summary>
     sealed class Potree1Files
@@ -29,9 +29,11 @@ namespace FastPoints.Files
         /// <summary>Full path of the folder with the root's files.</summary>
         public string Folder => m_folder;
 
-        /// <summary>Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there,
-        /// since clouds are moved and renamed.</summary>
-        /// <exception cref="PointCloudException">They are nowhere.</exception>
+        /// <summary>
+        /// Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there, since
+        /// clouds are moved and renamed.
+        /// </summary>
+        /// <exception cref="PointCloudException">They were not found.</exception>
         public static Potree1Files Find(Potree1Index index)
         {
             string home = Path.GetDirectoryName(Path.GetFullPath(index.Info.Path)) ?? ".";
@@ -55,7 +57,7 @@ namespace FastPoints.Files
 
         public string HierarchyPathOf(int level, int3 cell) => PathWithoutExtension(level, cell) + ".hrc";
 
-        /// <summary>Any node's file, the root's if it is there.</summary>
+        /// <summary>The file of the root if it exists, otherwise of any node.</summary>
         /// <exception cref="PointCloudException">There is none.</exception>
         public string AnyNode()
         {
@@ -96,7 +98,9 @@ namespace FastPoints.Files
             return false;
         }
 
-        /// <summary>An octreeDir may be anything, also an address on the web, which is then no folder here.</summary>
+        /// <summary>
+        /// Combines paths. An octreeDir may be anything, even an address on the web, which is not a folder here.
+        /// </summary>
         static string Combine(string home, string folder)
         {
             try

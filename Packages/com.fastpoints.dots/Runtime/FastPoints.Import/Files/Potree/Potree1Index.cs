@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What cloud.js says.</summary>
+    /// <summary>The contents of cloud.js.</summary>
     sealed class Potree1Index
     {
         // Elements and type of the attributes that versions before 1.8 only name.
@@ -33,13 +33,15 @@ namespace FastPoints.Files
         /// <summary>Levels of a page of the hierarchy.</summary>
         public int StepSize { get; private set; }
 
-        /// <summary>The hierarchy as names and counts, of versions up to 1.4; null where it is in files.</summary>
+        /// <summary>The hierarchy as names and counts, in versions up to 1.4; null if it is in files.</summary>
         public List<object> Hierarchy { get; private set; }
 
-        /// <summary>Of nodes in files of their own format: "LAS" or "LAZ"; null for BIN.</summary>
+        /// <summary>The format of nodes in files of their own: "LAS" or "LAZ"; null for BIN.</summary>
         public string NodeFormat { get; private set; }
 
-        /// <summary>Of BIN nodes, in their order; one of null has a name that is not known, and so no length.</summary>
+        /// <summary>
+        /// Attributes of BIN nodes in their order; null stands for one with an unknown name, and so unknown length.
+        /// </summary>
         public List<PotreeAttribute> Attributes { get; } = new List<PotreeAttribute>();
 
         public string UnknownAttribute { get; private set; }

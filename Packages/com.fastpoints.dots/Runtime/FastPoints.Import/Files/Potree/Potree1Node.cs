@@ -3,23 +3,23 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>A node of a Potree 1 hierarchy, and what its file is.</summary>
+    /// <summary>A node of a Potree 1 hierarchy and its file.</summary>
     struct Potree1Node
     {
         public int Level;
         public int3 Cell;
 
-        /// <summary>Points by the hierarchy.</summary>
+        /// <summary>Points according to the hierarchy.</summary>
         public long Claimed;
         public string Path;
 
-        /// <summary>-1 for no such file.</summary>
+        /// <summary>-1 if there is no such file.</summary>
         public long Bytes;
 
-        /// <summary>By the header of a file that is LAS or LAZ.</summary>
+        /// <summary>Points according to the header of a LAS or LAZ file.</summary>
         public long PointsOfLas;
 
-        /// <summary>Why such a file cannot be read; or null.</summary>
+        /// <summary>Why such a file cannot be read, or null.</summary>
         public string Problem;
     }
 
@@ -29,7 +29,7 @@ namespace FastPoints.Files
         public ByteReader Records;
         public long FileBytes;
 
-        /// <summary>Why it cannot be used; or null.</summary>
+        /// <summary>Why it cannot be used, or null.</summary>
         public PointCloudException Problem;
     }
 }

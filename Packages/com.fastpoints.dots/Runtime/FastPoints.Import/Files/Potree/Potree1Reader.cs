@@ -27,16 +27,16 @@ namespace FastPoints.Files
     {
         const int RecordBytes = 5;
 
-        /// <summary>Nodes looked up in one go.</summary>
+        /// <summary>Nodes that are looked up together.</summary>
         const int StepNodes = 32;
 
-        /// <summary>Of an .hrc file; 8^7 nodes take less.</summary>
+        /// <summary>Limit of an .hrc file; 8^7 nodes take less.</summary>
         const int MaxHierarchyBytes = 16 << 20;
 
-        /// <summary>Of a node that is LAS or LAZ, which a slot reads whole.</summary>
+        /// <summary>Limit of a LAS or LAZ node, which a slot reads whole.</summary>
         const long MaxLasBytes = 1 << 29;
 
-        /// <summary>What corners may lie above a grid place by rounding, in steps.</summary>
+        /// <summary>How far rounding may move corners above a grid place, in steps.</summary>
         const double CornerTolerance = 1e-5;
 
         /// <summary>A node whose children come next in the page.</summary>
@@ -55,7 +55,7 @@ namespace FastPoints.Files
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
 
-        /// <summary>Nodes that the hierarchy has, and whose files have not been looked up.</summary>
+        /// <summary>Nodes of the hierarchy whose files have not been looked up.</summary>
         readonly List<Potree1Node> m_found = new List<Potree1Node>();
         int m_listedAt;
         UnreadPage m_page;
@@ -76,9 +76,9 @@ namespace FastPoints.Files
                 Pages.Add(default);
         }
 
-        /// <summary>Reads cloud.js and, where nodes are LAS or LAZ, one node's header; of the hierarchy the first page.</summary>
-        /// <exception cref="PointCloudException">The index is not sound, of a version that is not read, or no node is
-        /// there.</exception>
+        /// <summary>Reads cloud.js, the first page of the hierarchy and, if nodes are LAS or LAZ, one node's header.</summary>
+        /// <exception cref="PointCloudException">The index is invalid, has an unsupported version, or there is no
+        /// node.</exception>
         internal static Potree1Reader Open(JsonMembers json)
         {
             var index = Potree1Index.Read(json);
@@ -132,10 +132,10 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
-        /// <summary>Of the nodes, where they are LAS or LAZ: positions and attributes that all of them must have.</summary>
+        /// <summary>The header of the nodes, if they are LAS or LAZ: all must have these positions and attributes.</summary>
         internal LasFile Las => m_las;
 
-        /// <summary>Of the nodes, where they are LAZ; null otherwise.</summary>
+        /// <summary>The format of the nodes, if they are LAZ; otherwise null.</summary>
         internal LazFormat Laz { get; }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
@@ -186,7 +186,7 @@ namespace FastPoints.Files
 
         bool TryPeek(int4 node, int levels, out UnreadPage page)
         {
-            // All pages but the first begin with a node that is known.
+            // All pages except the first begin with a known node.
             return Pages.TryPeek(node, Math.Max(1, levels - 1), out page);
         }
 
@@ -208,7 +208,7 @@ namespace FastPoints.Files
             Pages.Remove(page);
             if (read.Problem != null)
             {
-                // Without the first there is no tree at all.
+                // Without the first page there is no tree at all.
                 if (page.Root.w == 0)
                     throw read.Problem;
                 Statistics.Add("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
@@ -296,7 +296,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <param name="claimed">By the hierarchy.</param>
+        /// <param name="claimed">Points according to the hierarchy.</param>
         void Find(int level, int3 cell, long claimed) => m_found.Add(new Potree1Node
         {
             Level = level,
@@ -305,7 +305,7 @@ namespace FastPoints.Files
             Path = m_files.PathOf(level, cell),
         });
 
-        /// <summary>Looks the files of some nodes up: on any thread.</summary>
+        /// <summary>Returns a function that looks up the files of some nodes, on any thread.</summary>
         Func<Potree1Node[]> LookerFor(Potree1Node[] nodes)
         {
             bool isLas = m_layout == null;
@@ -351,7 +351,7 @@ namespace FastPoints.Files
             AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
         }
 
-        /// <summary>Points by a node's own header, no more than its bytes can hold.</summary>
+        /// <summary>Counts points by a node's own header, but no more than its bytes can hold.</summary>
         static void CountLas(ref Potree1Node node)
         {
             try
@@ -373,7 +373,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>The nodes that cloud.js lists, level by level, with the parents that it forgot.</summary>
+        /// <summary>Lists the nodes in cloud.js level by level, with the parents that it omitted.</summary>
         static List<(string, long)> ReadList(List<object> hierarchy, SourceInfo info)
         {
             var points = new SortedDictionary<string, long>(Comparer<string>.Create((a, b) =>
@@ -406,8 +406,8 @@ namespace FastPoints.Files
             return list;
         }
 
-        /// <summary>The length of the attribute that is not known: what the root's records have beside the others.</summary>
-        /// <exception cref="PointCloudException">It cannot be told.</exception>
+        /// <summary>Finds the length of an unknown attribute: what the root's records have besides the others.</summary>
+        /// <exception cref="PointCloudException">It cannot be determined.</exception>
         static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
         {
             long bytes = FileSource.LengthOf(files.PathOf(0, default)), points = 0;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What metadata.json says.</summary>
+    /// <summary>The contents of metadata.json.</summary>
     sealed class Potree2Index
     {
         public SourceInfo Info { get; private set; }
@@ -68,7 +68,9 @@ namespace FastPoints.Files
             return attributes;
         }
 
-        /// <summary>The position's range is that of the points; the bounding box is the cube around them.</summary>
+        /// <summary>
+        /// Tightens the bounds: the position's range is that of the points, the bounding box is the cube around them.
+        /// </summary>
         static void TightenBounds(BoundsGeo range, SourceInfo info)
         {
             var step = info.Transform.Scale;

@@ -30,14 +30,15 @@ namespace FastPoints.Files
         const int RecordBytes = 22;
         const int Proxy = 2;
 
-        /// <summary>Records read in one go.</summary>
+        /// <summary>Records that are read together.</summary>
         const int StepRecords = 4096;
 
-        /// <summary>More points than Brotli packs into a byte, whatever they are: 20,000 equal points take some 60
-        /// bytes.</summary>
+        /// <summary>
+        /// More points than Brotli packs into a byte, even equal ones: 20,000 equal points take some 60 bytes.
+        /// </summary>
         const int MaxPointsPerByte = 1000;
 
-        /// <summary>Of a node's Brotli stream, which a slot holds whole.</summary>
+        /// <summary>Limit of a node's Brotli stream, which a slot holds whole.</summary>
         const long MaxStreamBytes = 1 << 27;
 
         readonly string m_hierarchyPath;
@@ -72,9 +73,9 @@ namespace FastPoints.Files
             Pages.Add(default, 0, Math.Min(index.FirstChunkBytes, hierarchyBytes));
         }
 
-        /// <summary>Reads metadata.json; the hierarchy is read when it is asked for, but for its first page.</summary>
-        /// <exception cref="PointCloudException">The index is not sound, names an encoding that is not known, or has no hierarchy
-        /// beside it.</exception>
+        /// <summary>Reads metadata.json and the first page of the hierarchy; the rest is read on demand.</summary>
+        /// <exception cref="PointCloudException">The index is invalid, names an unknown encoding, or has no hierarchy beside
+        /// it.</exception>
         internal static Potree2Reader Open(JsonMembers json)
         {
             var index = Potree2Index.Read(json);
@@ -110,7 +111,10 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
-        /// <summary>Opened when a block is read, on the main thread as all handles: threads of the pool open readers.</summary>
+        /// <summary>
+        /// The handle, opened when a block is read: on the main thread, like all handles, since threads of the pool open
+        /// readers.
+        /// </summary>
         ref readonly FileHandle Octree
         {
             get
@@ -124,7 +128,7 @@ namespace FastPoints.Files
 
         bool HasPoints => m_octreeBytes >= 0;
 
-        /// <exception cref="PointCloudException">NotFound where octree.bin is not there.</exception>
+        /// <exception cref="PointCloudException">NotFound if octree.bin does not exist.</exception>
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             if (!HasPoints)
@@ -156,7 +160,7 @@ namespace FastPoints.Files
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
 
-        /// <summary>Whether the page has another record, whose bytes have not been believed before.</summary>
+        /// <summary>Whether the page has another record whose bytes have not been used before.</summary>
         bool HasRecord => m_recordsLeft > 0 && m_recordOffset + RecordBytes <= m_pageEnd;
 
         bool IsRecordRead => m_recordOffset >= m_records.FileOffset &&
@@ -181,7 +185,7 @@ namespace FastPoints.Files
             Tree.IsWhole = Pages.Count == 0;
         }
 
-        /// <returns>Whether there is a page that the levels take.</returns>
+        /// <returns>Whether there is a page that the levels need.</returns>
         bool BeginPage(int4 node, int levels)
         {
             if (!Pages.TryPeek(node, levels, out var page))
@@ -196,7 +200,7 @@ namespace FastPoints.Files
             return true;
         }
 
-        /// <summary>More than a page has, mostly: the next is among it then.</summary>
+        /// <summary>Reads more than a page usually has, so that the next page is often included.</summary>
         Func<ByteReader> ReaderOf(long start)
         {
             string path = m_hierarchyPath;
@@ -210,12 +214,12 @@ namespace FastPoints.Files
         void TakeRecords(ByteReader records)
         {
             m_records = records;
-            // The file is shorter than it was.
+            // The file is shorter than it was at opening.
             if (!IsRecordRead)
                 m_pageEnd = m_recordOffset;
         }
 
-        /// <summary>All nodes of the page are read, or there are no more records for the others.</summary>
+        /// <summary>Ends the page: all its nodes are read, or there are no more records for the others.</summary>
         void EndPage()
         {
             m_nodesLost += m_nodesOfPage.Count;
@@ -257,7 +261,7 @@ namespace FastPoints.Files
             if (mask != 0 && level == MaxLevels)
                 Statistics.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
                     m_hierarchyPath);
-            // No more than the page can have records for, so that masks that lie take no memory.
+            // The list is limited to what the page can have records for, so that false masks take no memory.
             long room = (m_pageEnd - where) / RecordBytes - 1;
             for (int child = 0; child < 8 && level < MaxLevels; child++)
                 if ((mask >> child & 1) == 0)
@@ -282,7 +286,7 @@ namespace FastPoints.Files
             Pages.Add(new int4(cell, level), offset, Math.Min(bytes, m_hierarchyBytes - offset));
         }
 
-        /// <summary>Adds a node with the points that octree.bin has of it.</summary>
+        /// <summary>Adds a node with those of its points that octree.bin holds.</summary>
         void Add(int level, int3 cell, long points, long offset, long bytes, long where)
         {
             if (bytes == 0)

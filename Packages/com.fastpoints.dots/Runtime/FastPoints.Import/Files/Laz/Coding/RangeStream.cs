@@ -1,8 +1,8 @@
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; what is kept is
-    /// <see cref="Offset"/>, since the input may lie elsewhere the next time.
+    /// A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; only <see
+    /// cref="Offset"/> is kept, since the input may lie elsewhere the next time.
     /// </summary>
     internal unsafe struct RangeStream
     {
@@ -10,10 +10,10 @@ namespace FastPoints.Files
         public uint Length;
         public byte* Next;
 
-        /// <summary>Behind the stream's last byte: a decoder that has gone further has read what is not its own.</summary>
+        /// <summary>Points behind the stream's last byte: a decoder that has passed it has read foreign bytes.</summary>
         public byte* End;
 
-        /// <summary>Of <see cref="Next"/> from the input's start.</summary>
+        /// <summary>Offset of <see cref="Next"/> from the input's start.</summary>
         public long Offset;
 
         public bool IsBeyondEnd => Next > End;
@@ -46,7 +46,7 @@ namespace FastPoints.Files
             RangeCode.Start(out Value, out Length, ref Next);
         }
 
-        /// <summary>Takes up where <see cref="Suspend"/> left off, the input now being at <paramref name="input"/>.</summary>
+        /// <summary>Resumes where <see cref="Suspend"/> left off, with the input now at <paramref name="input"/>.</summary>
         public void Resume(byte* input, byte* end)
         {
             Next = input + Offset;

@@ -1,6 +1,6 @@
 namespace FastPoints.Files
 {
-    /// <summary>Item types of the LASzip VLR: runs of a record's bytes that are compressed together.</summary>
+    /// <summary>Item types of the LASzip VLR: consecutive bytes of a record that are compressed together.</summary>
     internal enum LazItemType : ushort
     {
         Bytes = 0,
@@ -15,20 +15,20 @@ namespace FastPoints.Files
         Bytes14 = 14,
     }
 
-    /// <summary>One entry of the LASzip VLR's list, and where its bytes lie in a record.</summary>
+    /// <summary>One entry of the LASzip VLR's list, and the location of its bytes in a record.</summary>
     internal struct LazItem
     {
         public LazItemType Type;
         public int Version;
         public int Bytes;
 
-        /// <summary>Of the item's first byte in a record: items follow each other in the list's order.</summary>
+        /// <summary>Offset of the item's first byte in a record: items follow each other in the list's order.</summary>
         public int RecordOffset;
 
         /// <summary>Whether the item belongs to layered chunks (POINT14 and what goes with it).</summary>
         public bool IsLayered => Type >= LazItemType.Point14;
 
-        /// <summary>Bytes that the type must have; 0 where any number above 0 is right.</summary>
+        /// <summary>Bytes that the type must have; 0 if any number above 0 is valid.</summary>
         public static int FixedBytes(LazItemType type)
         {
             switch (type)
@@ -52,7 +52,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Whether this type has been written in this version (0, uncompressed, aside).</summary>
+        /// <summary>Whether this type has been written in this version (besides 0, uncompressed).</summary>
         public static bool IsVersionKnown(LazItemType type, int version)
         {
             switch (type)

@@ -31,14 +31,16 @@ namespace FastPoints.Files
         fixed int m_recordOffset[MaxItems];
         fixed int m_stateOffset[MaxItems];
 
-        /// <summary>Byte of the chunk's input up to which the stream has been taken.</summary>
+        /// <summary>Offset in the chunk's input up to which the stream has been consumed.</summary>
         public long InputOffset => m_stream.Offset;
 
         /// <summary>Whether the input and the stream end with the last point that was decoded.</summary>
         public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
 
-        /// <summary>Of the points decoded last, those that lie behind the first end that the stream can have had: where there
-        /// are fewer points than were told, these may be none. They took no byte, and less than eight bits together.</summary>
+        /// <summary>
+        /// Number of the last decoded points behind the first place where the stream can have ended: if there are fewer points
+        /// than claimed, these may not exist. They took no byte, and less than eight bits together.
+        /// </summary>
         public int PointsInDoubt => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
 
         /// <summary>Bytes of decoder state for a list of items.</summary>
@@ -133,7 +135,7 @@ namespace FastPoints.Files
             chunk->m_stream = default;
         }
 
-        /// <summary>Goes on with an input that starts where the stream has been taken up to.</summary>
+        /// <summary>Continues with an input that starts where the stream has been consumed up to.</summary>
         public static void Rebase(PointwiseChunk* chunk) => chunk->m_stream.Offset = 0;
 
         /// <summary>Decodes the chunk's next points as whole records.</summary>

@@ -12,7 +12,7 @@ namespace FastPoints.Files
     {
         public RangeStream Stream;
 
-        /// <summary>Behind the stream's last byte, from the chunk's input.</summary>
+        /// <summary>Offset behind the stream's last byte, from the start of the chunk's input.</summary>
         public long EndOffset;
 
         public LazLayerKind Kind;
@@ -22,13 +22,13 @@ namespace FastPoints.Files
         public int FollowsChannel;
         public int IsWanted;
 
-        /// <summary>Whether the chunk has the layer; where not, no point differs from the first.</summary>
+        /// <summary>Whether the chunk has the layer; if not, all points equal the first.</summary>
         public int HasBytes;
 
-        /// <summary>Of the contexts, from the chunk's state.</summary>
+        /// <summary>Offset of the contexts from the start of the chunk's state.</summary>
         public long ContextsOffset;
 
-        /// <summary>Bit c set: context c has been made.</summary>
+        /// <summary>Bit c is set if context c has been made.</summary>
         public int Made;
 
         /// <summary>Context of the last point.</summary>
