@@ -1,13 +1,13 @@
 namespace FastPoints.Files
 {
     /// <summary>
-    /// An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput sequence, Owen
-    /// scrambled. Blittable, for jobs.
+    /// An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput sequence,
+    /// Owen scrambled. Blittable, for jobs.
     /// </summary>
     /// <remarks>
     /// The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011, with the
-    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order one lies in
-    /// each 2^-k of the strata (give or take the places beyond the last stratum, which are passed over).
+    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order, one lies in
+    /// each 2^-k of the strata (give or take the places beyond the last stratum, which are skipped).
     /// </remarks>
     internal readonly struct SampleOrder
     {
@@ -25,10 +25,10 @@ namespace FastPoints.Files
                 m_bits++;
         }
 
-        /// <summary>Places to go through for all strata: those that hold one, and those that are passed over.</summary>
+        /// <summary>Number of places that cover all strata, including skipped ones.</summary>
         public int Places => 1 << m_bits;
 
-        /// <summary>The stratum at a place of the order, or -1 where the place is to be passed over.</summary>
+        /// <summary>The stratum at a place of the order, or -1 if the place is skipped.</summary>
         public int StratumAt(int place)
         {
             if (m_bits == 0)
@@ -39,7 +39,7 @@ namespace FastPoints.Files
             x *= m_seed >> 16 | 1;
             x ^= x * 0x05526C56u;
             x ^= x * 0x53A22864u;
-            // The low bits that count, turned round: each bit of the stratum hangs on the bits above it alone.
+            // These are the low bits that count, reversed: each bit of the stratum depends on the bits above it alone.
             uint reversed = 0;
             for (int bit = 0; bit < m_bits; bit++)
                 reversed = reversed << 1 | x >> bit & 1;

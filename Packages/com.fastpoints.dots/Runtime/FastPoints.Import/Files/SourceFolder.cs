@@ -4,10 +4,10 @@ using FastPoints.Store;
 
 namespace FastPoints.Files
 {
-    /// <summary>What kind of point cloud a folder is, by the index file that lies in it.</summary>
+    /// <summary>Recognises a folder's kind of point cloud by its index file.</summary>
     internal static class SourceFolder
     {
-        /// <summary>Names under which writers leave an index; what is in it decides.</summary>
+        /// <summary>Names that writers give an index; its contents decide.</summary>
         static readonly string[] s_indexNames = { "metadata.json", "cloud.js", "ept.json", StoreFormat.ManifestName };
 
         /// <summary>Whether a file's name is one of these.</summary>
@@ -26,11 +26,13 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>What a source is called in the names of the files that are made of it.</summary>
+    /// <summary>Names a source in the names of files made from it.</summary>
     public static class CloudName
     {
-        /// <summary>A file's name without its extension; for an octree its folder's name, whether the folder or the index in it
-        /// was named.</summary>
+        /// <summary>
+        /// A file's name without its extension; for an octree its folder's name, whether the path names the folder or the index
+        /// in it.
+        /// </summary>
         public static string Of(string path)
         {
             string full = Path.GetFullPath(path).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);

@@ -4,13 +4,15 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>What a file says of itself, read from its header without touching the points. Claims, not statistics.</summary>
+    /// <summary>
+    /// A file's description of itself, read from its header without touching the points. These are claims, not statistics.
+    /// </summary>
     public sealed class SourceInfo
     {
         public string Path;
         public long FileBytes;
 
-        /// <summary>"LAS", "PLY", ...</summary>
+        /// <summary>The name of the format: "LAS", "PLY", ...</summary>
         public string Format;
 
         /// <summary>The format's own version, "1.4" for example.</summary>
@@ -19,17 +21,18 @@ namespace FastPoints.Files
         /// <summary>LAS point data format, or -1.</summary>
         public int PointFormat = -1;
 
-        /// <summary>Bytes of one record, or 0 where records have no fixed length.</summary>
+        /// <summary>Bytes of one record, or 0 if records have no fixed length.</summary>
         public int RecordBytes;
 
-        /// <summary>Points by the header. Unsigned: a header may claim anything.</summary>
+        /// <summary>Points according to the header. Unsigned, because a header may claim anything.</summary>
         public ulong PointsClaimed;
 
         /// <summary>Whether there is such a claim: text files mostly have none.</summary>
         public bool HasPointsClaimed = true;
 
-        /// <summary>Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 where it takes a scan
-        /// to know.</summary>
+        /// <summary>
+        /// Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 if only a scan can tell.
+        /// </summary>
         public long PointsReadable = -1;
 
         public bool HasBoundsClaimed;
@@ -37,7 +40,7 @@ namespace FastPoints.Files
 
         public PositionTransform Transform = PositionTransform.Identity;
 
-        /// <summary>All that each point has.</summary>
+        /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
         public CoordinateSystem Crs = new CoordinateSystem();

@@ -3,10 +3,13 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>The JSON index of a source: Potree's cloud.js and metadata.json, ept.json.</summary>
+    /// <summary>
+    /// The JSON index of a source (Potree's cloud.js and metadata.json, ept.json), whose members are requested by name. A
+    /// missing member, or one of another type, is a failure that names the file and the member.
+    /// </summary>
     internal static class SourceJson
     {
-        /// <summary>A larger text is not parsed: its objects would take some 50 times its bytes.</summary>
+        /// <summary>Larger texts are not parsed: the objects would take some 50 times the bytes.</summary>
         public const int MaxBytes = 4 << 20;
 
         /// <summary>Whether the first bytes of a file look like a JSON object, a byte order mark in front or not.</summary>
@@ -23,8 +26,8 @@ namespace FastPoints.Files
             return true;
         }
 
-        /// <summary>Reads and parses the whole file.</summary>
-        /// <exception cref="PointCloudException">It is no JSON object, or too long for an index.</exception>
+        /// <summary>Reads and parses the file. Trailing commas are accepted, since such files are edited by hand.</summary>
+        /// <exception cref="PointCloudException">It is not a JSON object, or is too long for an index.</exception>
         public static JsonMembers Read(FileSource source)
         {
             if (source.Length > MaxBytes)

@@ -7,22 +7,28 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Every point of a source once, block by block, several blocks in flight, in bounded memory.</summary>
+    /// <summary>
+    /// Visits every point of a source once, block by block, with several blocks in flight, in bounded memory.
+    /// </summary>
     internal static class SourceScan
     {
         /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
 
-        /// <summary>Memory that the slots of one scan may take: with it a scan's resident set is bounded, whatever the number of
-        /// cores and the size of the blocks.</summary>
+        /// <summary>
+        /// Limit of the memory of one scan's slots: it bounds a scan's resident set, whatever the number of cores and the size
+        /// of blocks.
+        /// </summary>
         public const long MaxSlotBytes = 96L << 20;
 
-        /// <summary>As many slots as <see cref="DefaultSlots"/>, or as fit into <see cref="MaxSlotBytes"/>: a block's columns
-        /// and its bytes in the file.</summary>
+        /// <summary>
+        /// Number of slots: <see cref="DefaultSlots"/>, or as many as fit into <see cref="MaxSlotBytes"/> with a block's
+        /// columns and its bytes in the file.
+        /// </summary>
         public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
 
-        /// <param name="extraBytesPerPoint">What the consumer keeps by slot.</param>
-        /// <param name="maxBytes">For all slots together; one there is always.</param>
+        /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>
+        /// <param name="maxBytes">The limit for all slots together; there is always one.</param>
         public static int SlotsFor(PointReader reader, PointSchema wanted, int extraBytesPerPoint, long maxBytes)
         {
             if (reader.BlockCount == 0)
@@ -33,7 +39,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Work for a pump: decodes <paramref name="wanted"/> of every block and hands each to the consumer.</summary>
-        /// <param name="slots">Blocks in flight: memory is that of so many blocks.</param>
+        /// <param name="slots">Blocks in flight, which determine the memory.</param>
         public static IEnumerator<Work> Run(PointReader reader, PointSchema wanted, IBlockConsumer consumer, int slots,
             StageProgress progress) => Run(reader, wanted, consumer, slots, 0, reader.BlockCount, progress);
 

@@ -6,19 +6,19 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The octree that a source brings along (COPC, Potree, EPT), as far as its hierarchy has been read: additive levels, each
+    /// The octree that a source contains (COPC, Potree, EPT), as far as its hierarchy has been read: additive levels, each
     /// node's points in a block of their own.
     /// </summary>
     /// <remarks>
-    /// Nodes are only ever added, a parent before its children, so an index stays what it was while pages are read. Memory:
-    /// 24 bytes a node.
+    /// Nodes are only ever added, a parent before its children, so indices stay valid while pages are read. A node takes 24
+    /// bytes.
     /// </remarks>
     internal sealed class SourceTree : IDisposable
     {
         NativeList<SourceNode> m_nodes;
 
         /// <param name="cube">The root's cube, CRS units.</param>
-        /// <param name="spacing">Distance between points of the root, CRS units; halved from level to level.</param>
+        /// <param name="spacing">Distance between points of the root in CRS units; it halves from level to level.</param>
         public SourceTree(BoundsGeo cube, double spacing, Allocator allocator)
         {
             Cube = cube;
@@ -32,18 +32,18 @@ namespace FastPoints.Files
 
         public int NodeCount => m_nodes.Length;
 
-        /// <summary>Levels among the nodes that are known.</summary>
+        /// <summary>Number of levels among the known nodes.</summary>
         public int LevelCount { get; private set; }
 
         /// <summary>Pages (or files) of the hierarchy that were read so far.</summary>
         public int PageCount { get; set; }
 
-        /// <summary>Whether all pages of the hierarchy were read (or given up with a warning).</summary>
+        /// <summary>Whether all pages of the hierarchy were read (or abandoned with a warning).</summary>
         public bool IsWhole { get; set; }
 
         public SourceNode this[int node] => m_nodes[node];
 
-        /// <summary>The nodes that are known, for jobs: no more are added before these have ended.</summary>
+        /// <summary>The known nodes, for jobs: none may be added before these have ended.</summary>
         public NativeArray<SourceNode> AsArray() => m_nodes.AsArray();
 
         public void Add(SourceNode node)
@@ -55,7 +55,7 @@ namespace FastPoints.Files
         /// <summary>Edge of a level's nodes, CRS units.</summary>
         public double EdgeOfLevel(int level) => Cube.Size.x / Math.Pow(2, level);
 
-        /// <summary>Nodes that only hold others together, or whose points are not there.</summary>
+        /// <summary>Number of nodes that only hold others together, or whose points are missing.</summary>
         public int NodesWithoutPoints()
         {
             int count = 0;
@@ -72,14 +72,15 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>A node of a source's own octree. One whose points are more than a block's is there several times, a block
-    /// each.</summary>
+    /// <summary>
+    /// A node of a source's own octree. One with more points than a block exists several times, once for each block.
+    /// </summary>
     internal struct SourceNode
     {
-        /// <summary>0 for the root; a node of level L has an edge of the cube's over 2^L.</summary>
+        /// <summary>0 for the root; a node of level L has the cube's edge divided by 2^L.</summary>
         public int Level;
 
-        /// <summary>Its place among the 2^Level nodes of each axis.</summary>
+        /// <summary>Its position among the 2^Level nodes of each axis.</summary>
         public int3 Cell;
 
         /// <summary>The block that holds its points, or -1 for a node without points.</summary>
@@ -88,7 +89,7 @@ namespace FastPoints.Files
         /// <summary>Points of the block, as the hierarchy claims.</summary>
         public int PointCount;
 
-        /// <summary>What nodes of an octree are told apart by.</summary>
+        /// <summary>The key that identifies a node of an octree.</summary>
         public int4 Key => new int4(Cell, Level);
     }
 }

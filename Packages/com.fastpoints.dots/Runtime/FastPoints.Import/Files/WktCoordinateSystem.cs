@@ -3,7 +3,9 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>What of a CRS in well-known text is shown: name, EPSG codes, length of the unit. WKT 1 and 2.</summary>
+    /// <summary>
+    /// Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and 2.
+    /// </summary>
     internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };
@@ -18,7 +20,7 @@ namespace FastPoints.Files
         static readonly string[] s_unit = { "UNIT", "LENGTHUNIT" };
 
         /// <summary>Fills <paramref name="crs"/> from <paramref name="wkt"/>.</summary>
-        /// <returns>Whether the text is well-known text at all; if not, nothing is filled.</returns>
+        /// <returns>Whether the text is well-known text at all; if not, nothing is filled in.</returns>
         public static bool Read(string wkt, CoordinateSystem crs)
         {
             var root = WktNode.Parse(wkt);

@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// </summary>
     internal sealed class WktNode
     {
-        /// <summary>Deeper text than any CRS has is not followed.</summary>
+        /// <summary>Text that is nested deeper than any CRS is not followed.</summary>
         const int MaxDepth = 64;
 
         public readonly string Keyword;
@@ -20,7 +20,7 @@ namespace FastPoints.Files
             Keyword = keyword;
         }
 
-        /// <summary>The outermost node, or null where the text is none. Text that breaks off gives what stands before.</summary>
+        /// <summary>The outermost node, or null if the text has none. Text that breaks off gives what comes before.</summary>
         public static WktNode Parse(string text)
         {
             var open = new Stack<WktNode>();

@@ -4,8 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Writes one block of a plane, from values that were gathered for it: the layout of
-    /// <see cref="PlaneShape"/>.</summary>
+    /// <summary>Writes one block of a plane from gathered values: the layout of <see cref="PlaneShape"/>.</summary>
     internal static unsafe class BlockWriting
     {
         /// <summary>Where a column of 64-bit values is gathered.</summary>
@@ -16,10 +15,11 @@ namespace FastPoints.Nodes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
 
-        /// <param name="values">Room for <see cref="PlaneShape.MaxColumns"/> full columns.</param>
+        /// <param name="values">The values, with room for <see cref="PlaneShape.MaxColumns"/> full columns.</param>
         /// <param name="descriptor">The block's; afterwards the next one's.</param>
-        /// <param name="word">Of the plane, where packed words go; afterwards behind them.</param>
-        /// <param name="min">By column: lowered to the block's smallest; <paramref name="max"/> raised to its largest.</param>
+        /// <param name="word">The plane's word where packed words go; afterwards behind them.</param>
+        /// <param name="min">For each column, lowered to the block's smallest; <paramref name="max"/> raised to its
+        /// largest.</param>
         public static void Write(ulong* values, int count, PlaneShape shape, uint* plane, ref uint* descriptor, ref long word,
             ulong* min, ulong* max)
         {

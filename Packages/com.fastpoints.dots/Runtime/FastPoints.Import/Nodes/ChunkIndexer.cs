@@ -8,12 +8,12 @@ using Unity.Jobs;
 namespace FastPoints.Nodes
 {
     /// <summary>
-    /// Makes one chunk at a time into nodes: order, gather, sample, write into memory. Its memory is as large as its largest
-    /// chunk was and is used again for the next.
+    /// Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. Its memory is
+    /// as large as its largest chunk needs and is reused for the next.
     /// </summary>
     internal sealed class ChunkIndexer : IDisposable
     {
-        // How often the samplers look at a point, in most clouds.
+        // The samplers visit a point this often in most clouds.
         const int UsualLevels = 12;
         const int UsualLooks = 32;
         const int UsualLooksOfAverage = 96;
@@ -69,34 +69,36 @@ namespace FastPoints.Nodes
             NodeOfDraft = new NativeList<int>(64, Allocator.Persistent);
         }
 
-        /// <summary>The chunk in work, and its records as they came.</summary>
+        /// <summary>The current chunk, and its records as they came.</summary>
         public GridCube Cube { get; private set; }
         public RecordPages Pages { get; private set; }
         public int Number { get; private set; }
         public JobHandle Job { get; private set; }
 
-        /// <summary>When the job is done: the chunk's file, empty where all points are in the top. Whoever takes it gives another
-        /// list for the next one.</summary>
+        /// <summary>
+        /// The chunk's file after the job, empty if all points are in the top. Code that takes it gives another list for the
+        /// next one.
+        /// </summary>
         public NativeList<byte> File { get; set; }
 
-        /// <summary>When an upper job is done: the upper nodes' table.</summary>
+        /// <summary>The upper nodes' table, after an upper job.</summary>
         public NativeList<byte> Table { get; }
 
-        /// <summary>When the job is done: the records of the top node, in the layout of tops.</summary>
+        /// <summary>The records of the top node in the layout of tops, after the job.</summary>
         public NativeList<byte> Top { get; }
         public NativeList<NodeDraft> Drafts { get; }
         public NativeList<int> NodeOfDraft { get; }
 
-        /// <summary>Sum of the hashes of the points that went through.</summary>
+        /// <summary>Sum of the hashes of all processed points.</summary>
         public ulong Checksum => m_checksum.Value;
 
-        /// <summary>Of the jobs so far; whoever takes them in empties them.</summary>
+        /// <summary>Times of the jobs so far; code that takes them empties them.</summary>
         public SliceTimes Slices => m_slices;
 
-        /// <summary>Bytes by plane of the last file.</summary>
+        /// <summary>Bytes of each plane in the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Starts on a chunk. Its pages are the caller's again when the job is done.</summary>
+        /// <summary>Begins a chunk. The caller owns its pages again when the job is done.</summary>
         public void Begin(GridCube cube, RecordPages pages, int number)
         {
             Cube = cube;
@@ -110,10 +112,11 @@ namespace FastPoints.Nodes
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Starts on upper nodes: those above some tops, which come in Morton order.</summary>
-        /// <param name="records">All tops' records.</param>
-        /// <param name="tops">By chunk, or region; gets the attach nodes, as drafts.</param>
-        /// <param name="isRoot">Otherwise the top node goes to <see cref="Top"/>, as a chunk's does.</param>
+        /// <summary>Begins upper nodes: those above some tops, which come in Morton order.</summary>
+        /// <param name="records">The records of all tops.</param>
+        /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
+        /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
+        /// does.</param>
         public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot)
         {
             Number = 0;

@@ -37,13 +37,13 @@ namespace FastPoints.Nodes
         public StoreLayout Layout { get; }
         public NativeArray<StoredColumn> Columns { get; private set; }
 
-        /// <summary>By attribute plane, and one more.</summary>
+        /// <summary>Indexed by attribute plane, with one more entry.</summary>
         public NativeArray<int> FirstColumnOfPlane { get; private set; }
 
-        /// <summary>By attribute plane.</summary>
+        /// <summary>Indexed by attribute plane.</summary>
         public NativeArray<PlaneShape> Shapes { get; private set; }
 
-        /// <summary>By attribute plane: the attribute plane whose values are averaged in it, or negative.</summary>
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         public NativeArray<int> AverageOf { get; private set; }
 
         /// <summary>The columns of the planes with averages.</summary>

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>A run of points of one node, that becomes blocks of its own.</summary>
+    /// <summary>Some points of one node that become blocks of their own.</summary>
     internal unsafe struct PackedRun
     {
         /// <summary>Numbers of the records.</summary>
@@ -25,8 +25,8 @@ namespace FastPoints.Nodes
         [NativeDisableUnsafePtrRestriction] public StoredColumn* Columns;
 
         /// <summary>Writes the position plane of a node at the end of a list.</summary>
-        /// <param name="min">Out, by run: smallest offset from the corner; <paramref name="max"/> the largest. Three a
-        /// run.</param>
+        /// <param name="min">Receives the smallest offset from the corner, three numbers for each run; <paramref name="max"/>
+        /// receives the largest.</param>
         public PlaneRange WritePositions(NativeList<byte> file, PackedRun* runs, int runCount, Grid3 corner, bool isWide,
             ulong* min,
             ulong* max)
@@ -83,7 +83,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>Writes a plane of averages of a node at the end of a list.</summary>
-        /// <param name="firstColumn">Of the averaged columns.</param>
+        /// <param name="firstColumn">Index of the first averaged column.</param>
         public PlaneRange WriteAverages(NativeList<byte> file, PackedRun* runs, int runCount, PlaneShape shape,
             in AveragedColumns averaged, int firstColumn)
         {
@@ -169,7 +169,7 @@ namespace FastPoints.Nodes
             var type = column.Type;
             if (type == AttributeType.UInt16)
             {
-                // Values are multiples of the divisor, and have 16 bits: the product is exact.
+                // Values are multiples of the divisor and have 16 bits, so the product is exact.
                 ulong reciprocal = ((1UL << 32) + (uint)column.Divisor - 1) / (uint)column.Divisor;
                 for (int i = 0; i < count; i++)
                     values[i] = (uint)(*(ushort*)(attribute + points[i] * stride) * reciprocal >> 32);

@@ -11,7 +11,7 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct PrepareUpperJob : IJob
     {
-        /// <summary>Takes about 4 ms.</summary>
+        /// <summary>A slice takes about 4 ms.</summary>
         public const int PointsOfSlice = 100000;
 
         /// <summary>The points of this slice. The slices of one cloud follow one another.</summary>

@@ -13,7 +13,7 @@ namespace FastPoints.Nodes
     {
         [ReadOnly] public NativeArray<byte> Records;
 
-        /// <summary>Of tops.</summary>
+        /// <summary>The layout of tops.</summary>
         public RecordLayout Layout;
         public NativeReference<ulong> Sum;
 

@@ -11,14 +11,14 @@ using Unity.Mathematics;
 namespace FastPoints.Nodes
 {
     /// <summary>
-    /// Writes a chunk's file, or the upper levels', in memory: every node's planes, then the table. A chunk's top node is not
-    /// written: its points go to the merge of the upper levels.
+    /// Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top node is
+    /// not written: its points go to the merge of the upper levels.
     /// </summary>
-    /// <remarks>One run of the job is a slice: it is run until it is done. A node is written at once.</remarks>
+    /// <remarks>One run of the job is a slice; the job runs again until it is done. A node is written in one slice.</remarks>
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
     {
-        /// <summary>What the next slice goes on with.</summary>
+        /// <summary>Where the next slice continues.</summary>
         public enum Stage
         {
             Start,
@@ -28,10 +28,10 @@ namespace FastPoints.Nodes
             Done,
         }
 
-        /// <summary>Takes about 4 ms with a handful of attributes.</summary>
+        /// <summary>A slice takes about 4 ms with a handful of attributes.</summary>
         public const int PointsOfSlice = 20000;
 
-        /// <summary>That many points cost as much to sort as one to write.</summary>
+        /// <summary>Sorting this many points costs as much as writing one.</summary>
         public const int PointsSortedForOne = 8;
 
         /// <summary>Leaves with fewer points are guests in their parent's planes.</summary>
@@ -40,43 +40,43 @@ namespace FastPoints.Nodes
         public int Count;
         public RecordLayout Layout;
 
-        /// <summary>The corner of any cube of the octree that has all the points.</summary>
+        /// <summary>The corner of any cube of the octree that contains all the points.</summary>
         public Grid3 Corner;
         public ulong CloudId;
         public int Number;
 
-        /// <summary>A chunk: the table goes into the file.</summary>
+        /// <summary>For a chunk, the table goes into the file.</summary>
         public bool IsChunk;
 
-        /// <summary>The first node goes to <see cref="Top"/> in place of the file.</summary>
+        /// <summary>Whether the first node goes to <see cref="Top"/> instead of the file.</summary>
         public bool KeepsTopOut;
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<int> NodeOfPoint;
         [ReadOnly] public NativeList<NodeDraft> Drafts;
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>By attribute plane: the first of its columns, and one more.</summary>
+        /// <summary>For each attribute plane, the first of its columns, and one more entry.</summary>
         [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
 
-        /// <summary>By attribute plane.</summary>
+        /// <summary>Indexed by attribute plane.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
-        /// <summary>By attribute plane: the attribute plane whose values are averaged in it, or negative.</summary>
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
 
-        /// <summary>As the sampler left them.</summary>
+        /// <summary>The points as the sampler left them.</summary>
         [ReadOnly] public AveragedColumns Averaged;
 
-        /// <summary>Scratch: points, those of one draft together.</summary>
+        /// <summary>Scratch: points, grouped by draft.</summary>
         public NativeArray<uint> Points;
 
         /// <summary>Its <see cref="WriteScratch.Now"/> is reset before the first slice.</summary>
         public WriteScratch Scratch;
 
-        /// <summary>About so many points are written in one run.</summary>
+        /// <summary>About this many points are written in one run.</summary>
         public int PointsPerSlice;
 
-        /// <summary>Out: the file. Empty where a chunk has no node but its top.</summary>
+        /// <summary>Out: the file. Empty if a chunk has no node except its top.</summary>
         public NativeList<byte> File;
 
         /// <summary>Out: the upper levels' table.</summary>
@@ -85,10 +85,10 @@ namespace FastPoints.Nodes
         /// <summary>Out: the top's points as records, in order.</summary>
         public NativeList<byte> Top;
 
-        /// <summary>Out, by draft: its place in the table, or -1.</summary>
+        /// <summary>Out: the table index of each draft, or -1.</summary>
         public NativeList<int> NodeOfDraft;
 
-        /// <summary>Out, by plane, position first: bytes.</summary>
+        /// <summary>Out: bytes of each plane, position first.</summary>
         public NativeArray<long> BytesOfPlane;
 
         [NativeDisableUnsafePtrRestriction] NodeDraft* m_drafts;
@@ -149,7 +149,7 @@ namespace FastPoints.Nodes
             m_now = new WriteScratch.State { Stage = Stage.SortPoints };
         }
 
-        /// <summary>Points of one node together, in their order along the curve.</summary>
+        /// <summary>Groups the points of each node, in their order along the curve.</summary>
         void SortPoints()
         {
             int* next = Scratch.FirstPointOfDraft.GetUnsafePtr();
@@ -166,8 +166,9 @@ namespace FastPoints.Nodes
             m_now.Stage = Stage.Plan;
         }
 
-        /// <summary>Everything but the points: which nodes there are, and the table without what is known when they are
-        /// written.</summary>
+        /// <summary>
+        /// Plans everything except the points: which nodes there are, and the table without what is only known after writing.
+        /// </summary>
         void Plan()
         {
             NodeOfDraft.ResizeUninitialized(Drafts.Length);
@@ -190,7 +191,7 @@ namespace FastPoints.Nodes
             m_now.Stage = Stage.Write;
         }
 
-        /// <summary>Breadth first by the parents that exist, so that children follow one another.</summary>
+        /// <summary>Numbers nodes breadth first by the existing parents, so that children follow one another.</summary>
         void NumberNodes()
         {
             // Chains of children in the drafts' order.
@@ -324,7 +325,7 @@ namespace FastPoints.Nodes
 
         void WriteHost(int host, NodeRecord* nodes, PlaneRange* ranges)
         {
-            // The node's own points, then each guest's.
+            // These are the node's own points, then each guest's.
             int first = nodes[host].FirstChild, end = first + nodes[host].ChildCount;
             var runs = Allocate<PackedRun>(1 + nodes[host].ChildCount);
             int* nodeOfRun = Allocate<int>(1 + nodes[host].ChildCount);
@@ -345,7 +346,7 @@ namespace FastPoints.Nodes
             {
                 if (AverageOf[p] >= 0)
                 {
-                    // Where every point stands for itself alone the averages are the values: the same bytes.
+                    // If every point represents only itself, the averages are the values: the same bytes.
                     if (!hasAverages)
                     {
                         ranges[p + 1] = ranges[AverageOf[p] + 1];
@@ -393,7 +394,7 @@ namespace FastPoints.Nodes
             };
         }
 
-        /// <summary>Offsets are from the host's corner, bounds from the node's own.</summary>
+        /// <summary>Sets bounds from the node's own corner; offsets are from the host's.</summary>
         static void SetBounds(ref NodeRecord node, Grid3 hostCorner, ulong* min, ulong* max)
         {
             var corner = node.Corner - hostCorner;

@@ -4,30 +4,30 @@ using Unity.Collections;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Where a <see cref="WriteNodesJob"/> stands between two slices, and the memory it works in.</summary>
+    /// <summary>The progress of a <see cref="WriteNodesJob"/> between two slices, and its working memory.</summary>
     internal struct WriteScratch : IDisposable
     {
-        /// <summary>Where the job stands.</summary>
+        /// <summary>The progress of the job.</summary>
         public struct State
         {
             public WriteNodesJob.Stage Stage;
 
-            /// <summary>The point, or the node, that is next.</summary>
+            /// <summary>The next point or node.</summary>
             public int At;
             public int NodeCount;
         }
 
         public NativeReference<State> Now;
 
-        /// <summary>By draft: where its points are among those in the order of drafts.</summary>
+        /// <summary>For each draft, the index of its first point in the order of drafts.</summary>
         public NativeList<int> FirstPointOfDraft;
 
-        /// <summary>By node of the file: its draft, and its children.</summary>
+        /// <summary>For each node of the file, its draft and its children.</summary>
         public NativeList<int> DraftOfNode;
         public NativeList<int> FirstChild;
         public NativeList<int> ChildCount;
 
-        /// <summary>The table: by node, and by node and plane.</summary>
+        /// <summary>The table, indexed by node, and by node and plane.</summary>
         public NativeList<NodeRecord> Nodes;
         public NativeList<PlaneRange> Ranges;
 

@@ -3,7 +3,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Partition
 {
-    /// <summary>The blittable half of a <see cref="PartitionMap"/>: from a place to its chunk.</summary>
+    /// <summary>The blittable half of a <see cref="PartitionMap"/>, which finds a position's chunk.</summary>
     internal readonly struct ChunkFinder
     {
         readonly CellFinder m_cells;

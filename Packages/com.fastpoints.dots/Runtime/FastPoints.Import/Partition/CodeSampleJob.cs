@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
-    /// <summary>The Morton codes of the cells of a <see cref="DensityTree"/> that a source's sample lies in.</summary>
+    /// <summary>Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain a source's sample.</summary>
     [BurstCompile]
     internal struct CodeSampleJob : IJob
     {
@@ -15,7 +15,7 @@ namespace FastPoints.Partition
         public SourceGrid Grid;
         public GridCube Cube;
 
-        /// <summary>Of all sources' samples; this one's begin at <see cref="First"/>.</summary>
+        /// <summary>Codes of all sources' samples; this one's begin at <see cref="First"/>.</summary>
         public NativeArray<uint> CodeOfPoint;
         public int First;
 
@@ -34,7 +34,9 @@ namespace FastPoints.Partition
             }
         }
 
-        /// <summary>Cells of a small cube are parts of a grid step: its places are in the first of them.</summary>
+        /// <summary>
+        /// The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of them.
+        /// </summary>
         uint CellOf(long offset)
         {
             int below = Cube.SideLog2 - DensityTree.Levels;

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
-    /// <summary>Stored positions of a few points, as doubles: exact for what is stored as 32-bit integers or floats.</summary>
+    /// <summary>Loads stored positions of a few points as doubles: exact for 32-bit integers and floats.</summary>
     [BurstCompile]
     internal unsafe struct LoadSamplePositionsJob : IJob
     {

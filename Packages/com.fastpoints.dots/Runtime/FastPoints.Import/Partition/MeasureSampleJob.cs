@@ -46,14 +46,14 @@ namespace FastPoints.Partition
         }
     }
 
-    /// <summary>What the stored positions of a sample show, axis by axis. Blittable.</summary>
+    /// <summary>Statistics of the stored positions of a sample, axis by axis. Blittable.</summary>
     internal struct SampleStatistics
     {
-        /// <summary>Of the finite ones; min above max where there are none.</summary>
+        /// <summary>Bounds of the finite ones; min exceeds max if there are none.</summary>
         public double3 Min;
         public double3 Max;
 
-        /// <summary>The lowest binary digit that any value has, as a power of two; int.MaxValue where all are zero.</summary>
+        /// <summary>The lowest binary digit of any value, as a power of two; int.MaxValue if all are zero.</summary>
         public int3 LowestDigit;
     }
 }

@@ -8,19 +8,19 @@ using Unity.Collections;
 namespace FastPoints.Partition
 {
     /// <summary>
-    /// Which chunk a place belongs to: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of each
-    /// of its parts where many points lie in one cell. Chunks are cubes of the octree; places outside the cube have a chunk of
-    /// their own, the last.
+    /// Maps positions to chunks: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of each of
+    /// its parts if many points lie in one cell. Chunks are cubes of the octree; positions outside the cube have a chunk of
+    /// their own, the last one.
     /// </summary>
     internal sealed class PartitionMap : IDisposable
     {
         /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
         public const int MaxLevels = 6;
 
-        /// <summary>Levels of parts of a cell: of those that need it.</summary>
+        /// <summary>The most levels of parts of a cell, for cells that need them.</summary>
         const int MostPartLevels = DensityTree.Levels - MaxLevels;
 
-        /// <summary>Standard errors by which a chunk may have more points than is thought before it must be split.</summary>
+        /// <summary>How many standard errors above its estimate a chunk may have before it must be split.</summary>
         const double ErrorsAllowed = 2;
 
         NativeArray<int> m_chunkOfCell;
@@ -41,22 +41,24 @@ namespace FastPoints.Partition
         /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
         public GridCube[] Chunks { get; }
 
-        /// <summary>The number of the chunk that has all places outside.</summary>
+        /// <summary>The number of the chunk for all positions outside.</summary>
         public int Outside => Chunks.Length;
 
-        /// <summary>By Morton number of the cell; ~i where its parts' chunks are at i and behind, by Morton number.</summary>
+        /// <summary>
+        /// Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.
+        /// </summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
-        /// <summary>Finds the chunk of a place by <see cref="ChunkOfCell"/>.</summary>
+        /// <summary>Finds the chunk of a position in <see cref="ChunkOfCell"/>.</summary>
         public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_partLevels, Outside);
 
-        /// <summary>Levels of cells that a cube of this side can have.</summary>
+        /// <summary>The number of levels of cells that a cube of this side can have.</summary>
         public static int LevelsFor(int sideLog2, int wanted) => Math.Min(wanted, sideLog2);
 
         /// <summary>
-        /// Cubes with at most <paramref name="target"/> points by the counts, as large as they can be, down to single cells.
+        /// Plans cubes with at most <paramref name="target"/> points by the counts, as large as possible, down to single cells.
         /// </summary>
-        /// <param name="pointsOfCell">By Morton number of the cell: counted, or estimated from a sample.</param>
+        /// <param name="pointsOfCell">Points of each cell by its Morton number: counted, or estimated from a sample.</param>
         public static PartitionMap Plan(GridCube cube, int levels, NativeArray<long> pointsOfCell, long target)
         {
             var chunkOfCell = new NativeArray<int>(pointsOfCell.Length, Allocator.Persistent,
@@ -70,10 +72,10 @@ namespace FastPoints.Partition
         }
 
         /// <summary>
-        /// Cubes with at most <paramref name="target"/> points by an estimate, as large as they can be, down to its cells;
-        /// smaller ones where it is so uncertain that they might have twice as many.
+        /// Plans cubes with at most <paramref name="target"/> points by an estimate, as large as possible, down to its cells;
+        /// smaller ones if it is so uncertain that they might have twice as many.
         /// </summary>
-        /// <param name="density">Of the same cube.</param>
+        /// <param name="density">The estimate for the same cube.</param>
         public static PartitionMap Plan(GridCube cube, DensityTree density, long target)
         {
             int levels = LevelsFor(cube.SideLog2, MaxLevels);
@@ -109,7 +111,7 @@ namespace FastPoints.Partition
             }
         }
 
-        /// <summary>How many chunks with points such a plan would have.</summary>
+        /// <summary>The number of chunks with points in such a plan.</summary>
         public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityTree.Root);
 
         static int CountChunks(DensityTree density, long target, int cell)
@@ -147,7 +149,7 @@ namespace FastPoints.Partition
         }
     }
 
-    /// <summary>From a place to its cell, of a cube in 8^n. Blittable.</summary>
+    /// <summary>Maps a position to its cell in a cube of 8^n cells. Blittable.</summary>
     internal struct CellFinder
     {
         public Grid3 Corner;

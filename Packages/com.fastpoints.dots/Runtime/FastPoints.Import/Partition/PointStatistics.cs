@@ -2,12 +2,12 @@ using FastPoints.Points;
 
 namespace FastPoints.Partition
 {
-    /// <summary>What the points of one slot showed, of those that are kept. Blittable.</summary>
+    /// <summary>Statistics of the kept points of one slot. Blittable.</summary>
     internal struct PointStatistics
     {
         public long Count;
 
-        /// <summary>Without a finite place on the grid.</summary>
+        /// <summary>Number of points without a finite position on the grid.</summary>
         public long LeftOut;
         public Grid3 Min;
         public Grid3 Max;
@@ -15,7 +15,7 @@ namespace FastPoints.Partition
         /// <summary>Sum of the record hashes.</summary>
         public ulong Checksum;
 
-        /// <summary>Largest distance of a float position from its place on the grid, in steps.</summary>
+        /// <summary>Largest distance of a float position from its grid position, in steps.</summary>
         public double WorstLossSteps;
 
         public static PointStatistics None => new PointStatistics
@@ -35,17 +35,17 @@ namespace FastPoints.Partition
         }
     }
 
-    /// <summary>What all values of one attribute showed. Blittable.</summary>
+    /// <summary>Statistics of all values of one attribute. Blittable.</summary>
     internal struct AttributeStatistics
     {
         /// <summary>Smallest and largest as <see cref="Store.OrderedBits"/>.</summary>
         public ulong Min;
         public ulong Max;
 
-        /// <summary>All values or-ed: trailing zeros are a power of two that divides every one.</summary>
+        /// <summary>The bitwise or of all values: trailing zeros give a power of two that divides all of them.</summary>
         public ulong Or;
 
-        /// <summary>0 where every value is a multiple of 257: eight bits twice.</summary>
+        /// <summary>0 if every value is a multiple of 257: eight bits twice.</summary>
         public uint NotDoubled;
 
         public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };

@@ -4,12 +4,14 @@ using FastPoints.Points;
 
 namespace FastPoints.Partition
 {
-    /// <summary>The cube of the whole octree: first guessed, for the partition; then grown and shrunk to what the points
-    /// show.</summary>
+    /// <summary>
+    /// Chooses the cube of the whole octree: first a guess, for the partition; then grown and shrunk to the actual points.
+    /// </summary>
     internal static class RootCube
     {
-        /// <summary>The smallest cube around a box, the box in its middle, so that points a little beyond are inside all the
-        /// same.</summary>
+        /// <summary>
+        /// The smallest cube with a box in its middle, so that points a little outside the box are still inside.
+        /// </summary>
         public static GridCube Around(Grid3 min, Grid3 max)
         {
             var extent = max - min;
@@ -23,14 +25,14 @@ namespace FastPoints.Partition
         }
 
         /// <summary>Doubles a cube until it contains a box; each cube is an octant of the next.</summary>
-        /// <returns>The doubled cubes, the smallest first; none where the cube contains the box.</returns>
+        /// <returns>The doubled cubes, the smallest first; none if the cube contains the box.</returns>
         public static GridCube[] Grow(GridCube cube, Grid3 min, Grid3 max)
         {
             var shells = new List<GridCube>();
             while (!cube.Contains(min) || !cube.Contains(max))
             {
                 long side = cube.Side;
-                // Towards the side that lacks room; where both do, the low one first.
+                // It grows towards the side that lacks room; if both do, the low one first.
                 cube = new GridCube(new Grid3(
                     cube.Corner.X - (min.X < cube.Corner.X ? side : 0),
                     cube.Corner.Y - (min.Y < cube.Corner.Y ? side : 0),
@@ -40,7 +42,7 @@ namespace FastPoints.Partition
             return shells.ToArray();
         }
 
-        /// <summary>The smallest cube of the octree below (or at) this one that still contains the box.</summary>
+        /// <summary>The smallest cube of the octree, this one or one below it, that contains the box.</summary>
         public static GridCube Shrink(GridCube cube, Grid3 min, Grid3 max)
         {
             while (cube.SideLog2 > 0 && cube.OctantOf(min) == cube.OctantOf(max))

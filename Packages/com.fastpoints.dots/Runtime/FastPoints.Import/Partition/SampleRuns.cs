@@ -4,18 +4,18 @@ using FastPoints.Files;
 
 namespace FastPoints.Partition
 {
-    /// <summary>Runs of records spread evenly over a source: what a sample of it reads.</summary>
+    /// <summary>Chooses runs of records, spread evenly over a source, that a sample reads.</summary>
     internal static class SampleRuns
     {
         const int MinRuns = 16;
 
-        /// <summary>A larger source has at most one point in so many in its sample.</summary>
+        /// <summary>The sample of a larger source has at most one of this many points.</summary>
         const int PointsPerSampled = 8;
 
-        /// <param name="reader">Its blocks are known.</param>
-        /// <param name="mostRuns">Runs, at most; where only prefixes of blocks are cheap, fewer and longer ones.</param>
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="mostRuns">The most runs; fewer and longer ones if only prefixes of blocks are cheap.</param>
         /// <param name="runPoints">Records of a run.</param>
-        /// <returns>In the order of the source. None is empty.</returns>
+        /// <returns>The runs in the order of the source. None is empty.</returns>
         public static List<BlockRange> Choose(PointReader reader, long mostRuns, int runPoints)
         {
             var runs = new List<BlockRange>();
@@ -23,12 +23,12 @@ namespace FastPoints.Partition
             int blocks = reader.BlockCount;
             if (points == 0)
                 return runs;
-            // Small clouds whole: their grid is chosen from all their digits.
+            // Small clouds are read whole: their grid is chosen from all their digits.
             long wanted = Math.Max(MinRuns, Math.Min(mostRuns, points / (PointsPerSampled * runPoints)));
             long length = Math.Max(1, Math.Min(runPoints, (points + wanted - 1) / wanted));
             if (!reader.HasFixedStride)
             {
-                // Only the prefixes of blocks are cheap: longer ones where there are fewer.
+                // Only prefixes of blocks are cheap: they are longer if there are fewer.
                 long chosen = Math.Min(wanted, blocks);
                 length = wanted * length / chosen;
                 for (long i = 0; i < chosen; i++)

@@ -3,37 +3,40 @@ using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
-    /// <summary>How one axis of a source's numbers becomes the cloud's grid. Blittable.</summary>
+    /// <summary>The conversion of one axis of a source's numbers to the cloud's grid. Blittable.</summary>
     internal struct SourceAxis
     {
-        /// <summary>Whole numbers: grid = stored * <see cref="Factor"/> + <see cref="Shift"/>, exact.</summary>
+        /// <summary>For whole numbers: grid = stored * <see cref="Factor"/> + <see cref="Shift"/>, exact.</summary>
         public bool IsInteger;
         public long Factor;
         public long Shift;
 
-        /// <summary>Others: geo = stored * Scale + Offset, grid = round((geo - Origin) / Step).</summary>
+        /// <summary>For other numbers: geo = stored * Scale + Offset, grid = round((geo - Origin) / Step).</summary>
         public double Scale;
         public double Offset;
         public double Origin;
         public double Step;
     }
 
-    /// <summary>From one source's stored positions to places on the cloud's grid. Blittable, for jobs.</summary>
+    /// <summary>Maps one source's stored positions to positions on the cloud's grid. Blittable, for jobs.</summary>
     internal struct SourceGrid
     {
-        /// <summary>Places further out are left out, so that sums of places and sides stay within a long.</summary>
+        /// <summary>Positions farther out are left out, so that sums of positions and sides stay within a long.</summary>
         public const long Limit = CommonGrid.Limit;
 
-        /// <summary>What a place without meaning carries: far outside <see cref="Limit"/>.</summary>
+        /// <summary>Marks an invalid position: far outside <see cref="Limit"/>.</summary>
         public const long Nowhere = CommonGrid.Nowhere;
 
         public SourceAxis X;
         public SourceAxis Y;
         public SourceAxis Z;
 
-        /// <summary>Grid numbers of a run of one axis; <see cref="Nowhere"/> for numbers that are not finite or too far
-        /// out.</summary>
-        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the grid.</param>
+        /// <summary>
+        /// Computes grid numbers of consecutive values of one axis: <see cref="Nowhere"/> for numbers that are not finite or
+        /// too far out.
+        /// </summary>
+        /// <param name="worstLoss">Raised to the largest distance, in steps, between a number and its place on the
+        /// grid.</param>
         public static unsafe void ToGrid(in SourceAxis axis, byte* bytes, PointColumn column, int first, int count, long* grid,
             ref double worstLoss)
         {

@@ -11,12 +11,12 @@ using Unity.Mathematics;
 namespace FastPoints.Partition
 {
     /// <summary>
-    /// Stored positions of some points of one source, spread evenly over its records: enough to guess how dense it is where, read
-    /// in milliseconds. A guess: nothing that follows relies on it.
+    /// Stored positions of some points of one source, spread evenly over its records: enough to estimate the density, read in
+    /// milliseconds. It is only an estimate: correctness never depends on it.
     /// </summary>
     internal sealed class SourceSample : IDisposable
     {
-        // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then came out a tenth off its target.
+        // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then missed its target by a tenth.
         const int MaxRuns = 1024;
         const int RunPoints = 1024;
 
@@ -29,15 +29,15 @@ namespace FastPoints.Partition
             m_runs = new NativeList<SampleRun>(MaxRuns, Allocator.Persistent);
         }
 
-        /// <summary>As the file stores them, not finite ones among them.</summary>
+        /// <summary>Positions as the file stores them, including those that are not finite.</summary>
         public NativeArray<double3> Stored => m_stored.AsArray();
 
-        /// <summary>In the file's order: each stands for the points up to the next one.</summary>
+        /// <summary>Runs in the file's order: each stands for the points up to the next one.</summary>
         public NativeArray<SampleRun> Runs => m_runs.AsArray();
 
         /// <summary>Work for a pump: reads the sample. The reader's blocks are known.</summary>
         /// <param name="slots">Runs in flight.</param>
-        /// <param name="take">Gets the sample at the end; the caller disposes it.</param>
+        /// <param name="take">Receives the sample at the end; the caller disposes it.</param>
         public static IEnumerator<Work> Read(PointReader reader, int slots, Action<SourceSample> take)
         {
             var sample = new SourceSample();
@@ -99,7 +99,9 @@ namespace FastPoints.Partition
             }
         }
 
-        /// <summary>From a run's first point to the next run's; the first run stands for what is before it as well.</summary>
+        /// <summary>
+        /// Number of points from a run's first point to the next run's; the first run also stands for those before it.
+        /// </summary>
         static long PointsUpToNext(PointReader reader, List<BlockRange> runs, int run)
         {
             long first = run == 0 ? 0 : reader.FirstPointOfBlock(runs[run].Block) + runs[run].First;

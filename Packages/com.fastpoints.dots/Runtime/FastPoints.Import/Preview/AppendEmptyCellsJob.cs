@@ -8,8 +8,8 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Appends, of decoded points, the first one of each cell in which there is none so far: neither one of those that stand
-    /// for a stratum, nor one that was appended. One of these after the other.
+    /// Appends, from decoded points, the first one of each empty cell: a cell with neither a point that stands for a stratum,
+    /// nor one that was appended. These jobs must run one after the other.
     /// </summary>
     [BurstCompile]
     struct AppendEmptyCellsJob : IJob
@@ -20,16 +20,16 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
         public PositionColumns Positions;
         public PositionTransform Transform;
 
-        /// <summary>Index of the block's first point over the whole source.</summary>
+        /// <summary>Index of the block's first point in the whole source.</summary>
         public long FirstPoint;
 
-        /// <summary>None where the points are of no range.</summary>
+        /// <summary>Empty if the points belong to no range.</summary>
         public SampleStrata Strata;
 
         public EmptyCells Cells;

@@ -7,16 +7,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Finds out which of a sample's points are of which block, while the sample is still collected.</summary>
+    /// <summary>Finds out which points of a sample belong to which block, while the sample is still being collected.</summary>
     static class BlockRunListing
     {
-        /// <summary>Blocks whose first points are asked for at a time: of millions that would take long, and memory.</summary>
+        /// <summary>
+        /// Number of blocks whose first points are requested at a time: requesting millions would take long, and memory.
+        /// </summary>
         const int BlocksAtOnce = 1 << 14;
 
-        /// <summary>Work for a pump.</summary>
-        /// <param name="filled">1 at each place of <paramref name="strata"/> whose point is there.</param>
-        /// <param name="points">That are there.</param>
-        /// <param name="runs">Gets them, by place among the points that are there.</param>
+        /// <summary>Lists the runs as work for a pump.</summary>
+        /// <param name="filled">1 at each place of <paramref name="strata"/> with a point.</param>
+        /// <param name="points">The number of these points.</param>
+        /// <param name="runs">Receives the runs, with places counted among the points that exist.</param>
         public static IEnumerator<Work> List(PointReader reader, SampleStrata strata, NativeArray<byte> filled, int points,
             NativeList<SampleRun> runs)
         {
@@ -64,18 +66,18 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>How far <see cref="ListBlockRunsJob"/> has come.</summary>
+    /// <summary>The progress of <see cref="ListBlockRunsJob"/>.</summary>
     struct BlockRunState
     {
-        /// <summary>Of those that the job knows.</summary>
+        /// <summary>Index among the blocks that the job knows.</summary>
         public int Block;
 
         public int Place;
 
-        /// <summary>Points at the places before.</summary>
+        /// <summary>Number of points at earlier places.</summary>
         public int Gathered;
 
-        /// <summary>Of these, those of blocks before.</summary>
+        /// <summary>Those among them that belong to earlier blocks.</summary>
         public int Before;
     }
 }

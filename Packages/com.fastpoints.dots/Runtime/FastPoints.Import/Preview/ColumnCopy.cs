@@ -1,6 +1,6 @@
 namespace FastPoints.Preview
 {
-    /// <summary>Values of one column moved to another of the same type, by their size.</summary>
+    /// <summary>Moves values of one column to another of the same type, by their size.</summary>
     static unsafe class ColumnCopy
     {
         /// <summary>to[toIndex[i]] = from[fromIndex[i]].</summary>

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>How far <see cref="CompactSampleJob"/> has come.</summary>
+    /// <summary>The progress of <see cref="CompactSampleJob"/>.</summary>
     internal struct CompactedSample
     {
         /// <summary>Points kept so far: the first places of each column.</summary>
@@ -17,15 +17,15 @@ namespace FastPoints.Preview
     }
 
     /// <summary>
-    /// Closes the gaps in a sample, one slice of places after the other: places that no point came to, and points whose
-    /// position is not finite, which are counted. Measures the bounds on the way.
+    /// Closes the gaps in a sample, one slice of places after the other: places without a point, and points whose position is
+    /// not finite, which are counted. It measures the bounds on the way.
     /// </summary>
     [BurstCompile]
     internal struct CompactSampleJob : IJob
     {
         const int RunLength = ColumnValues.RunLength;
 
-        /// <summary>Becomes 0 where a point is left out.</summary>
+        /// <summary>Becomes 0 for a point that is left out.</summary>
         public NativeArray<byte> Filled;
         [ReadOnly] public NativeArray<PointColumn> Columns;
         public NativeArray<byte> Sample;

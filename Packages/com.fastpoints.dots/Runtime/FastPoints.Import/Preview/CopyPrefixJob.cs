@@ -9,7 +9,7 @@ namespace FastPoints.Preview
 {
     /// <summary>
     /// Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so any
-    /// number of these may run at once.
+    /// number of these may run at the same time.
     /// </summary>
     [BurstCompile]
     struct CopyPrefixJob : IJob
@@ -18,13 +18,13 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfDecoded;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
 
-        /// <summary>Where the first of all goes.</summary>
+        /// <summary>Place of the first of all points.</summary>
         public int FirstPlace;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;

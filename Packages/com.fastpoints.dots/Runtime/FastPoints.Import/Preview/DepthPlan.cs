@@ -5,34 +5,35 @@ using FastPoints.Files;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// In which order all points of a source are read, in waves. Where blocks are few enough for a decoder state each: all
-    /// blocks to the same share of their points, then all of them deeper. Otherwise whole blocks, spread over the source.
+    /// Plans the order in which all points of a source are read, in waves. If blocks are few enough to keep a decoder state for
+    /// each, all blocks are read to the same share of their points, then all of them deeper. Otherwise whole blocks are read,
+    /// spread over the source.
     /// </summary>
     /// <remarks>
-    /// Ranges come in rounds, whatever the number of slots and threads. Going on with the blocks that found most empty cells was
-    /// tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells bare,
-    /// that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion they
-    /// are longer for as many empty cells. Its many slices took twice the time.
+    /// Ranges come in rounds, whatever the number of slots and threads. Continuing with the blocks that found most empty cells
+    /// was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells
+    /// bare, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion
+    /// they are longer for as many empty cells. Its many slices took twice the time.
     /// </remarks>
     internal sealed class DepthPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>
         public const int MostSlicedBlocks = 128;
 
-        /// <summary>Ranges of a round, after which others can be thinned.</summary>
+        /// <summary>Ranges in a round, after which others can be thinned.</summary>
         const int RangesPerRound = 32;
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
-        /// <summary>Points of each block that were given out; null where whole blocks are.</summary>
+        /// <summary>Points of each block that were given out; null if whole blocks are.</summary>
         readonly int[] m_taken;
 
-        /// <summary>Place of the order.</summary>
+        /// <summary>Next place in the order.</summary>
         int m_next;
         double m_share;
 
-        /// <param name="canSlice">Whether a block can be gone on with where it was left.</param>
+        /// <param name="canSlice">Whether a block can be continued where it was left.</param>
         public DepthPlan(PointReader reader, bool canSlice, uint seed)
         {
             m_reader = reader;
@@ -43,10 +44,10 @@ namespace FastPoints.Preview
 
         public bool IsSliced { get; }
 
-        /// <summary>Points of the ranges that were given out.</summary>
+        /// <summary>Number of points in the ranges that were given out.</summary>
         public long Taken { get; private set; }
 
-        /// <summary>The ranges to read next; none when <paramref name="share"/> of the points were given out.</summary>
+        /// <summary>Returns the ranges to read next; none when <paramref name="share"/> of the points were given out.</summary>
         /// <param name="share">0 to 1, never less than before.</param>
         public List<BlockRange> Next(double share)
         {
@@ -67,8 +68,8 @@ namespace FastPoints.Preview
             return ranges;
         }
 
-        /// <summary>Tells what a range has brought.</summary>
-        /// <param name="points">Fewer than were asked for where the block is broken: nothing more is asked of it.</param>
+        /// <summary>Records how many points a range has brought.</summary>
+        /// <param name="points">Fewer than requested if the block is broken: no more of it is read.</param>
         public void Add(BlockRange range, int points)
         {
             if (!IsSliced || points == range.Count)
@@ -77,7 +78,7 @@ namespace FastPoints.Preview
             m_taken[range.Block] = m_reader.PointsInBlock(range.Block);
         }
 
-        /// <summary>Whether a block that was given out is so to its end.</summary>
+        /// <summary>Whether a block was given out to its end.</summary>
         public bool IsTaken(int block) => !IsSliced || m_taken[block] == m_reader.PointsInBlock(block);
 
         void Take(int block, double share, List<BlockRange> ranges)

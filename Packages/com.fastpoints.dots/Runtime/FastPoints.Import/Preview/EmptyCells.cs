@@ -3,24 +3,24 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Cubic cells over all of space, by their hash: which of them hold a point. Blittable, for jobs.</summary>
-    /// <remarks>Two cells may share a bit: of a million occupied ones 3 % are taken for occupied too soon.</remarks>
+    /// <summary>Tracks which cubic cells of space hold a point, by their hash. Blittable, for jobs.</summary>
+    /// <remarks>Two cells may share a bit: with a million occupied ones, 3 % of cells count as occupied too soon.</remarks>
     internal struct EmptyCells
     {
         const int BitsLog2 = 25;
 
-        /// <summary>Of the table: 4 MiB.</summary>
+        /// <summary>Words of the table: 4 MiB.</summary>
         public const int Words = 1 << BitsLog2 - 6;
 
         public double3 Corner;
         public double CellsPerUnit;
 
         /// <summary>Marks the cell of a position.</summary>
-        /// <returns>Whether it was bare.</returns>
+        /// <returns>Whether it was empty.</returns>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public unsafe bool Mark(ulong* table, double x, double y, double z)
         {
-            // Far away all is one cell: a conversion that overflows gives the same value for all.
+            // Far away everything is one cell: a conversion that overflows always gives the same value.
             long cellX = (long)math.floor((x - Corner.x) * CellsPerUnit);
             long cellY = (long)math.floor((y - Corner.y) * CellsPerUnit);
             long cellZ = (long)math.floor((z - Corner.z) * CellsPerUnit);

@@ -6,8 +6,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Copies what is there of a sample that is still collected, one slice of places after the other, to the beginning
-    /// of one to draw.</summary>
+    /// <summary>
+    /// Copies the existing points of a sample that is still being collected to the beginning of one to draw, one slice of
+    /// places after the other.
+    /// </summary>
     [BurstCompile]
     struct GatherPlacesJob : IJob
     {
@@ -25,7 +27,7 @@ namespace FastPoints.Preview
         public NativeArray<byte> Target;
         public NativeArray<byte> TargetFilled;
 
-        /// <summary>Points of the target so far.</summary>
+        /// <summary>Number of points in the target so far.</summary>
         public NativeReference<int> Gathered;
 
         public unsafe void Execute()

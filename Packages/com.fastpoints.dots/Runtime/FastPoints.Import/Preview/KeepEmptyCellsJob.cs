@@ -6,8 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Keeps, of points in one slice after the other, the first one of each cell in which there is none so far, and
-    /// moves them together.</summary>
+    /// <summary>
+    /// Keeps the first point of each empty cell, in one slice of points after the other, and moves these together.
+    /// </summary>
     [BurstCompile]
     struct KeepEmptyCellsJob : IJob
     {
@@ -25,7 +26,7 @@ namespace FastPoints.Preview
         public EmptyCells Cells;
         public NativeArray<ulong> Table;
 
-        /// <summary>How many of all slices so far.</summary>
+        /// <summary>Number of points kept in all slices so far.</summary>
         public NativeReference<int> Kept;
 
         public unsafe void Execute()

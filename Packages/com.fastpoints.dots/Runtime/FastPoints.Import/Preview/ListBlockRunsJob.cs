@@ -5,23 +5,25 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Which points of a sample that is still collected are of which block, by place among those that are there. Each
-    /// run goes on from where the one before ended.</summary>
+    /// <summary>
+    /// Lists which points of a sample that is still being collected belong to which block, with places counted among the
+    /// existing points. Each call continues where the one before ended.
+    /// </summary>
     [BurstCompile]
     struct ListBlockRunsJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Filled;
         public SampleStrata Strata;
 
-        /// <summary>Over the whole source, of some blocks in a row, and one more: their end.</summary>
+        /// <summary>Index in the whole source of the first points of consecutive blocks, and one more: their end.</summary>
         [ReadOnly] public NativeArray<long> FirstPointOfBlock;
 
         public int Blocks;
 
-        /// <summary>Places to look at in one run.</summary>
+        /// <summary>Number of places to examine in one call.</summary>
         public int MostPlaces;
 
-        /// <summary>Points that each one that is there stands for.</summary>
+        /// <summary>Number of points that each existing one stands for.</summary>
         public double Weight;
 
         public NativeReference<BlockRunState> State;

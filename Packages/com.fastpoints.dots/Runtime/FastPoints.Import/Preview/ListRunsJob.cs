@@ -4,20 +4,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>The runs that the waves of a <see cref="RunPlan"/> have come to, in the file's order, by place.</summary>
+    /// <summary>Lists the runs that the waves of a <see cref="RunPlan"/> have reached, in the file's order, by place.</summary>
     [BurstCompile]
     struct ListRunsJob : IJob
     {
         public RunPlan Plan;
 
-        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has come to.</summary>
+        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has reached.</summary>
         [ReadOnly] public NativeArray<int> Ranks;
 
-        /// <summary>Of the strata that are looked at.</summary>
+        /// <summary>Range of the strata to examine.</summary>
         public int First;
         public int End;
 
-        /// <summary>Runs that were come to.</summary>
+        /// <summary>Number of runs that were reached.</summary>
         public int RunCount;
 
         public long PointsInSource;

@@ -23,7 +23,7 @@ namespace FastPoints.Preview
 
         public EmptyCells Cells;
 
-        /// <summary>Cleared by whoever begins at the first place.</summary>
+        /// <summary>Must be cleared before the first place.</summary>
         public NativeArray<ulong> Table;
 
         public unsafe void Execute()

@@ -5,25 +5,25 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>The runs of one wave, in the file's order, of the strata that are looked at.</summary>
+    /// <summary>Plans the runs of one wave, in the file's order, for the strata examined.</summary>
     [BurstCompile]
     struct PlanWaveJob : IJob
     {
         public RunPlan Plan;
 
-        /// <summary>Runs of the waves before.</summary>
+        /// <summary>Number of runs in earlier waves.</summary>
         public int FirstRank;
 
-        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has come to.</summary>
+        /// <summary>For each stratum, its run's rank + 1; 0 for those that no wave has reached.</summary>
         [ReadOnly] public NativeArray<int> Ranks;
 
-        /// <summary>Of the strata that are looked at.</summary>
+        /// <summary>Range of the strata to examine.</summary>
         public int First;
         public int End;
 
         public NativeList<PointRun> Runs;
 
-        /// <summary>Of the sample's places: those of the runs become 1.</summary>
+        /// <summary>One for each place of the sample; those of the runs become 1.</summary>
         public NativeArray<byte> Filled;
 
         public void Execute()

@@ -5,19 +5,21 @@ using FastPoints.Files;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// How many points of which blocks a sample of prefixes takes, wave by wave: some blocks spread over the source first, then
-    /// all of them, then more of each, in proportion to the points they have. Of a source with an octree, its levels from the
-    /// top, whole ones but for the last.
+    /// Plans how many points a sample of prefixes takes from which blocks, wave by wave: first some blocks spread over the
+    /// source, then all of them, then more of each, in proportion to their points. For a source with an octree it takes levels
+    /// from the top, all of them whole except the last.
     /// </summary>
     sealed class PrefixPlan
     {
-        /// <summary>Points of a block that its start-up is worth: fewer blocks are chosen where all would get fewer.</summary>
+        /// <summary>
+        /// Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are chosen.
+        /// </summary>
         public const int LeastPoints = 50;
 
         readonly PointReader m_reader;
         readonly SampleOrder m_order;
 
-        /// <summary>Points that blocks have given so far, of those that have: few among millions.</summary>
+        /// <summary>Points given so far by blocks that have given any: few among millions.</summary>
         readonly Dictionary<int, int> m_taken = new Dictionary<int, int>();
 
         /// <summary>Blocks of each level of the source's own octree, or null.</summary>
@@ -43,7 +45,9 @@ namespace FastPoints.Preview
         /// <summary>Points taken in the waves so far.</summary>
         public int Taken { get; private set; }
 
-        /// <summary>What the next wave takes of which blocks until <paramref name="wanted"/> points are taken in all.</summary>
+        /// <summary>
+        /// Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in all.
+        /// </summary>
         public List<Prefix> Next(int wanted)
         {
             var prefixes = new List<Prefix>();
@@ -52,7 +56,7 @@ namespace FastPoints.Preview
                 Take(Choose(wanted), wanted, wanted, prefixes);
                 return prefixes;
             }
-            // What the levels above have, each whole, is not for this one to share.
+            // The levels above are taken whole, and are not shared out here.
             long left = wanted;
             foreach (var level in m_levels)
             {
@@ -65,20 +69,20 @@ namespace FastPoints.Preview
             return prefixes;
         }
 
-        /// <summary>Shares <paramref name="wanted"/> points out among the blocks, less those that were taken before.</summary>
-        /// <param name="most">Points that are taken in all.</param>
+        /// <summary>Distributes <paramref name="wanted"/> points among the blocks, minus those taken before.</summary>
+        /// <param name="most">The most points that are taken in all.</param>
         void Take(List<int> blocks, int wanted, int most, List<Prefix> prefixes)
         {
             long points = PointsOf(blocks), before = 0;
             foreach (int block in blocks)
             {
                 int inBlock = m_reader.PointsInBlock(block);
-                // Differences of rounded sums: the counts add up.
+                // Counts are differences of rounded sums, so that they add up.
                 int count = (int)(Share(before + inBlock, points, wanted) - Share(before, points, wanted));
                 before += inBlock;
                 m_taken.TryGetValue(block, out int taken);
                 count = Math.Min(count, inBlock) - taken;
-                // Where an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
+                // If an earlier wave of fewer blocks took more than its share of some, the last ones wait for the next wave.
                 count = Math.Min(count, most - Taken);
                 if (count <= 0)
                     continue;
@@ -96,17 +100,19 @@ namespace FastPoints.Preview
             return points;
         }
 
-        /// <summary>floor(part * wanted / whole); the product split so that it does not overflow.</summary>
+        /// <summary>Computes floor(part * wanted / whole) with the product split so that it does not overflow.</summary>
         static long Share(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
-        /// <summary>Blocks spread over the source: those that get <see cref="LeastPoints"/> each, and more where they do not have
-        /// so many.</summary>
+        /// <summary>
+        /// Chooses blocks spread over the source: so many that each gets <see cref="LeastPoints"/>, and more if they do not
+        /// have as many.
+        /// </summary>
         List<int> Choose(int wanted)
         {
             var blocks = new List<int>();
             long points = 0;
-            // What is found by jumping comes in an order that is spread already.
+            // Blocks found by jumping come in an order that is spread already.
             bool isSpread = m_reader.PrefixesAreSpread && !m_reader.BlocksAreKnown;
             int places = isSpread ? m_reader.BlockCount : m_order.Places;
             for (int place = 0; place < places; place++)
@@ -124,7 +130,7 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>Points of a block's beginning that one wave adds to those of the waves before, and where they go.</summary>
+    /// <summary>Points of a block's prefix that one wave adds to those of earlier waves, and where they go.</summary>
     struct Prefix
     {
         public int Block;
@@ -134,7 +140,7 @@ namespace FastPoints.Preview
 
         public int Count;
 
-        /// <summary>Of the first one in the sample.</summary>
+        /// <summary>Place of the first one in the sample.</summary>
         public int Place;
     }
 }

@@ -8,17 +8,20 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>The prefixes of blocks from all over a source of which nothing else is cheap (LAZ chunks): see
-    /// <see cref="PrefixPlan"/> for how many of which.</summary>
+    /// <summary>
+    /// Samples prefixes of blocks from all over a source where nothing else is cheap (LAZ chunks): see <see cref="PrefixPlan"/>
+    /// for how many of which.
+    /// </summary>
     /// <remarks>
-    /// A later wave decodes a block's beginning again to come to what follows it: a tenth of its own work where waves are ten
-    /// times as large. Points of one block's beginning are neighbours, so the sample is coarser than a uniform one of as many
-    /// points.
+    /// A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten times as
+    /// large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many points.
     /// </remarks>
     sealed class PrefixSampler : PreviewSampler
     {
-        /// <summary>Points that are decoded about as soon as they are read: more prefixes are asked for at a time, which a slow
-        /// disk needs as well. A LAZ slot takes 1.5 MB.</summary>
+        /// <summary>
+        /// Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a slow
+        /// disk needs as well. A LAZ slot takes 1.5 MB.
+        /// </summary>
         const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
 
         readonly PrefixPlan m_plan;
@@ -34,7 +37,7 @@ namespace FastPoints.Preview
             m_plan = new PrefixPlan(reader, seed);
         }
 
-        /// <summary>Work for a pump: as many as the wave is spread over, and more where these have too few points.</summary>
+        /// <summary>Work for a pump: finds as many as the wave is spread over, and more if these have too few points.</summary>
         IEnumerator<Work> FindPrefixes(int wanted)
         {
             for (long places = wanted / PrefixPlan.LeastPoints + 1L; ; places *= 2)
@@ -47,7 +50,7 @@ namespace FastPoints.Preview
 
         private protected override IEnumerator<Work> Read(int wanted, int slots, StageProgress progress)
         {
-            // Slots for prefixes of another length than in the wave before.
+            // Slots for prefixes of another length than in the wave before are made.
             Free();
             if (Reader.PrefixesAreSpread && !Reader.BlocksAreKnown)
                 yield return Work.Of(FindPrefixes(wanted));
@@ -111,7 +114,7 @@ namespace FastPoints.Preview
 
         private protected override IEnumerator<Work> ListRuns(NativeList<SampleRun> runs)
         {
-            // In the file's order, which is not that in which lines were found by jumping.
+            // This is the file's order, which is not that in which lines were found by jumping.
             m_taken.Sort((a, b) => a.Block == b.Block ? a.First.CompareTo(b.First)
                 : Reader.PlaceOfBlock(a.Block).CompareTo(Reader.PlaceOfBlock(b.Block)));
             double pointsOfBlocks = 0;
@@ -119,7 +122,7 @@ namespace FastPoints.Preview
                 if (i == 0 || m_taken[i].Block != m_taken[i - 1].Block)
                     pointsOfBlocks += Reader.PointsInBlock(m_taken[i].Block);
             double scale = Reader.PointCount / Math.Max(1, pointsOfBlocks);
-            // Where an end is not looked at because another place was chosen by chance, that is no beginning.
+            // An end that is not read because another place was chosen by chance does not make a prefix.
             bool isSpread = Reader.PrefixesAreSpread && !Reader.BlocksAreKnown;
             bool isOfPrefixes = false;
             runs.Capacity = Math.Max(runs.Capacity, m_taken.Count);

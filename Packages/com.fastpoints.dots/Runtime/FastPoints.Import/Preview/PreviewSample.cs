@@ -4,8 +4,9 @@ using Unity.Collections;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Some points of a source, in file order: their positions and what they can be coloured by. Owns its
-    /// memory.</summary>
+    /// <summary>
+    /// Some points of a source in file order: their positions and what they can be coloured by. Owns its memory.
+    /// </summary>
     public sealed class PreviewSample : IDisposable
     {
         /// <summary>
@@ -22,16 +23,16 @@ namespace FastPoints.Preview
             Transform = transform;
         }
 
-        /// <summary>As the source stores them; all positions are finite.</summary>
+        /// <summary>The points as the source stores them; all positions are finite.</summary>
         public PointBatch Points { get; }
 
-        /// <summary>From stored to georeferenced positions.</summary>
+        /// <summary>Transforms stored positions to georeferenced ones.</summary>
         public PositionTransform Transform { get; }
 
-        /// <summary>Of the sample's positions.</summary>
+        /// <summary>Bounds of the sample's positions.</summary>
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
-        /// <summary>Points that were chosen and left out, for a position that is not finite.</summary>
+        /// <summary>Chosen points that were left out because their position is not finite.</summary>
         public long NonFinite { get; internal set; }
 
         /// <summary>Points that the source says it has.</summary>
@@ -43,30 +44,39 @@ namespace FastPoints.Preview
         /// <summary>Whether each point was chosen from a scan of all points.</summary>
         public bool IsFullScan { get; internal set; }
 
-        /// <summary>Points among them that were taken only for standing where none of the others is; the others stand for equal
-        /// numbers of the source's points each.</summary>
+        /// <summary>
+        /// Number of points among them that were only taken because no other point is near; each of the others stands for an
+        /// equal number of the source's points.
+        /// </summary>
         public int Substitutes { get; internal set; }
 
-        /// <summary>Whether they are of the source's beginning alone, where the rest cannot be read without looking through all
-        /// of it.</summary>
+        /// <summary>
+        /// Whether they come from the source's beginning alone, because reading the rest takes a pass over all of it.
+        /// </summary>
         public bool IsOfPrefix { get; internal set; }
 
-        /// <summary>How the points were chosen, and what kept it from being otherwise: a line for people.</summary>
+        /// <summary>How the points were chosen, and why not otherwise: a line for people.</summary>
         public string Method { get; internal set; }
 
-        /// <summary>Whether it is known what each point stands for: not so of an octree's upper levels, of a file's beginning
-        /// alone, and of points that were chosen without regard to the file's order.</summary>
+        /// <summary>
+        /// Whether it is known what each point stands for: not for an octree's upper levels, a file's prefix, or points that
+        /// were chosen without regard to the file's order.
+        /// </summary>
         public bool StandsForStretches { get; internal set; }
 
-        /// <summary>Whether the points of its stretches are the first ones of blocks that were not read to their ends (LAZ): what
-        /// the ends hold, and where, they do not tell.</summary>
+        /// <summary>
+        /// Whether the points of its stretches are prefixes of blocks that were not read to their ends (LAZ): they say nothing
+        /// about the ends.
+        /// </summary>
         public bool IsOfBlockPrefixes { get; internal set; }
 
-        /// <summary>The points that lie together in the file, in its order, substitutes apart; empty where each stands for a
-        /// stretch of its own.</summary>
+        /// <summary>
+        /// The points that lie together in the file, in its order, without substitutes; empty if each stands for a stretch of
+        /// its own.
+        /// </summary>
         internal NativeArray<SampleRun> Runs => RunList.AsArray();
 
-        /// <summary>For who fills it.</summary>
+        /// <summary>The list for code that fills it.</summary>
         internal NativeList<SampleRun> RunList
         {
             get
@@ -87,7 +97,7 @@ namespace FastPoints.Preview
         /// <summary>The largest sample of this schema.</summary>
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));
 
-        /// <summary>Tells how many points the source has, where that was an estimate or a part.</summary>
+        /// <summary>Sets how many points the source has, if that was an estimate or a part.</summary>
         internal void StandFor(long pointsInSource)
         {
             double scale = pointsInSource / (double)Math.Max(1, PointsInSource);
@@ -112,15 +122,15 @@ namespace FastPoints.Preview
     /// <summary>Points of a sample that lie together in the file: all that is known of one stretch of it.</summary>
     internal struct SampleRun
     {
-        /// <summary>Number of the stretch, in the file's order; several entries in a row may be of one.</summary>
+        /// <summary>Number of the stretch in the file's order; consecutive entries may have the same one.</summary>
         public int Stretch;
 
-        /// <summary>Of the first point in the sample.</summary>
+        /// <summary>Index of the first point in the sample.</summary>
         public int First;
 
         public int Count;
 
-        /// <summary>Points of the file that each stands for.</summary>
+        /// <summary>Number of points of the file that each stands for.</summary>
         public double Weight;
     }
 }

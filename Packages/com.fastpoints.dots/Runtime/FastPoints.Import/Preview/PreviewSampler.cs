@@ -9,20 +9,22 @@ using Unity.Collections;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// A sample of a source that reads little and arrives in waves, coarse to fine, each the beginning of the next one and
-    /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.
+    /// Takes a sample of a source by reading little of it, in waves, coarse to fine, each a prefix of the next one and spread
+    /// over all of the source. The time it takes depends on the points wanted, hardly on the source's size.
     /// </summary>
     /// <remarks>
-    /// The sample is the same for the same source, seed and number of points, whatever the threads, slots and the disk. All
-    /// members belong to the thread of the pump.
+    /// The sample is the same for the same source, seed and number of points, on any number of threads and slots and any disk.
+    /// All members belong to the thread of the pump.
     /// </remarks>
     internal abstract class PreviewSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
 
-        /// <summary>A wave that comes so near to all goes on to the end: another one would show hardly more, and may decode all
-        /// prefixes again.</summary>
+        /// <summary>
+        /// A wave that comes this near to the end continues to it: another one would show hardly more, and may decode all
+        /// prefixes again.
+        /// </summary>
         const double LeastShareOfLast = 0.75;
 
         readonly List<SampleWave> m_waves = new List<SampleWave>();
@@ -38,14 +40,16 @@ namespace FastPoints.Preview
             m_sample.StandsForStretches = reader.Tree == null;
         }
 
-        /// <summary>Raised on the pump's thread after each wave: the beginning of <see cref="Sample"/> that it is can be drawn
-        /// from then on.</summary>
+        /// <summary>
+        /// Raised on the pump's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn from then
+        /// on.
+        /// </summary>
         public event Action<SampleWave> WaveReady;
 
-        /// <summary>The waves that are there.</summary>
+        /// <summary>The waves so far.</summary>
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
-        /// <summary>The sample as far as it has come.</summary>
+        /// <summary>The sample so far.</summary>
         public PreviewSample Sample => m_sample;
 
         private protected PointReader Reader { get; }
@@ -56,11 +60,11 @@ namespace FastPoints.Preview
 
         private protected long BytesRead { get; set; }
 
-        /// <summary>Places of the sample that the waves so far have come to.</summary>
+        /// <summary>Number of places in the sample that the waves so far have reached.</summary>
         private protected int EndPlace { get; set; }
 
-        /// <param name="reader">Its blocks are known.</param>
-        /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PreviewSampler Create(PointReader reader, int wanted, uint seed)
         {
@@ -69,7 +73,7 @@ namespace FastPoints.Preview
                 : new PrefixSampler(reader, wanted, seed);
         }
 
-        /// <summary>Work for a pump.</summary>
+        /// <summary>Takes the sample as work for a pump.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
         public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
@@ -92,7 +96,7 @@ namespace FastPoints.Preview
                         }
                         RaiseWave();
                         Report(progress);
-                        // Whoever steps the work has the wave to himself until the next step.
+                        // The wave belongs to the code that steps the work until the next step.
                         yield return default;
                     }
                     if (isLast)
@@ -105,16 +109,17 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>Work for a pump: brings more points into the places that follow, and moves <see cref="EndPlace"/> behind
-        /// them.</summary>
-        /// <param name="wanted">Places to come to, about; all of them for the last wave.</param>
+        /// <summary>
+        /// Work for a pump: reads more points into the following places, and moves <see cref="EndPlace"/> behind them.
+        /// </summary>
+        /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
         private protected abstract IEnumerator<Work> Read(int wanted, int slots, StageProgress progress);
 
         /// <summary>Work for a pump: lists what the waves so far have read, by place.</summary>
-        /// <param name="runs">Empty.</param>
+        /// <param name="runs">An empty list to fill.</param>
         private protected abstract IEnumerator<Work> ListRuns(NativeList<SampleRun> runs);
 
-        /// <summary>Frees what <see cref="Read"/> needs; jobs in flight are awaited. May run twice.</summary>
+        /// <summary>Frees what <see cref="Read"/> needs and awaits jobs in flight. May be called twice.</summary>
         private protected abstract void Free();
 
         private protected void Report(StageProgress progress) =>
@@ -162,13 +167,13 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>A beginning of a sample that was there to be drawn before the rest.</summary>
+    /// <summary>A prefix of a sample that could be drawn before the rest was there.</summary>
     public struct SampleWave
     {
-        /// <summary>The sample's first so many points.</summary>
+        /// <summary>The number of points in the prefix.</summary>
         public int Points;
 
-        /// <summary>From the start of the sampling to the wave's last point.</summary>
+        /// <summary>Time from the start of the sampling to the wave's last point.</summary>
         public double Seconds;
 
         /// <summary>Bytes of the file that were read up to here.</summary>

@@ -2,31 +2,32 @@ using System;
 
 namespace FastPoints.Preview
 {
-    /// <summary>How a sample of short runs is read, by what a source's first reads took.</summary>
+    /// <summary>Chooses how a sample of short runs is read, by the time of a source's first reads.</summary>
     /// <remarks>
-    /// Where reads take long, as from a network or a disk that has to seek, fewer and longer runs are another sample of as many
-    /// points, and a coarser one: there are these two plans and no others, so that the sample is the same wherever the same one
-    /// was taken.
+    /// If reads take long, as from a network or a disk that has to seek, fewer and longer runs make another, coarser sample of
+    /// as many points. There are only these two plans, so that the sample is the same wherever the same plan was chosen.
     /// </remarks>
     internal readonly struct ReadPace
     {
-        /// <summary>Reads that are tried first, of which the quickest counts: anything may keep the others waiting.</summary>
+        /// <summary>Number of trial reads, of which the quickest counts: anything may delay the others.</summary>
         public const int Tries = 4;
 
-        /// <summary>Of a read that is slow: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>
+        /// <summary>Duration of a slow read: a seek of a disk takes four times as long, a solid state disk a tenth.</summary>
         const double SlowSeconds = 0.002;
 
-        /// <summary>A smaller source is soon read as a whole.</summary>
+        /// <summary>A smaller source is quickly read as a whole.</summary>
         const long LeastSlowBytes = 64L << 20;
 
         const int PointsPerShortRun = 16, PointsPerLongRun = 128;
 
-        /// <summary>Requests in flight: enough for a solid state disk to work at depth, and so that slow ones take as long as
-        /// one.</summary>
+        /// <summary>
+        /// Requests in flight: enough to keep a solid state disk busy, and so that slow ones take as long as one.
+        /// </summary>
         const int UsualSlots = 8, SlowSlots = 16;
 
-        /// <summary>What a slow disk reads in a second once it is there: a gap that takes less time than another read is
-        /// read.</summary>
+        /// <summary>
+        /// Bytes that a slow disk reads in a second after seeking: a gap that takes less time than another read is read along.
+        /// </summary>
         const double BytesPerSecondOfGaps = 200e6;
 
         const int MinGapBytes = 512, MaxGapBytes = 256 << 10, MaxSlowGapBytes = 1 << 20;
@@ -38,8 +39,8 @@ namespace FastPoints.Preview
             IsSlow = isSlow;
         }
 
-        /// <param name="quickestSeconds">Of the first reads.</param>
-        /// <param name="bytes">Of the source's records.</param>
+        /// <param name="quickestSeconds">The quickest of the first reads.</param>
+        /// <param name="bytes">Bytes of the source's records.</param>
         public static ReadPace Of(double quickestSeconds, long bytes) =>
             new ReadPace(quickestSeconds >= SlowSeconds && bytes >= LeastSlowBytes);
 
@@ -47,7 +48,9 @@ namespace FastPoints.Preview
 
         public int Slots => IsSlow ? SlowSlots : UsualSlots;
 
-        /// <summary>Runs of one request, where there are so many in all: slow ones must not wait for each other.</summary>
+        /// <summary>
+        /// Number of runs in one request, if there are so many in all: slow requests must not wait for each other.
+        /// </summary>
         public int RunsPerRequest(int runs, int slots, int least, int most) =>
             Math.Max(IsSlow ? 1 : least, Math.Min(most, runs / (2 * slots)));
 

@@ -4,7 +4,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>One attribute of a Potree cloud: what its index says of it, and the columns that it becomes.</summary>
+    /// <summary>One attribute of a Potree cloud: its description in the index, and the columns that it becomes.</summary>
     sealed class PotreeAttribute
     {
         /// <summary>More elements than any attribute has.</summary>
@@ -34,21 +34,21 @@ namespace FastPoints.Files
             { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue, AttributeNames.Alpha };
         static readonly string[] s_normals = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
-        /// <summary>As the index names it.</summary>
+        /// <summary>The name in the index.</summary>
         public string Name;
 
         public PotreeAttributeKind Kind;
 
-        /// <summary>Type of an element; of a normal in two bytes that of its column.</summary>
+        /// <summary>Type of an element; for a normal in two bytes, that of its column.</summary>
         public AttributeType Type;
 
-        /// <summary>Columns that it becomes.</summary>
+        /// <summary>The columns that it becomes.</summary>
         public PointAttribute[] Columns;
 
         /// <summary>Bytes of a point in a record.</summary>
         public int Bytes;
 
-        /// <summary>Byte in a record.</summary>
+        /// <summary>Offset in a record.</summary>
         public int RecordOffset;
 
         public bool IsPosition => Kind == PotreeAttributeKind.Position;
@@ -56,9 +56,11 @@ namespace FastPoints.Files
         public bool IsPackedNormal =>
             Kind == PotreeAttributeKind.SphereMappedNormal || Kind == PotreeAttributeKind.OctahedralNormal;
 
-        /// <summary>An attribute by name, type and size as the index gives them. One whose size does not fit its type, or whose
-        /// type is not known, is read as single bytes, and <paramref name="oddity"/> says so.</summary>
-        /// <param name="scales">Value = stored * scale + offset, by element; null for 1.</param>
+        /// <summary>
+        /// Makes an attribute from the name, type and size in the index. If the size does not fit the type, or the type is
+        /// unknown, it is read as single bytes, and <paramref name="oddity"/> says so.
+        /// </summary>
+        /// <param name="scales">The scale of each element, in value = stored * scale + offset; null for 1.</param>
         public static PotreeAttribute Make(string name, string typeName, int bytes, double[] scales, double[] offsets,
             out string oddity)
         {
@@ -91,7 +93,7 @@ namespace FastPoints.Files
             return attribute;
         }
 
-        /// <summary>Gives up what it means: its bytes are columns.</summary>
+        /// <summary>Drops the attribute's meaning: its bytes become columns.</summary>
         public void BecomeBytes()
         {
             Kind = PotreeAttributeKind.Plain;
@@ -101,8 +103,7 @@ namespace FastPoints.Files
                 Columns[i] = new PointAttribute(Name + "[" + NumberText.Of(i) + "]", Type);
         }
 
-        /// <summary>Of the attributes that are more than a list of numbers, if it is one of them in the form that these
-        /// have.</summary>
+        /// <summary>Recognises attributes that are more than a list of numbers, if they have their usual form.</summary>
         bool MakeSpecial(string canonical)
         {
             switch (canonical)
@@ -166,7 +167,7 @@ namespace FastPoints.Files
         /// <summary>Three int32, relative to the node's or the cloud's corner.</summary>
         Position,
 
-        /// <summary>Red, green, blue of one type, perhaps alpha behind them.</summary>
+        /// <summary>Red, green, blue of one type, possibly followed by alpha.</summary>
         Color,
 
         /// <summary>A unit vector in two bytes, by the sphere map of the Lambert azimuthal equal-area projection.</summary>

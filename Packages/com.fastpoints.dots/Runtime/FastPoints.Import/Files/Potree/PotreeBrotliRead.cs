@@ -14,7 +14,7 @@ namespace FastPoints.Files
     /// </summary>
     sealed class PotreeBrotliRead : PotreeRead
     {
-        /// <summary>About a millisecond of Brotli.</summary>
+        /// <summary>A tile takes about a millisecond of Brotli.</summary>
         const int TileBytes = 256 << 10;
 
         /// <summary>One attribute of the stream.</summary>
@@ -23,7 +23,7 @@ namespace FastPoints.Files
             public int BytesPerPoint;
             public PotreeAttributeKind Kind;
 
-            /// <summary>Its copies in <see cref="m_copies"/>; none for one that is passed over.</summary>
+            /// <summary>Index of its first copy in <see cref="m_copies"/>; a skipped attribute has none.</summary>
             public int FirstCopy;
             public int CopyCount;
             public bool IsWanted;
@@ -56,7 +56,7 @@ namespace FastPoints.Files
                 var part = new Part { BytesPerPoint = attribute.Bytes, Kind = attribute.Kind, FirstCopy = copies.Count };
                 foreach (var column in Points.Schema)
                     part.IsWanted |= Reader.Layout.AttributeOf(column) == i;
-                // Only these two, by these names, are Morton codes.
+                // Only these two names stand for Morton codes.
                 if (attribute.Name == "position")
                     part.BytesPerPoint = SpreadPotreeJob.PositionBytes;
                 else if (attribute.Name == "rgb" && attribute.Bytes == 6)
@@ -144,8 +144,10 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>Says how the decoding of a compressed range ended: all of its points or none, since the values of one point are
-    /// spread over the whole stream.</summary>
+    /// <summary>
+    /// Reports how decoding a compressed range ended: with all of its points or none, since the values of one point are spread
+    /// over the whole stream.
+    /// </summary>
     [BurstCompile]
     struct EndPotreeJob : IJob
     {
@@ -153,7 +155,7 @@ namespace FastPoints.Files
         public NativeReference<DecodeResult> Result;
         public int Points;
 
-        /// <summary>Of the stream in the file.</summary>
+        /// <summary>Offset of the stream in the file.</summary>
         public long Offset;
 
         public void Execute()

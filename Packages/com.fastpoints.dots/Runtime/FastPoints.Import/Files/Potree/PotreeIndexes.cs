@@ -6,11 +6,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What cloud.js and metadata.json have in common.</summary>
+    /// <summary>Reads what cloud.js and metadata.json have in common.</summary>
     static class PotreeIndexes
     {
-        /// <summary>One object of the list of attributes.</summary>
-        /// <param name="elementsName">What the index calls the count of elements.</param>
+        /// <summary>Reads one object of the list of attributes.</summary>
+        /// <param name="elementsName">The index's name for the number of elements.</param>
         public static PotreeAttribute ReadAttribute(JsonMembers item, string elementsName, SourceInfo info)
         {
             long bytes = item.Long("size");
@@ -33,8 +33,8 @@ namespace FastPoints.Files
             return attribute;
         }
 
-        /// <summary>A scale that keeps points apart.</summary>
-        /// <exception cref="PointCloudException">It is zero or negative: no writer's.</exception>
+        /// <summary>Returns a scale that keeps points apart.</summary>
+        /// <exception cref="PointCloudException">It is zero or negative, which no writer produces.</exception>
         public static double3 UsableScale(double3 scale, JsonMembers json) =>
             math.all(scale > 0) ? scale : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"scale\"",
                 "numbers above 0", NumberText.Of(scale));
@@ -44,14 +44,14 @@ namespace FastPoints.Files
             !box.IsEmpty ? box : throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"",
                 "a box", "a maximum below the minimum");
 
-        /// <summary>As the index says; converters take 1/128 of the cube's edge where it does not.</summary>
+        /// <summary>The spacing in the index; without one, 1/128 of the cube's edge, as converters use.</summary>
         public static double Spacing(JsonMembers json, BoundsGeo cube)
         {
             double spacing = json.Number("spacing", 0);
             return spacing > 0 ? spacing : math.cmax(cube.Size) / 128;
         }
 
-        /// <summary>The CRS, which is a text of any kind: well-known text, a PROJ string, a code.</summary>
+        /// <summary>Reads the CRS, which is any kind of text: well-known text, a PROJ string, a code.</summary>
         public static void ReadProjection(JsonMembers json, SourceInfo info)
         {
             string text = json.Text("projection", "").Trim();

@@ -5,7 +5,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>The attributes of a Potree cloud, one behind the other: a record, and the columns that become of it.</summary>
+    /// <summary>The attributes of a Potree cloud, one behind the other: a record, and the columns that it becomes.</summary>
     sealed class PotreeLayout
     {
         /// <summary>Longer records than any cloud has.</summary>
@@ -15,7 +15,7 @@ namespace FastPoints.Files
         readonly Dictionary<string, LasField> m_fieldOfColumn = new Dictionary<string, LasField>();
         readonly Dictionary<string, int> m_attributeOfColumn = new Dictionary<string, int>();
 
-        /// <exception cref="PointCloudException">No position, or records longer than any.</exception>
+        /// <exception cref="PointCloudException">There is no position, or records are too long.</exception>
         public PotreeLayout(IEnumerable<PotreeAttribute> attributes, string path)
         {
             var columns = new List<PointAttribute>();
@@ -57,13 +57,13 @@ namespace FastPoints.Files
                 ? index
                 : throw new ArgumentException("the cloud has no attribute " + column);
 
-        /// <summary>Where a column's value lies in a record. Of a normal in two bytes: where these are.</summary>
+        /// <summary>The location of a column's value in a record; for a normal in two bytes, of these.</summary>
         public LasField FieldOf(string column) => m_fieldOfColumn[column];
 
         PointAttribute AddColumn(PotreeAttribute attribute, int index)
         {
             var column = attribute.Columns[index];
-            // Two attributes of one name happen; columns are found by name, so a later one is numbered.
+            // Two attributes may have one name; columns are found by name, so a later one is numbered.
             string name = column.Name;
             for (int number = 2; m_fieldOfColumn.ContainsKey(name); number++)
                 name = column.Name + " (" + NumberText.Of(number) + ")";

@@ -17,7 +17,7 @@ namespace FastPoints.Files
             return new string(name);
         }
 
-        /// <returns>Whether it is a name, of at most so many levels below the root.</returns>
+        /// <returns>Whether it is a name of at most so many levels below the root.</returns>
         public static bool TryParse(string name, int mostLevels, out int level, out int3 cell)
         {
             level = name.Length - 1;

@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the slots of Potree's own encodings have in common: one read, and how a range ends.</summary>
+    /// <summary>
+    /// The common base of the slots for Potree's own encodings: the batch, one read, and how a range begins and ends.
+    /// </summary>
     abstract class PotreeRead : SlotRead
     {
         protected PotreeRead(PotreeNodeReader reader, PointSchema wanted, int capacity, long inputBytes, Allocator allocator)
@@ -57,9 +59,9 @@ namespace FastPoints.Files
             DisposeTables();
         }
 
-        /// <summary>The passes that copy the wanted plain columns out of records.</summary>
+        /// <summary>Plans the passes that copy the wanted plain columns out of records.</summary>
         /// <param name="isTaken">Whether a column's attribute is copied.</param>
-        /// <param name="recordStart">Byte of the cloud's record at which the records begin.</param>
+        /// <param name="recordStart">Offset in the cloud's record at which the records begin.</param>
         protected LasFieldCopy[] PlanCopies(Func<PotreeAttribute, bool> isTaken, int recordStart)
         {
             var fields = new List<LasField>();
@@ -75,7 +77,7 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>A Potree cloud whose nodes are in an encoding of Potree's own: what the slots ask of it.</summary>
+    /// <summary>A Potree cloud whose nodes have an encoding of Potree's own: the members that slots use.</summary>
     internal abstract class PotreeNodeReader : PotreeReader
     {
         private protected PotreeNodeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing)
@@ -87,7 +89,7 @@ namespace FastPoints.Files
         /// <summary>Starts to read bytes of the file that holds a block.</summary>
         internal abstract JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes);
 
-        /// <summary>From a block's corner to the cloud's, in grid steps.</summary>
+        /// <summary>Grid steps from a block's corner to the cloud's.</summary>
         internal abstract int3 ShiftOf(int block);
     }
 }

@@ -8,32 +8,34 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by page as far
-    /// as levels are asked for.
+    /// Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by page as
+    /// far as levels are requested.
     /// </summary>
     /// <remarks>
-    /// A node of more points than a slot should hold becomes several blocks where its records allow it; the tree then has an
-    /// entry for each, of the same cell. What a hierarchy claims is held against the files that are there: missing or short
-    /// ones are holes, and warnings; each byte of a hierarchy is believed once, so that loops end.
+    /// A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has an
+    /// entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
+    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.
     /// </remarks>
     internal abstract class PotreeReader : PointReader
     {
-        /// <summary>Cells of deeper levels have no 32-bit coordinates; converters stop far above.</summary>
+        /// <summary>Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.</summary>
         internal const int MaxLevels = 30;
 
-        /// <summary>More nodes than the largest clouds have: what a hierarchy may take in memory is bounded.</summary>
+        /// <summary>More nodes than the largest clouds have: it bounds the memory of a hierarchy.</summary>
         internal const int MaxNodes = 1 << 21;
 
-        /// <summary>Points of a block that can be cut.</summary>
+        /// <summary>The most points of a block that can be cut.</summary>
         internal const int MaxBlockPoints = 1 << 20;
 
-        /// <summary>Points of a node that cannot.</summary>
+        /// <summary>The most points of a node that cannot be cut.</summary>
         internal const int MaxNodePoints = 1 << 22;
 
-        /// <summary>Columns of a node that cannot: what a slot takes, whatever a file claims.</summary>
+        /// <summary>
+        /// The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
+        /// </summary>
         internal const int MaxNodeBytes = 1 << 27;
 
-        /// <summary>Records of a block that can.</summary>
+        /// <summary>The most bytes in the records of a block that can be cut.</summary>
         const int MaxBlockBytes = 1 << 26;
 
         readonly List<PotreeBlock> m_blocks = new List<PotreeBlock>();
@@ -59,7 +61,7 @@ namespace FastPoints.Files
 
         private protected PotreeWarnings Statistics { get; }
 
-        /// <summary>By the hierarchy, as far as it has been read.</summary>
+        /// <summary>Points according to the hierarchy, as far as it has been read.</summary>
         private protected long PointsClaimed { get; set; }
 
         public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
@@ -90,13 +92,16 @@ namespace FastPoints.Files
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>Work for a pump, which can be given up and begun again for another node: the parts of the hierarchy that the
-        /// first levels take about a node and what is below it. Steps of some milliseconds at most.</summary>
+        /// <summary>
+        /// Work for a pump, which can be abandoned and begun again for another node: reads the parts of the hierarchy that the
+        /// first levels need for a node and what is below it. Steps take some milliseconds at most.
+        /// </summary>
         private protected abstract IEnumerator<Work> ReadPages(int4 node, int levels);
 
         /// <summary>Adds a node and its block.</summary>
-        /// <param name="bytes">Of all its points in the file.</param>
-        /// <param name="bytesPerPoint">Where points have a fixed length, so that a long node can be cut; 0 otherwise.</param>
+        /// <param name="bytes">Bytes of all its points in the file.</param>
+        /// <param name="bytesPerPoint">Bytes of a point if these are fixed, so that a long node can be cut; otherwise
+        /// 0.</param>
         private protected void AddNode(int level, int3 cell, long points, long offset, long bytes, int bytesPerPoint)
         {
             var node = new SourceNode { Level = level, Cell = cell, Block = -1 };
@@ -125,7 +130,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Whether the tree has as many nodes as it may have; tells it once.</summary>
+        /// <summary>Whether the tree has reached its limit of nodes, which is reported once.</summary>
         private protected bool IsFull(long next)
         {
             if (m_tree.NodeCount < MaxNodes)
@@ -150,7 +155,7 @@ namespace FastPoints.Files
             return PotreeNames.NameOf(node.Level, node.Cell);
         }
 
-        /// <summary>Bytes in the file of the longest block, for a slot that takes any.</summary>
+        /// <summary>Bytes of the longest block in the file, for a slot that takes any.</summary>
         internal long MaxBytesPerBlock()
         {
             long most = 0;
@@ -175,15 +180,15 @@ namespace FastPoints.Files
         /// <summary>Index in the tree.</summary>
         public int Node;
 
-        /// <summary>First point over the whole source.</summary>
+        /// <summary>Index of its first point in the whole source.</summary>
         public long FirstPoint;
 
         public int Points;
 
-        /// <summary>Where it starts in the file that holds it.</summary>
+        /// <summary>Offset in the file that holds it.</summary>
         public long Offset;
 
-        /// <summary>Bytes of the file that it takes.</summary>
+        /// <summary>Number of bytes that it takes.</summary>
         public long Bytes;
     }
 }

@@ -8,7 +8,7 @@ namespace FastPoints.Files
     /// <summary>A slot for nodes of plain records: Potree 1 BIN and Potree 2 DEFAULT.</summary>
     sealed class PotreeRecordRead : PotreeRead
     {
-        /// <summary>About a millisecond of decoding.</summary>
+        /// <summary>A slice takes about a millisecond of decoding.</summary>
         const int SlicePoints = 1 << 17;
 
         readonly PotreeSpecialColumns m_special;

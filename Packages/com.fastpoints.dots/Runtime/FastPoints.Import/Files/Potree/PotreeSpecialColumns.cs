@@ -3,19 +3,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>Where a batch keeps the columns that are more than a copy; -1 where one is not wanted. Blittable.</summary>
+    /// <summary>Offsets of a batch's columns that are more than a copy; -1 for unwanted ones. Blittable.</summary>
     unsafe struct PotreeSpecialColumns
     {
         /// <summary>First byte of X, Y, Z in the batch.</summary>
         public int3 Position;
 
-        /// <summary>First byte of NormalX, NormalY, NormalZ in the batch, where they are packed in two bytes.</summary>
+        /// <summary>First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.</summary>
         public int3 Normal;
 
         public int NormalRecordByte;
         public bool IsOctahedral;
 
-        /// <summary>Of the wanted columns of a batch.</summary>
+        /// <summary>Finds the wanted columns of a batch.</summary>
         public static PotreeSpecialColumns Of(PotreeLayout layout, PointBatch batch)
         {
             var special = new PotreeSpecialColumns { Position = -1, Normal = -1 };
@@ -44,7 +44,7 @@ namespace FastPoints.Files
         }
 
         /// <param name="from">The two bytes of the first point.</param>
-        /// <param name="first">Its place in the columns.</param>
+        /// <param name="first">Its index in the columns.</param>
         public void DecodeNormals(byte* from, int stride, int count, byte* columns, int first)
         {
             for (int i = 0; i < count; i++, from += stride)
@@ -58,16 +58,18 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>Potree's unit vectors in two bytes. HPC#.</summary>
+    /// <summary>Decodes Potree's unit vectors from two bytes. HPC#.</summary>
     internal static class PotreeNormals
     {
-        /// <summary>Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of
-        /// what was packed, but for z near -1, where the map has its seam.</summary>
+        /// <summary>
+        /// Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of what was
+        /// packed, except for z near -1, where the map has its seam.
+        /// </summary>
         public static float3 FromSphereMap(byte bx, byte by)
         {
             float x = bx * (2f / 255f) - 1, y = by * (2f / 255f) - 1;
             float squared = 1 - x * x - y * y;
-            // Bytes outside the disc are no vectors that a writer packs: the nearest one on its rim, which is (0, 0, -1).
+            // Writers never pack bytes outside the disc: they become the nearest vector on its rim, which is (0, 0, -1).
             float root = math.sqrt(math.max(0, squared));
             return math.normalizesafe(new float3(2 * x * root, 2 * y * root, 2 * squared - 1), new float3(0, 0, -1));
         }

@@ -3,8 +3,9 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>Anomalies that any of a tree's nodes may have: the first few of a kind are told one by one, the others as a
-    /// count.</summary>
+    /// <summary>
+    /// Anomalies that any of a tree's nodes may have: the first few of a kind are reported one by one, the others as a count.
+    /// </summary>
     sealed class PotreeWarnings
     {
         const int MostTold = 3;
@@ -23,11 +24,11 @@ namespace FastPoints.Files
             m_info = info;
         }
 
-        /// <summary>A warning about a node.</summary>
-        /// <param name="what">What is told of it, the same words for all nodes.</param>
-        /// <param name="detail">What is told of this one, or null.</param>
-        /// <param name="byteOffset">In the file that <paramref name="path"/> names, or -1.</param>
-        /// <param name="path">Null for the source's own.</param>
+        /// <summary>Adds a warning about a node.</summary>
+        /// <param name="what">The anomaly, in the same words for all nodes.</param>
+        /// <param name="detail">A detail about this node, or null.</param>
+        /// <param name="byteOffset">Offset in the file that <paramref name="path"/> names, or -1.</param>
+        /// <param name="path">Null for the source's own path.</param>
         public void Add(string what, string node, string detail = null, long byteOffset = -1, string path = null)
         {
             if (!m_kinds.TryGetValue(what, out var kind))

@@ -6,14 +6,14 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Values of one attribute, as a BROTLI node's stream has them, to columns.</summary>
+    /// <summary>Copies values of one attribute from a BROTLI node's stream to columns.</summary>
     [BurstCompile]
     unsafe struct SpreadPotreeJob : IJob
     {
-        /// <summary>Of a position: the upper 16 bits of x, y and z as a Morton code, then the lower 16.</summary>
+        /// <summary>Bytes of a position: the upper 16 bits of x, y and z as a Morton code, then the lower 16.</summary>
         public const int PositionBytes = 16;
 
-        /// <summary>Of a colour: 16 bits of red, green and blue as a Morton code.</summary>
+        /// <summary>Bytes of a colour: 16 bits of red, green and blue as a Morton code.</summary>
         public const int ColorBytes = 8;
 
         [ReadOnly] public NativeArray<byte> Tile;
@@ -29,7 +29,7 @@ namespace FastPoints.Files
         /// <summary>First wanted point of the tile.</summary>
         public int FirstInTile;
 
-        /// <summary>Its place in the columns.</summary>
+        /// <summary>Its index in the columns.</summary>
         public int First;
         public int Count;
 
@@ -50,8 +50,10 @@ namespace FastPoints.Files
                 Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
         }
 
-        /// <summary>PotreeConverter subtracts the node's lowest coordinate, which by a conversion that overflows starts at -1
-        /// and stays there: all are one step too high against encoding DEFAULT, and so one is taken off.</summary>
+        /// <summary>
+        /// Spreads positions. PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion sets to
+        /// -1 for good: all values are one step too high compared with encoding DEFAULT, so one is subtracted.
+        /// </summary>
         void SpreadPositions(ulong* codes, byte* columns)
         {
             int* x = (int*)(columns + Special.Position.x) + First;
@@ -71,7 +73,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>In tiles of records, which the plan's copies take apart.</summary>
+        /// <summary>Spreads colours as tiles of records, which the plan's copies take apart.</summary>
         void SpreadColors(ulong* codes, LasFieldCopy* copies, byte* columns)
         {
             const int TilePoints = 256;

@@ -2,10 +2,10 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>Integers of a text file on their way into a column. HPC#.</summary>
+    /// <summary>Stores integers of a text file in a column. HPC#.</summary>
     static unsafe class AsciiColumn
     {
-        /// <returns>Whether the type holds the value; if not, the nearest that it holds is stored.</returns>
+        /// <returns>Whether the value fits into the type; if not, the nearest one that fits is stored.</returns>
         public static bool StoreInteger(byte* column, int row, AttributeType type, int bytes, ulong magnitude, bool isNegative)
         {
             int bits = 8 * bytes;

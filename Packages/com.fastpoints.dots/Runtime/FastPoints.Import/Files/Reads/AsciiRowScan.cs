@@ -8,9 +8,9 @@ using Unity.Jobs.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Counts the lines of a text file, several stretches at a time, up to the last point's, and notes which stretches have
-    /// points. What a stretch counts does not depend on the ones before it; whether it starts within a line does, and is
-    /// settled here, in order.
+    /// Counts the lines of a text file up to the last point's, several stretches at a time, and records which stretches have
+    /// points. A stretch's count does not depend on earlier ones; whether it starts within a line does, and is settled here, in
+    /// order.
     /// </summary>
     sealed class AsciiRowScan : IDisposable
     {
@@ -33,11 +33,11 @@ namespace FastPoints.Files
         ulong m_rows;
         bool m_isInText;
 
-        /// <param name="reader">Its <see cref="PointReader.MostJobs"/> stretches are looked at at once.</param>
-        /// <param name="offset">Where the lines start.</param>
-        /// <param name="blockBytes">Of a stretch.</param>
-        /// <param name="rowsBefore">Lines that are no points.</param>
-        /// <param name="rowsEnd">Lines up to the last point's; more than there are for all.</param>
+        /// <param name="offset">Offset of the first line.</param>
+        /// <param name="blockBytes">Bytes of a stretch.</param>
+        /// <param name="rowsBefore">Leading lines that are not points.</param>
+        /// <param name="rowsEnd">Lines up to the last point's; a number beyond the file's for all.</param>
+        /// <param name="mostJobs">The most jobs in flight; 0 for as many as keep all workers busy.</param>
         public AsciiRowScan(PointReader reader, FileHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;
@@ -58,7 +58,7 @@ namespace FastPoints.Files
                 };
         }
 
-        /// <summary>Points found.</summary>
+        /// <summary>Number of points found.</summary>
         public long Points { get; private set; }
 
         public PlyBlock[] TakeBlocks() => m_blocks.ToArray();

@@ -8,25 +8,25 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Lines that are found by jumping into a text file: of each of <see cref="Count"/> equal parts of its bytes one stretch at a
-    /// hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file, and
-    /// some can be looked for before others: what it takes depends on how many are wanted alone.
+    /// Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one stretch at a
+    /// hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
+    /// and some can be read before others: the cost depends only on how many are wanted.
     /// </summary>
     /// <remarks>
-    /// Bytes are no points: where lines are long, fewer of them start in a stretch. Each line has the same chance nevertheless:
-    /// one that starts at byte b is found by the stretches that begin at most b - 1 and end behind b, which are as many for a
-    /// long line as for a short one, and whatever stands before it. Only all lines of a stretch are fair; a fixed number of
-    /// each would prefer lines among long ones.
+    /// Bytes are not points: fewer long lines than short ones start in a stretch. Each line nevertheless has the same chance:
+    /// one that starts at byte b is found by the stretches that begin at most at b - 1 and end behind b, and there are as many
+    /// of these for a long line as for a short one, whatever precedes it. This is only fair with all lines of a stretch; a
+    /// fixed number of each would prefer lines among long ones.
     /// </remarks>
     sealed class AsciiStretches
     {
         public const int Count = 2048;
         public const int StretchBytes = 16 << 10;
 
-        /// <summary>Of a smaller file all lines are counted about as soon.</summary>
+        /// <summary>In a smaller file, counting all lines is about as fast.</summary>
         public const long LeastBytes = 2L * Count * StretchBytes;
 
-        /// <summary>Reads in flight: where each takes long, all take as long as one.</summary>
+        /// <summary>Reads in flight: if each takes long, together they take as long as one.</summary>
         const int Slots = 32;
 
         const uint OrderSeed = 1;
@@ -40,7 +40,7 @@ namespace FastPoints.Files
         long m_points;
         int m_found;
 
-        /// <param name="offset">Where the lines start; they go on to the file's end.</param>
+        /// <param name="offset">Offset of the first line; lines continue to the file's end.</param>
         public AsciiStretches(string path, FileHandle file, long fileBytes, long offset)
         {
             m_path = path;
@@ -54,8 +54,10 @@ namespace FastPoints.Files
         /// <summary>Stretches with lines, and all that start in each, in the order in which they were found.</summary>
         public PlyBlock[] Blocks => m_blocks.ToArray();
 
-        /// <summary>Lines of the whole file. The standard error is by the differences of neighbouring stretches, as each part
-        /// has one stretch alone (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
+        /// <summary>
+        /// Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
+        /// stretches, since each part has a single stretch (Wolter, "Introduction to variance estimation", 2007, 8.2).
+        /// </summary>
         public PointEstimate Estimate
         {
             get
@@ -75,7 +77,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Work for a pump: looks for the next ones, until it is so many in all.</summary>
+        /// <summary>Work for a pump: reads the next stretches until there are this many in all.</summary>
         public IEnumerator<Work> Find(int count)
         {
             int first = m_found, wanted = Math.Min(Count, count) - first;
@@ -106,7 +108,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>By the finaliser of SplitMix64.</summary>
+        /// <summary>Hashes with the finaliser of SplitMix64.</summary>
         long PlaceOf(int part)
         {
             long first = m_bytes / Count * part, places = m_bytes / Count - StretchBytes + 1;

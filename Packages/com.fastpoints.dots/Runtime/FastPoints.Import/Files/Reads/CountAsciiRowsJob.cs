@@ -32,7 +32,8 @@ namespace FastPoints.Files
                 isInText = false;
             while (p < end)
             {
-                // Within a line only its end matters: eight bytes at a time. The test for "any byte equal" is exact.
+                // Within a line only its end matters, so eight bytes are tested at a time. The test for "any byte equal" is
+                // exact.
                 if (isInText)
                 {
                     while (end - p >= 8)
@@ -62,8 +63,8 @@ namespace FastPoints.Files
     }
 
     /// <summary>
-    /// The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line. Lines of
-    /// nothing but blanks are none.
+    /// The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line. Blank lines
+    /// do not count.
     /// </summary>
     struct AsciiRowCount
     {

@@ -7,19 +7,20 @@ using Unity.Jobs;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The next slice of a compressed stream into a buffer. Not compiled by Burst, since the decompressor is managed code; a job
-    /// all the same, so that what follows can depend on it and nothing waits for it on the main thread (a Task could do neither).
+    /// Decompresses the next slice of a stream into a buffer. Burst does not compile it, since the decompressor is managed
+    /// code. It is still a job, so that later jobs can depend on it and the main thread never waits for it (a Task allows
+    /// neither).
     /// </summary>
     unsafe struct DecompressJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Input;
 
-        /// <summary>Bytes of the input that are there.</summary>
+        /// <summary>Bytes of the input that are present.</summary>
         public int InputBytes;
 
         [WriteOnly] public NativeArray<byte> Output;
 
-        /// <summary>Bytes that the slice must give.</summary>
+        /// <summary>Number of bytes that the slice must give.</summary>
         public int Wanted;
 
         public bool IsFirst;
@@ -60,13 +61,13 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>How far a stream has been decoded, from slice to slice.</summary>
+    /// <summary>Progress of decoding a stream, from slice to slice.</summary>
     struct DecompressState
     {
-        /// <summary>Bytes of the input that are done with.</summary>
+        /// <summary>Bytes of the input that were consumed.</summary>
         public int Consumed;
 
-        /// <summary>Whether the stream broke off, or its decompressor failed: nothing more comes of it.</summary>
+        /// <summary>Whether the stream broke off, or its decompressor failed: it gives no more bytes.</summary>
         public bool IsBroken;
     }
 }

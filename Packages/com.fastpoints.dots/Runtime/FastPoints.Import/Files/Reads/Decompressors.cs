@@ -6,13 +6,13 @@ using System.Runtime.InteropServices;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Who undoes the general compression that some formats put around their points. A project registers its own where the
-    /// framework brings none, or a faster one, before it opens a source.
+    /// Decompressors for the general compression that some formats put around their points. Before it opens a source, a project
+    /// may register its own if the framework has none, or a faster one.
     /// </summary>
     /// <remarks>
     /// The framework decodes Brotli in .NET, in Unity's editor and in players of both scripting backends: Mono ships the native
-    /// decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. Where it is
-    /// missing a read fails and names <see cref="Brotli"/>. For zstandard .NET Standard 2.1 has nothing.
+    /// decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. If it is
+    /// missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.
     /// </remarks>
     internal static class Decompressors
     {
@@ -24,25 +24,27 @@ namespace FastPoints.Files
     }
 
     /// <summary>
-    /// Undoes one kind of general compression (Brotli, zstandard), one stream after the other, each piece by piece, so that a
-    /// long stream is done in slices. Called by jobs on any thread, but by one at a time.
+    /// Decompresses streams of one kind (Brotli, zstandard), one after the other and piece by piece, so that a long stream is
+    /// done in slices. Jobs call it on any thread, but only one at a time.
     /// </summary>
     internal abstract class StreamDecompressor : IDisposable
     {
-        /// <summary>Forgets what came before: the next bytes begin a stream.</summary>
+        /// <summary>Forgets the previous stream: the next bytes begin a new one.</summary>
         public abstract void Start();
 
         /// <summary>Decodes as much as fits into <paramref name="output"/>.</summary>
         /// <param name="input">The rest of the stream; bytes that were consumed do not come again.</param>
-        /// <param name="consumed">Bytes of the input that are done with.</param>
-        /// <param name="written">Bytes of the output; fewer than fit only where the stream has ended or is broken.</param>
-        /// <returns>False where the stream is broken.</returns>
+        /// <param name="consumed">Bytes of the input that were consumed.</param>
+        /// <param name="written">Bytes of the output; fewer than fit only if the stream has ended or is broken.</param>
+        /// <returns>False if the stream is broken.</returns>
         public abstract bool Decode(ReadOnlySpan<byte> input, Span<byte> output, out int consumed, out int written);
 
         public abstract void Dispose();
     }
 
-    /// <summary>Brotli (RFC 7932) by the framework's own decoder, which allocates nothing once it has started.</summary>
+    /// <summary>
+    /// Decodes Brotli (RFC 7932) with the framework's own decoder, which allocates nothing once it has started.
+    /// </summary>
     internal sealed class BrotliStreamDecompressor : StreamDecompressor
     {
         BrotliDecoder m_decoder;

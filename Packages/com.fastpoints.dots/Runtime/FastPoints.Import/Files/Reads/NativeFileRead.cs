@@ -7,11 +7,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>One stretch of a file in native memory: at most one read in flight into a buffer that is used again and
-    /// again.</summary>
+    /// <summary>
+    /// Reads one stretch of a file into native memory: at most one read is in flight, into a buffer that is reused.
+    /// </summary>
     sealed unsafe class NativeFileRead : IDisposable
     {
-        /// <summary>Bytes behind the data that jobs may write their end mark to, or load and not use.</summary>
+        /// <summary>Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.</summary>
         public const int PaddingBytes = 16;
 
         string m_path;
@@ -44,7 +45,7 @@ namespace FastPoints.Files
             m_buffer = new NativeArray<byte>(bytes, m_allocator, NativeArrayOptions.UninitializedMemory);
         }
 
-        /// <summary>The bytes, valid behind the handle that <see cref="Begin"/> gives.</summary>
+        /// <summary>The bytes, valid after the handle that <see cref="Begin"/> gives.</summary>
         public NativeArray<byte> Buffer => m_buffer;
 
         public long Offset { get; private set; }
@@ -68,7 +69,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>The same from a file of its own, which is opened and closed for it.</summary>
-        /// <param name="path">A full one.</param>
+        /// <param name="path">An absolute path.</param>
         public JobHandle Begin(string path, long offset, int bytes)
         {
             m_path = path;

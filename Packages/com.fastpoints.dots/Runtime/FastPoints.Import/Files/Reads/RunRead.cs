@@ -11,15 +11,16 @@ using Unity.Profiling.LowLevel.Unsafe;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// A slot for sources of a fixed stride that brings many short runs, scattered over the file, by one request into places of
-    /// a batch: what a sample is made of. A block read for each of them would cost several times as much.
+    /// A slot for sources of a fixed stride that reads many short runs, scattered over the file, into places of a batch with
+    /// one request, as samples need. A block read for each of them would cost several times as much.
     /// </summary>
     /// <remarks>
-    /// Slots that write different places of one batch may be in flight at once. Memory: the buffer, whatever is asked for.
+    /// Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer, whatever
+    /// is requested.
     /// </remarks>
     public abstract unsafe class RunRead : IDisposable
     {
-        /// <summary>Bytes behind a record that decoders may load and not use.</summary>
+        /// <summary>Bytes behind a record that decoders may load and ignore.</summary>
         const int PaddingBytes = 16;
 
         readonly FixedRecords m_file;
@@ -31,9 +32,10 @@ namespace FastPoints.Files
         ReadHandle m_read;
         bool m_isReading;
 
-        /// <param name="target">Where the points go; its schema says what is wanted.</param>
-        /// <param name="maxRuns">Of one request.</param>
-        /// <param name="maxBytes">Of one request, at least those of the longest run.</param>
+        /// <param name="dataOffset">Offset of the file's first record.</param>
+        /// <param name="target">The batch that the points go to, whose schema says what is wanted.</param>
+        /// <param name="maxRuns">The most runs in one request.</param>
+        /// <param name="maxBytes">The most bytes in one request, at least those of the longest run.</param>
         private protected RunRead(in FixedRecords file, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
             m_file = file;
@@ -46,16 +48,18 @@ namespace FastPoints.Files
 
         public PointBatch Target { get; }
 
-        /// <summary>Finished when the points are in their places.</summary>
+        /// <summary>Completes when the points are in place.</summary>
         public JobHandle Decoded { get; private set; }
 
         /// <summary>Separate stretches of the file in the last request.</summary>
         public int Stretches { get; private set; }
 
-        /// <summary>Of the last request, with the gaps that were read along.</summary>
+        /// <summary>Bytes read by the last request, including gaps.</summary>
         public long BytesRead { get; private set; }
 
-        /// <summary>When the last request began, and when its bytes were there: by <see cref="ReadClock"/>.</summary>
+        /// <summary>
+        /// When the last request began and when its bytes had arrived, in the time of <see cref="ReadClock"/>.
+        /// </summary>
         internal long Begun { get; private set; }
 
         internal long Ended => m_ended.Value;
@@ -63,13 +67,15 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 
-        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at
-        /// once.</summary>
-        /// <param name="runs">In the file's order, not overlapping, all within the file.</param>
+        /// <summary>
+        /// Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at once.
+        /// </summary>
+        /// <param name="runs">Runs in the file's order, without overlaps, all within the file.</param>
         /// <param name="first">The first one to take.</param>
         /// <param name="most">The most to take.</param>
-        /// <param name="gapBytes">Runs no further apart are read in one stretch: more for a file that is slow to seek.</param>
-        /// <returns>Runs that were taken.</returns>
+        /// <param name="gapBytes">Runs that are no farther apart are read in one stretch: use more for a file that is slow to
+        /// seek.</param>
+        /// <returns>The number of runs that were taken.</returns>
         public int Begin(NativeArray<PointRun> runs, int first, int most, int gapBytes)
         {
             if (m_isReading)
@@ -119,8 +125,11 @@ namespace FastPoints.Files
             return taken;
         }
 
-        /// <summary>Waits for the decoding if need be (poll <c>Decoded.IsCompleted</c> not to), and closes the request.</summary>
-        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was opened.</exception>
+        /// <summary>
+        /// Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the request.
+        /// </summary>
+        /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was
+        /// opened.</exception>
         public void Complete()
         {
             Decoded.Complete();
@@ -137,7 +146,7 @@ namespace FastPoints.Files
                 : "reading " + NumberText.Of(BytesRead) + " bytes from here on failed");
         }
 
-        /// <summary>Cancels what is in flight, waits for it, frees the memory. May run twice.</summary>
+        /// <summary>Cancels what is in flight, waits for it and frees the memory. May be called twice.</summary>
         public virtual void Dispose()
         {
             if (!m_records.IsCreated)
@@ -156,7 +165,7 @@ namespace FastPoints.Files
             m_ended.Dispose();
         }
 
-        /// <summary>Decodes the runs behind the read.</summary>
+        /// <summary>Decodes the runs after the read.</summary>
         private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
             JobHandle read);
     }
@@ -182,7 +191,7 @@ namespace FastPoints.Files
     /// other.</summary>
     public struct PointRun
     {
-        /// <summary>Over the whole source.</summary>
+        /// <summary>Index of the first point in the whole source.</summary>
         public long First;
 
         /// <summary>Points from one to the next, at least 1.</summary>
@@ -191,7 +200,7 @@ namespace FastPoints.Files
         /// <summary>At least 1.</summary>
         public int Count;
 
-        /// <summary>Of the first one in the batch.</summary>
+        /// <summary>Place of the first point in the batch.</summary>
         public int Place;
 
         public long Last => First + (Count - 1L) * Step;
@@ -200,30 +209,31 @@ namespace FastPoints.Files
     /// <summary>A <see cref="PointRun"/> whose records have been read. Blittable: jobs carry arrays of these.</summary>
     struct BufferedRun
     {
-        /// <summary>Of the first record in the buffer.</summary>
+        /// <summary>Offset of the first record in the buffer.</summary>
         public int FirstByte;
 
-        /// <summary>From one record that is wanted to the next.</summary>
+        /// <summary>Bytes from one wanted record to the next.</summary>
         public int StrideBytes;
 
         public int Count;
 
-        /// <summary>Of the first point in the batch.</summary>
+        /// <summary>Place of the first point in the batch.</summary>
         public int Place;
     }
 
-    /// <summary>Notes when what it depends on was done.</summary>
+    /// <summary>Records when the jobs that it depends on were done.</summary>
     [BurstCompile]
     struct TimestampJob : IJob
     {
-        /// <summary>By <see cref="ReadClock"/>.</summary>
+        /// <summary>In the time of <see cref="ReadClock"/>.</summary>
         public NativeReference<long> At;
 
         public void Execute() => At.Value = ReadClock.Now;
     }
 
-    /// <summary>The clock that says how long reads take: one that jobs can look at, since the pump sees a finished read only in
-    /// its next update.</summary>
+    /// <summary>
+    /// The clock for the duration of reads. Jobs can read it; the pump would see a finished read only in its next update.
+    /// </summary>
     static class ReadClock
     {
         public static long Now => ProfilerUnsafeUtility.Timestamp;

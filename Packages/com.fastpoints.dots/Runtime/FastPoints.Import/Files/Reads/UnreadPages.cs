@@ -3,17 +3,19 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>Pages of an octree's hierarchy that are known and not read: level by level of the nodes that they begin with, and
-    /// within a level as they came to be known.</summary>
+    /// <summary>
+    /// Pages of an octree's hierarchy that are known but not read, by the level of the nodes that they begin with, and within a
+    /// level in the order of discovery.
+    /// </summary>
     internal sealed class UnreadPages
     {
         readonly Queue<UnreadPage>[] m_ofLevel;
 
-        /// <summary>Numbers of pages that were read before their turn and are in the queues still.</summary>
+        /// <summary>Numbers of pages that were read out of turn and are still in the queues.</summary>
         readonly HashSet<int> m_isRead = new HashSet<int>();
         int m_added;
 
-        /// <param name="mostLevels">Of the nodes that pages begin with.</param>
+        /// <param name="mostLevels">The most levels of nodes that pages begin with.</param>
         public UnreadPages(int mostLevels)
         {
             m_ofLevel = new Queue<UnreadPage>[mostLevels];
@@ -31,9 +33,9 @@ namespace FastPoints.Files
             Count++;
         }
 
-        /// <summary>The next page that a node, what is above it and what is below it take.</summary>
-        /// <param name="node">Key; the tree's root for pages of the whole, when this takes no time.</param>
-        /// <param name="levels">Pages that begin below the first so many levels of the tree are left alone.</param>
+        /// <summary>Finds the next page that a node, those above and those below it need.</summary>
+        /// <param name="node">The node's key; the root's for all pages, which takes no time.</param>
+        /// <param name="levels">Pages that begin below this many levels of the tree are ignored.</param>
         /// <returns>Whether there is one.</returns>
         public bool TryPeek(int4 node, int levels, out UnreadPage page)
         {
@@ -53,7 +55,7 @@ namespace FastPoints.Files
             return false;
         }
 
-        /// <summary>Takes note that a page has been read.</summary>
+        /// <summary>Records that a page has been read.</summary>
         public void Remove(in UnreadPage page)
         {
             m_isRead.Add(page.Number);
@@ -76,13 +78,13 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>A page of an octree's hierarchy that is known and not read.</summary>
+    /// <summary>A page of an octree's hierarchy that is known but not read.</summary>
     internal struct UnreadPage
     {
         /// <summary>Key of the node that it begins with.</summary>
         public int4 Root;
 
-        /// <summary>Where it lies in its file; nothing where it is a file of its own.</summary>
+        /// <summary>Its location in its file; 0 if it is a file of its own.</summary>
         public long Offset;
         public long Bytes;
 

@@ -7,7 +7,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Lines of a text file into columns. A line that is no point is counted and left out.</summary>
+    /// <summary>Decodes lines of a text file into columns. A line that is not a point is counted and left out.</summary>
     [BurstCompile]
     unsafe struct DecodeXyzJob : IJob
     {
@@ -18,8 +18,10 @@ namespace FastPoints.Files
             10000000000000000000,
         };
 
-        /// <summary>Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop
-        /// has to look for the buffer's end.</summary>
+        /// <summary>
+        /// Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop has to
+        /// check for the buffer's end.
+        /// </summary>
         public NativeArray<byte> Input;
         public long InputOffset;
         public int InputBytes;
@@ -29,7 +31,7 @@ namespace FastPoints.Files
         public bool ReachesFileEnd;
         public bool StartsInRow;
 
-        /// <summary>Lines to pass over first.</summary>
+        /// <summary>Lines to skip first.</summary>
         public int RowsBefore;
 
         /// <summary>Lines to read, points or not.</summary>
@@ -104,7 +106,7 @@ namespace FastPoints.Files
                 byte* column = output + step->ColumnOffsetBytes;
                 if (*p == mark || IsLineEnd(*p))
                 {
-                    // Between two separators, or behind the last one, nothing is a value that is not known.
+                    // Nothing between two separators, or behind the last one, means an unknown value.
                     bool isEmpty = !IsLineEnd(mark) && (*p == mark || i > 0 && p[-1] <= ' ' && EndsInMark(text, mark));
                     if (!isEmpty || step->IsPosition)
                         return XyzError.TooFewValues;
@@ -159,7 +161,7 @@ namespace FastPoints.Files
             return XyzError.None;
         }
 
-        /// <summary>Whether the last thing before a line's end, but for blanks, is a separator.</summary>
+        /// <summary>Whether the last character before a line's end, except blanks, is a separator.</summary>
         static bool EndsInMark(byte* p, byte mark)
         {
             p--;
@@ -169,7 +171,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>The nearest multiple of 10^-decimals (halves away from zero).</summary>
-        /// <returns>False where it is beyond the grid.</returns>
+        /// <returns>False if it is beyond the grid.</returns>
         static bool ToPlace(in DecimalDigits number, int decimals, out long place, out bool isExact)
         {
             ulong value = number.Mantissa;
@@ -220,9 +222,9 @@ namespace FastPoints.Files
 
     enum XyzStepKind : byte
     {
-        /// <summary>A column without a name: anything.</summary>
+        /// <summary>A column without a name, which may hold anything.</summary>
         Skip,
-        /// <summary>A number that nobody asked for.</summary>
+        /// <summary>A number that is not wanted.</summary>
         Check,
         /// <summary>A coordinate, as a whole number of 10^-Decimals.</summary>
         Place,
@@ -231,7 +233,7 @@ namespace FastPoints.Files
         Float64,
     }
 
-    /// <summary>What is done with one column of a line. Blittable: jobs carry arrays of these.</summary>
+    /// <summary>What to do with one column of a line. Blittable: jobs carry arrays of these.</summary>
     struct XyzStep
     {
         public XyzStepKind Kind;
@@ -239,18 +241,19 @@ namespace FastPoints.Files
         public int Bytes;
         public int Decimals;
 
-        /// <summary>Whether a line without the value, not even in text, is no point.</summary>
+        /// <summary>Whether a line without the value, or with text in its place, is not a point.</summary>
         public bool IsPosition;
 
-        /// <summary>Whether the batch has the column: coordinates are read in any case, so that the same lines are points
-        /// whatever is asked for.</summary>
+        /// <summary>
+        /// Whether the batch has the column: coordinates are always read, so that the same lines are points whatever is wanted.
+        /// </summary>
         public bool IsStored;
 
-        /// <summary>Where its column starts in the batch.</summary>
+        /// <summary>Offset of its column in the batch.</summary>
         public int ColumnOffsetBytes;
     }
 
-    /// <summary>What a decoding job met that is not as it should be: how often, and the byte of the first one.</summary>
+    /// <summary>Anomalies that a decoding job met: how many, and the byte of the first one.</summary>
     struct XyzAnomalies
     {
         public int BadRows;
@@ -259,15 +262,15 @@ namespace FastPoints.Files
 
         public int Remarks;
 
-        /// <summary>Coordinates with more digits than the sample had: rounded to its step.</summary>
+        /// <summary>Coordinates with more digits than the sample had, which were rounded to its step.</summary>
         public int Rounded;
         public long FirstRounded;
 
-        /// <summary>Values that their column's type cannot hold.</summary>
+        /// <summary>Values that do not fit into their column's type.</summary>
         public int Misfits;
         public long FirstMisfit;
 
-        /// <summary>Nothing between two separators: read as 0.</summary>
+        /// <summary>Empty values between two separators, which were read as 0.</summary>
         public int EmptyValues;
         public long FirstEmpty;
 

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>What some rows show of one column of a text file.</summary>
+    /// <summary>What some rows show about one column of a text file.</summary>
     struct XyzColumn
     {
         public double Min;
@@ -14,11 +14,11 @@ namespace FastPoints.Files
         /// <summary>Whether all values are whole numbers, without an exponent or a point.</summary>
         public bool IsInteger;
 
-        /// <summary>Digits behind the point, at most: as printed, and without zeros at the end.</summary>
+        /// <summary>The most digits behind the point: as printed, and without zeros at the end.</summary>
         public int DecimalsPrinted;
         public int Decimals;
 
-        /// <summary>Digits of a value, from the first that is not zero to the last, at most.</summary>
+        /// <summary>The most digits of a value, from the first that is not zero to the last.</summary>
         public int Digits;
 
         public static XyzColumn Empty => new XyzColumn
@@ -49,8 +49,7 @@ namespace FastPoints.Files
             Digits = Math.Max(Digits, digits);
         }
 
-        /// <summary>The narrowest usual type for the values: wider than what these rows need where a few more may need
-        /// it.</summary>
+        /// <summary>The narrowest usual type for the values: wider than these rows need if a few more may need it.</summary>
         public AttributeType TypeOf(string attribute)
         {
             bool isColor = attribute == AttributeNames.Red || attribute == AttributeNames.Green ||

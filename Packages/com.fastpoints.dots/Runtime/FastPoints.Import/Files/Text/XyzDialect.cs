@@ -2,16 +2,16 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>How the values of a text file's lines are set apart. Blittable; HPC#.</summary>
+    /// <summary>How the values in a text file's lines are separated. Blittable; HPC#.</summary>
     struct XyzDialect
     {
-        /// <summary>What stands for the separator while a line is read: a number ends at it as at a blank.</summary>
+        /// <summary>Replaces the separator while a line is read: a number ends at it as at a blank.</summary>
         public const byte Mark = 1;
 
-        /// <summary>A comma or a semicolon; 0 where values stand between blanks (spaces, tabs).</summary>
+        /// <summary>A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).</summary>
         public byte Separator;
 
-        /// <summary>Whether 1,5 is one and a half.</summary>
+        /// <summary>Whether 1,5 means one and a half.</summary>
         public bool HasDecimalComma;
 
         /// <summary>Whether values stand in double quotes.</summary>
@@ -37,7 +37,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Whether a line with this first byte is a remark.</summary>
+        /// <summary>Whether a line with this first byte is a comment.</summary>
         public bool IsRemark(byte first) =>
             first == '#' || first == '/' || first == '%' || first == '!' || first == ';' && Separator != ';';
     }

@@ -4,7 +4,9 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>What the columns of a text file are: by names that it or the caller gives, or guessed from the values.</summary>
+    /// <summary>
+    /// Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.
+    /// </summary>
     static class XyzNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)
@@ -64,8 +66,11 @@ namespace FastPoints.Files
         public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
             Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
 
-        /// <summary>x y z, and then by count and values: intensity, colour, normals, or columns without a name.</summary>
-        /// <param name="unitLength">By column: how many sampled rows have a vector of length 1 from there on, as a share.</param>
+        /// <summary>
+        /// Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.
+        /// </summary>
+        /// <param name="unitLength">For each column, the share of sampled rows that have a vector of length 1 from there
+        /// on.</param>
         public static string[] Guess(XyzColumn[] columns, double[] unitLength)
         {
             int count = columns.Length;
@@ -79,7 +84,7 @@ namespace FastPoints.Files
                 int left = count - i;
                 bool isNormal = !hasNormal && IsNormal(columns, unitLength, i);
                 bool isColor = !hasColor && IsColor(columns, i);
-                // Of four columns the intensity comes first (PTS), if the other three can be what they must be then.
+                // Of four columns the intensity comes first (PTS), if the other three then fit.
                 bool intensityFirst = !hasIntensity && left % 3 == 1 &&
                     (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitLength, i + 1));
                 if (!intensityFirst && (isNormal || isColor))
@@ -108,7 +113,7 @@ namespace FastPoints.Files
         static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
             unitLength[at] > 0.9 && !(columns[at].IsInteger && columns[at + 1].IsInteger && columns[at + 2].IsInteger);
 
-        /// <summary>Whole numbers of 8 or 16 bits, or shares of 1.</summary>
+        /// <summary>Whether the values are whole numbers of 8 or 16 bits, or shares of 1.</summary>
         static bool IsColor(XyzColumn[] columns, int at)
         {
             if (at + 3 > columns.Length)

@@ -11,22 +11,22 @@ using Unity.Mathematics;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are sniffed, and the guess is stated in
+    /// Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is stated in
     /// <see cref="SourceInfo.Facts"/>; <see cref="ReadOptions.TextColumns"/> overrides it.
     /// </summary>
     /// <remarks>
-    /// Coordinates are decimal numbers, and stay so: X, Y, Z are int64 in steps of a power of ten, by the digits that a sample of
-    /// the file has. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
-    /// once; a block's count takes remarks and bad lines in, decoding leaves them out and counts them.
+    /// Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the digits in a
+    /// sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by
+    /// counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.
     /// </remarks>
     internal sealed class XyzReader : PointReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
-        /// <summary>Bytes behind its block to which the last line may run: longer ones are no points.</summary>
+        /// <summary>The last line may extend this many bytes behind its block: longer ones are not points.</summary>
         public const int MaxLineBytes = 16 << 10;
 
-        /// <summary>Printed digits that are kept even where the sample has zeros there.</summary>
+        /// <summary>Printed digits that are kept even if the sample has zeros there.</summary>
         const int UsualDecimals = 4;
 
         readonly XyzSniff m_sniff;
@@ -54,7 +54,7 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>Lines all over the file, by jumping.</summary>
+        /// <summary>Whether lines all over the file can be found by jumping.</summary>
         public override bool HasPrefixes =>
             !m_areAllFound && Info.FileBytes - m_sniff.DataOffset >= AsciiStretches.LeastBytes;
 
@@ -77,9 +77,9 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>Opens a text file. Little of it is read.</summary>
-        /// <returns>Null where the file is not lines of numbers.</returns>
-        /// <exception cref="PointCloudException">The columns are no points: no x, y and z among them.</exception>
+        /// <summary>Opens a text file, of which it reads little.</summary>
+        /// <returns>Null if the file is not lines of numbers.</returns>
+        /// <exception cref="PointCloudException">The columns are not points: they have no x, y and z.</exception>
         public static XyzReader Open(FileSource source, ReadOptions options = null)
         {
             var sniff = XyzSniff.Find(source, options?.TextColumns);
@@ -129,7 +129,7 @@ namespace FastPoints.Files
                 info.Fact("header lines", NumberText.Of(m_sniff.HeaderLines));
         }
 
-        /// <summary>The digits that the sample has, as many as a coordinate on the grid has room for.</summary>
+        /// <summary>The digits that the sample has, limited to what a coordinate on the grid has room for.</summary>
         static int DecimalsOf(XyzColumn column)
         {
             int decimals = Math.Max(column.Decimals, Math.Min(column.DecimalsPrinted, UsualDecimals));
@@ -243,7 +243,7 @@ namespace FastPoints.Files
             return steps;
         }
 
-        /// <summary>Takes in what was odd about a block, once a block: warnings have running counts.</summary>
+        /// <summary>Collects the anomalies of a block, once for each block: warnings have running counts.</summary>
         internal void Warn(BlockRange range, in XyzAnomalies found)
         {
             if (m_isTold[range.Block])

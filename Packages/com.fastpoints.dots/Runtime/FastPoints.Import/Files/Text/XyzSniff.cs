@@ -6,8 +6,8 @@ using FastPoints.Base;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Finds out whether a file is lines of numbers, and what they are: separators, header lines, columns and their ranges, from
-    /// its beginning and some stretches further on.
+    /// Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from its
+    /// beginning and some stretches farther on.
     /// </summary>
     sealed unsafe class XyzSniff
     {
@@ -35,29 +35,29 @@ namespace FastPoints.Files
 
         public XyzDialect Dialect => m_dialect;
 
-        /// <summary>Byte of the first row.</summary>
+        /// <summary>Offset of the first row.</summary>
         public long DataOffset { get; private set; }
 
-        /// <summary>Lines before it that have text.</summary>
+        /// <summary>Lines with text before it.</summary>
         public int HeaderLines { get; private set; }
 
         /// <summary>The number that stands alone before the rows (PTS), or -1.</summary>
         public long CountClaimed { get; private set; } = -1;
 
-        /// <summary>Column names by the file, or null.</summary>
+        /// <summary>Column names in the file, or null.</summary>
         public string[] Names { get; private set; }
 
         public XyzColumn[] Columns { get; private set; }
 
-        /// <summary>By column: the share of rows that have a vector of length 1 from there on.</summary>
+        /// <summary>For each column, the share of rows that have a vector of length 1 from there on.</summary>
         public double[] UnitLength { get; private set; }
 
-        /// <summary>Rows that were looked at.</summary>
+        /// <summary>Number of rows that were examined.</summary>
         public int Rows { get; private set; }
 
-        /// <param name="given">Column names by the caller, or null. Those called "-" may hold anything.</param>
-        /// <returns>Null for a file that is something else.</returns>
-        /// <exception cref="PointCloudException">Text of a kind that is known and not read.</exception>
+        /// <param name="given">Column names from the caller, or null. Those called "-" may hold anything.</param>
+        /// <returns>Null if the file is something else.</returns>
+        /// <exception cref="PointCloudException">The text is of a kind that is recognised but not supported.</exception>
         public static XyzSniff Find(FileSource source, string[] given)
         {
             byte[] head = source.ReadAtMost(0, HeadBytes).Bytes;
@@ -111,7 +111,7 @@ namespace FastPoints.Files
             return lines;
         }
 
-        /// <summary>From the lines that start as a number does.</summary>
+        /// <summary>Chooses the dialect from the lines that start like a number.</summary>
         bool ChooseDialect(byte[] bytes, List<(int First, int End)> lines)
         {
             bool mayStartWithText = m_given != null && m_given.Length > 0 && m_given[0] == "-";
@@ -140,8 +140,10 @@ namespace FastPoints.Files
             return seen > 0;
         }
 
-        /// <summary>Whether three or more values stand between blanks, none with more than one comma, none with one at an end.
-        /// A line without commas says nothing against it.</summary>
+        /// <summary>
+        /// Whether three or more values are separated by blanks, none with more than one comma, none with one at an end. A line
+        /// without commas does not speak against it.
+        /// </summary>
         static bool AreDecimalCommas(byte[] bytes, int first, int end)
         {
             int values = 0;
@@ -259,7 +261,7 @@ namespace FastPoints.Files
         int CountValues(byte[] bytes, int first, int end) => Read(bytes, first, end, null, null);
 
         /// <summary>Reads a line's values; NaN for one that is empty or not finite.</summary>
-        /// <returns>How many there are; 0 where one is no number.</returns>
+        /// <returns>The number of values; 0 if one of them is not a number.</returns>
         int Read(byte[] bytes, int first, int end, DecimalDigits[] numbers, double[] values)
         {
             byte mark = m_dialect.Separator != 0 ? XyzDialect.Mark : (byte)'\n';
@@ -318,7 +320,7 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>A line's words as column names; null where it is none: fewer than three, or numbers among them.</summary>
+        /// <summary>A line's words as column names; null if it has fewer than three, or numbers among them.</summary>
         string[] NamesIn(string line)
         {
             var separators = m_dialect.Separator == ',' ? new[] { ',' }

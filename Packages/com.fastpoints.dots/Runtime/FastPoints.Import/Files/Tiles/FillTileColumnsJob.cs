@@ -12,7 +12,7 @@ namespace FastPoints.Files
     [BurstCompile]
     unsafe struct FillTileColumnsJob : IJobFor
     {
-        /// <summary>Less than a millisecond of managed code.</summary>
+        /// <summary>A piece takes less than a millisecond of managed code.</summary>
         public const int PointsPerPiece = 1 << 14;
 
         const int RunLength = ColumnValues.RunLength;
@@ -21,10 +21,10 @@ namespace FastPoints.Files
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         [ReadOnly] public NativeArray<TileColumn> Columns;
 
-        /// <summary>Points that either side has room for.</summary>
+        /// <summary>Number of points that both sides have room for.</summary>
         public int Capacity;
 
-        /// <summary>Pieces write disjoint places.</summary>
+        /// <summary>The number of pieces, which write to disjoint places.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<byte> Output;
 
         public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;

@@ -3,24 +3,24 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>One file of several, as far as it is kept while the file is not open.</summary>
+    /// <summary>One of several files, as far as it is kept while the file is not open.</summary>
     sealed class Tile
     {
         public string Path;
         public long FileBytes;
 
-        /// <summary>One object for all tiles of equal schemas.</summary>
+        /// <summary>Shared by all tiles with equal schemas.</summary>
         public PointSchema Schema;
 
         public PositionTransform Transform;
 
-        /// <summary>Whether a header gave the blocks: then the reader can be closed and opened again.</summary>
+        /// <summary>Whether a header gave the blocks, so that the reader can be closed and reopened.</summary>
         public bool IsKnown;
 
         public bool HasFixedStride;
         public int RecordBytes;
 
-        /// <summary>Over the whole cloud.</summary>
+        /// <summary>Index of its first block and point in the whole cloud.</summary>
         public int FirstBlock;
 
         public int BlockCount;
@@ -34,13 +34,13 @@ namespace FastPoints.Files
         /// <summary>Whether it may hold a file's handle.</summary>
         public bool IsOpen;
 
-        /// <summary>Slots that read from it.</summary>
+        /// <summary>Number of slots that read from it.</summary>
         public int Users;
 
-        /// <summary>The larger, the later it was used.</summary>
+        /// <summary>Larger for tiles that were used later.</summary>
         public long LastUse;
 
-        /// <summary>Where the tile's warnings stand among the cloud's; null for none.</summary>
+        /// <summary>Indices of the tile's warnings among the cloud's; null for none.</summary>
         public List<int> Warnings;
     }
 }

@@ -6,7 +6,7 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// The attributes and positions that files have together: all attributes of all of them, of types that hold every file's
+    /// The common attributes and positions of several files: all attributes of all of them, with types that hold every file's
     /// values, and one transform for all positions.
     /// </summary>
     sealed class TileSchema
@@ -17,8 +17,8 @@ namespace FastPoints.Files
         readonly List<string> m_missing = new List<string>();
         readonly Dictionary<PointSchema, List<Tile>> m_tilesOfSchema = new Dictionary<PointSchema, List<Tile>>();
 
-        /// <param name="tiles">At least one; equal schemas are one object.</param>
-        /// <param name="info">Gets schema, transform, and a warning for what had to be changed.</param>
+        /// <param name="tiles">At least one tile; equal schemas must be one object.</param>
+        /// <param name="info">Receives schema, transform, and a warning for each change.</param>
         public TileSchema(List<Tile> tiles, SourceInfo info)
         {
             m_tiles = tiles;
@@ -55,10 +55,10 @@ namespace FastPoints.Files
             m_info.Transform = transform;
         }
 
-        /// <summary>How a tile's column becomes that of the cloud.</summary>
-        /// <param name="from">The tile's attribute, or null where it has none.</param>
+        /// <summary>Plans how a tile's column becomes that of the cloud.</summary>
+        /// <param name="from">The tile's attribute, or null if it has none.</param>
         /// <param name="to">The cloud's.</param>
-        /// <returns>Without the places of the columns.</returns>
+        /// <returns>The plan without the columns' offsets.</returns>
         public static TileColumn Convert(Tile tile, PointAttribute from, PointAttribute to, in PositionTransform cloud)
         {
             var column = new TileColumn { Kind = TileColumnKind.Copy, Factor = 1, Scale = 1 };
@@ -215,15 +215,15 @@ namespace FastPoints.Files
 
     enum TileColumnKind : byte
     {
-        /// <summary>Values as they are.</summary>
+        /// <summary>Copies values unchanged.</summary>
         Copy,
         /// <summary>The tile has no such attribute.</summary>
         Zero,
-        /// <summary>Integers to wider ones: stored * Factor.</summary>
+        /// <summary>Converts integers to wider ones: stored * Factor.</summary>
         Integer,
-        /// <summary>Positions to places on the common grid: stored * Factor + Shift, as int64.</summary>
+        /// <summary>Converts positions to places on the common grid: stored * Factor + Shift, as int64.</summary>
         Place,
-        /// <summary>Any numbers to floats: stored * Scale + Offset.</summary>
+        /// <summary>Converts any numbers to floats: stored * Scale + Offset.</summary>
         Real,
     }
 

@@ -5,7 +5,7 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>What several headers say together: counts, bounds, the coordinate system.</summary>
+    /// <summary>Summarises several headers: counts, bounds, the coordinate system.</summary>
     sealed class TileSummary
     {
         readonly SourceInfo m_info;
@@ -75,7 +75,7 @@ namespace FastPoints.Files
             (tile.PointsReadable >= 0 ? tile.PointsReadable.ToString("N0", CultureInfo.InvariantCulture) + " points" :
                 tile.FileBytes.ToString("N0", CultureInfo.InvariantCulture) + " bytes");
 
-        /// <summary>After the last file.</summary>
+        /// <summary>Ends the summary after the last file.</summary>
         public void End(int tiles)
         {
             var formats = new List<string>();

@@ -6,8 +6,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that its range lies in, and a job that makes the tile's
-    /// columns the cloud's.</summary>
+    /// <summary>
+    /// A slot of <see cref="TiledReader"/>: a slot of the tile that contains its range, and a job that converts the tile's
+    /// columns to the cloud's.
+    /// </summary>
     sealed class TiledRead : SlotRead
     {
         readonly TiledReader m_reader;
@@ -76,7 +78,9 @@ namespace FastPoints.Files
             m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
         }
 
-        /// <summary>What of the wanted attributes the tile has; where it has none, what it takes to count its points.</summary>
+        /// <summary>
+        /// The wanted attributes that the tile has; if it has none, an attribute that suffices to count its points.
+        /// </summary>
         PointSchema WantedOf(Tile tile)
         {
             var names = new string[Points.Schema.Count];

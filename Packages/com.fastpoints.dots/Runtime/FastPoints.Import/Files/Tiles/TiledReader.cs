@@ -8,22 +8,22 @@ using Unity.Collections;
 namespace FastPoints.Files
 {
     /// <summary>
-    /// Several files as one cloud: their blocks one after the other, all attributes of all of them, positions on one grid that
-    /// holds every file's numbers exactly.
+    /// Reads several files as one cloud: their blocks one after the other, all attributes of all of them, positions on one grid
+    /// that holds every file's numbers exactly.
     /// </summary>
     /// <remarks>
-    /// Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most
-    /// <see cref="MaxOpen"/> stay open (one a slot where there are more slots), so the number of files costs no handles.
+    /// Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most <see
+    /// cref="MaxOpen"/> stay open (or one for each slot if there are more slots), so many files do not take many handles.
     /// </remarks>
     internal sealed class TiledReader : PointReader
     {
-        /// <summary>Files that stay open.</summary>
+        /// <summary>The most files that stay open.</summary>
         public const int MaxOpen = 32;
 
-        /// <summary>Files that are shown one by one.</summary>
+        /// <summary>The most files that are shown one by one.</summary>
         const int MaxShown = 20;
 
-        /// <summary>Equal warnings that are shown one by one.</summary>
+        /// <summary>The most equal warnings that are shown one by one.</summary>
         const int MaxEqualWarnings = 3;
 
         readonly List<Tile> m_tiles = new List<Tile>();
@@ -46,7 +46,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Opens files as one cloud, in this order. Dispose the reader.</summary>
-        /// <exception cref="PointCloudException">One of them is no point cloud, or broken.</exception>
+        /// <exception cref="PointCloudException">One of them is not a point cloud, or is broken.</exception>
         public static TiledReader Open(IReadOnlyList<string> paths, ReadOptions options = null)
         {
             if (paths.Count == 0)
@@ -55,8 +55,10 @@ namespace FastPoints.Files
             return new TiledReader(name, false, options).OpenAll(paths);
         }
 
-        /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
-        /// folders within. What can't be read is left out with a warning.</summary>
+        /// <summary>
+        /// Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in folders
+        /// within. Files that cannot be read are left out with a warning.
+        /// </summary>
         /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
         public static TiledReader OpenFolder(string folder, ReadOptions options = null)
         {
@@ -160,7 +162,7 @@ namespace FastPoints.Files
             Settle();
         }
 
-        /// <summary>A step of a tile's work; of a folder, a tile that turns out to be broken is left out.</summary>
+        /// <summary>Runs a step of a tile's work; in a folder, a tile that turns out to be broken is left out.</summary>
         bool Step(WorkSteps work, Tile tile)
         {
             try
@@ -220,7 +222,7 @@ namespace FastPoints.Files
 
         internal void Leave(Tile tile) => tile.Users--;
 
-        /// <summary>Takes over what a tile's reader has to say by now; each line once.</summary>
+        /// <summary>Takes over the warnings that a tile's reader has so far, each line once.</summary>
         internal void TakeWarnings(Tile tile)
         {
             var warnings = tile.Reader.Info.Warnings;
@@ -236,7 +238,7 @@ namespace FastPoints.Files
                         Info.Warnings[place].Path == warning.Path && Info.Warnings[place].Text == warning.Text;
                 if (isTold)
                     continue;
-                // A reader counts on in the warning that it has.
+                // A reader continues counting in the warning that it has.
                 if (i < tile.Warnings.Count && tile.Warnings[i] >= 0 && !Contains(warnings, Info.Warnings[tile.Warnings[i]]))
                     Info.Warnings[tile.Warnings[i]] = warning;
                 else if (i >= tile.Warnings.Count)
@@ -252,7 +254,7 @@ namespace FastPoints.Files
             return false;
         }
 
-        /// <returns>Its place, or -1 where enough files have said the same.</returns>
+        /// <returns>Its index, or -1 if enough files have said the same.</returns>
         int Tell(CloudWarning warning)
         {
             m_equalWarnings.TryGetValue(warning.Text, out int told);
@@ -299,7 +301,7 @@ namespace FastPoints.Files
         static void Close(Tile tile)
         {
             tile.IsOpen = false;
-            // What it found would take a pass over the file to find again.
+            // Finding this again would take another pass over the file.
             if (!tile.IsKnown)
             {
                 tile.Reader.CloseFile();
@@ -404,7 +406,7 @@ namespace FastPoints.Files
 
         void Settle()
         {
-            // Tiles without points have the first block of the one behind them: they come before it.
+            // Tiles without points get the first block of the next tile, and come before it.
             var first = new long[m_pointsOfBlock.Count + 1];
             for (int block = 0; block < m_pointsOfBlock.Count; block++)
                 first[block + 1] = first[block] + m_pointsOfBlock[block];
