@@ -17,7 +17,7 @@ namespace FastPoints.Cli.Sources
         TreeFacts? m_tree;
 
         /// <summary>What the scan of all points found, or null without one.</summary>
-        public CloudSummary? Found { get; set; }
+        internal CloudSummary? Found { get; set; }
 
         public SourceInfo Info { get; } = reader.Info;
 

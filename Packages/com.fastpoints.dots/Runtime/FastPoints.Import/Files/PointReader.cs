@@ -67,7 +67,7 @@ namespace FastPoints.Files
         public virtual IEnumerator<Work> FindPrefixes(int places) => FindPrefixes();
 
         /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
-        public virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
+        internal virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
         /// <summary>
         /// The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy; <see
@@ -145,7 +145,7 @@ namespace FastPoints.Files
         /// <param name="target">Its schema is a selection of <see cref="SourceInfo.Schema"/>.</param>
         /// <param name="maxRuns">The most runs in one request.</param>
         /// <param name="maxBytes">The most bytes of the file in one request, at least those of the longest run.</param>
-        public virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
+        internal virtual RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             throw new NotSupportedException();
 
         public void Dispose()
@@ -163,8 +163,13 @@ namespace FastPoints.Files
         }
     }
 
+<<<<<<< HEAD
     /// <summary>The number of points, as far as a sample shows.</summary>
     public readonly struct PointEstimate
+=======
+    /// <summary>How many points there are, as far as a sample tells.</summary>
+    internal readonly struct PointEstimate
+>>>>>>> f3f6414 (Twelve public types fewer: what no page, sample or signature leads a user to is internal)
     {
         public readonly double Points;
 

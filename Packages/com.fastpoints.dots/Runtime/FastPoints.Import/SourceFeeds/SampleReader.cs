@@ -16,7 +16,7 @@ namespace FastPoints.SourceFeeds
     /// A preview's sample as a source that brings an octree along: one node, in blocks of points that are spread over all of the
     /// sample each. So <see cref="TreeSource"/> streams it like any other cloud, before there is another.
     /// </summary>
-    public sealed class SampleReader : PointReader
+    internal sealed class SampleReader : PointReader
     {
         /// <summary>Points of a block at most.</summary>
         public const int PointsPerBlock = 1 << 15;

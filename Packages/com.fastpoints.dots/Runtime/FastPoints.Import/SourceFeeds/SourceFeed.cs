@@ -14,7 +14,7 @@ namespace FastPoints.SourceFeeds
     /// The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, of a source that
     /// brings its octree along, the whole of it, streamed as it is.
     /// </summary>
-    public sealed class SourceFeed : CloudFeed
+    internal sealed class SourceFeed : CloudFeed
     {
         /// <summary>Of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
         public const int PreviewPoints = 1_000_000;

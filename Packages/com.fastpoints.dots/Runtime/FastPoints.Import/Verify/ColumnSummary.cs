@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Verify
 {
     /// <summary>Range and sum of a column's stored values, exact for every type. Blittable.</summary>
-    public struct ColumnSummary
+    internal struct ColumnSummary
     {
         const ulong SignBit = 0x8000000000000000UL;
 

@@ -11,7 +11,7 @@ using Unity.Jobs;
 namespace FastPoints.Verify
 {
     /// <summary>Decodes every point of a source, all attributes, and says what was found. Bounded memory.</summary>
-    public sealed class SummariseCloud : IBlockConsumer
+    internal sealed class SummariseCloud : IBlockConsumer
     {
         /// <summary>What one slot's job writes to.</summary>
         struct SlotState
@@ -117,7 +117,7 @@ namespace FastPoints.Verify
     }
 
     /// <summary>What a scan of all points found. Facts, where a header has claims.</summary>
-    public sealed class CloudSummary
+    internal sealed class CloudSummary
     {
         public long Points { get; internal set; }
 

@@ -29,7 +29,7 @@ namespace FastPoints.Base
     }
 
     /// <summary>Iterates the steps of work and of all work nested in it; each is the handle to await.</summary>
-    public sealed class WorkSteps : IEnumerator<JobHandle>
+    internal sealed class WorkSteps : IEnumerator<JobHandle>
     {
         readonly Stack<IEnumerator<Work>> m_stack = new Stack<IEnumerator<Work>>();
 

@@ -144,7 +144,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Finds room for a node by evicting less useful ones.</summary>
         /// <param name="rank">Its rank among the needed nodes.</param>
-        public bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
+        internal bool TryPlace(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange run;
             while (!Pool.TryTake(bytes, out run))

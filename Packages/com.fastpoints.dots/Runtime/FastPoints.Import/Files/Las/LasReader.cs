@@ -98,7 +98,7 @@ namespace FastPoints.Files
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new LasBlockRead(this, wanted, capacity, allocator);
 
-        public override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
+        internal override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
             new LasRunRead(this, target, maxRuns, maxBytes, allocator);
 
         /// <summary>Offset of a record in the file.</summary>

@@ -75,7 +75,7 @@ namespace FastPoints.Files
             return new PlyFixedRead(this, wanted, capacity, allocator);
         }
 
-        public override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
+        internal override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
             Found();
             return new PlyRunRead(this, target, maxRuns, maxBytes, allocator);

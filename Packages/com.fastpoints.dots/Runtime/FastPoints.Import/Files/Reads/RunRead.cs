@@ -18,7 +18,7 @@ namespace FastPoints.Files
     /// Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer, whatever
     /// is requested.
     /// </remarks>
-    public abstract unsafe class RunRead : IDisposable
+    internal abstract unsafe class RunRead : IDisposable
     {
         /// <summary>Bytes behind a record that decoders may load and ignore.</summary>
         const int PaddingBytes = 16;
@@ -189,7 +189,7 @@ namespace FastPoints.Files
 
     /// <summary>Evenly spaced points of a source (First, First + Step, ...) and where in a batch they go, one after the
     /// other.</summary>
-    public struct PointRun
+    internal struct PointRun
     {
         /// <summary>Index of the first point in the whole source.</summary>
         public long First;

@@ -60,7 +60,7 @@ namespace FastPoints.Files
 
         public override bool PrefixesAreSpread => true;
         public override int MaxPrefixes => AsciiStretches.Count;
-        public override PointEstimate EstimatedPoints => m_estimate;
+        internal override PointEstimate EstimatedPoints => m_estimate;
         public override int BlockCount => Found().Length;
         public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Streaming
 {
     /// <summary>Maps grid positions to a cloud's own space: CRS units from the corner of the root cube. Blittable.</summary>
-    public struct HierarchyGrid
+    internal struct HierarchyGrid
     {
         public Grid3 Corner;
         public double3 Step;

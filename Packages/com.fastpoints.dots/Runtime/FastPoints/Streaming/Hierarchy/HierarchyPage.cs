@@ -82,7 +82,7 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>Makes the page of a chunk, whose box is cut to the cloud's bounds.</summary>
-        public static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
+        internal static HierarchyPage OfChunk(in ChunkRecord chunk, in HierarchyGrid grid)
         {
             var page = new HierarchyPage();
             long last = chunk.Cube.Side - 1;

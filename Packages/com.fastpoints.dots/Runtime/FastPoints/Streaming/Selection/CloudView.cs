@@ -7,7 +7,7 @@ namespace FastPoints.Streaming
     /// A <see cref="StreamView"/> in one cloud's own space, where boxes are aligned with the axes. Planes stay exact under any
     /// affine transform. Blittable, for jobs.
     /// </summary>
-    public unsafe struct CloudView
+    internal unsafe struct CloudView
     {
         public double3 Eye;
         public bool IsOrthographic;

@@ -167,7 +167,7 @@ namespace FastPoints.Streaming
     }
 
     /// <summary>A node that was chosen: parents before children, the most needed first.</summary>
-    public struct SelectedNode
+    internal struct SelectedNode
     {
         public int Cloud;
         public int Page;
