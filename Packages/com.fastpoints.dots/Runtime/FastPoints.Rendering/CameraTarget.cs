@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace FastPoints.Rendering
 {
     /// <summary>Where a pipeline's pass draws one camera's picture, and from which viewpoint.</summary>
-    internal struct CameraTarget
+    public struct CameraTarget
     {
         /// <summary>
         /// The pass has set it already, with all slices if there are several. A style that needs a layer of its own sets it

@@ -7,7 +7,7 @@ namespace FastPoints.Rendering
 {
     /// <summary>The engine's cameras as streaming and drawing see them: any projection, off-centre and oblique ones
     /// included.</summary>
-    internal static class CameraViews
+    public static class CameraViews
     {
         /// <summary>What a camera needs of the clouds.</summary>
         public static StreamView StreamViewOf(Camera camera) => StreamViewOf(EyeMatrices.Of(camera), camera.pixelHeight);

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace FastPoints.Rendering
 {
     /// <summary>Position and projection of one eye: a camera's, or one of a headset's two.</summary>
-    internal struct EyeMatrices
+    public struct EyeMatrices
     {
         /// <summary>World to camera, which looks along its negative Z.</summary>
         public Matrix4x4 View;

@@ -11,7 +11,7 @@ namespace FastPoints.Draw
     /// Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and size, then
     /// the nodes that the camera needs most are drawn.
     /// </summary>
-    internal sealed class DrawStored
+    public sealed class DrawStored
     {
         public const long DefaultBudget = 2000000;
 
@@ -40,7 +40,7 @@ namespace FastPoints.Draw
         /// <summary>Points that were drawn, including those outside the picture.</summary>
         public long PointsDrawn { get; private set; }
         public int NodesDrawn { get; private set; }
-        public PicturePlan Plan { get; private set; }
+        internal PicturePlan Plan { get; private set; }
 
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }

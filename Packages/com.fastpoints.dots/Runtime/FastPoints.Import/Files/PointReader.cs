@@ -163,13 +163,8 @@ namespace FastPoints.Files
         }
     }
 
-<<<<<<< HEAD
     /// <summary>The number of points, as far as a sample shows.</summary>
-    public readonly struct PointEstimate
-=======
-    /// <summary>How many points there are, as far as a sample tells.</summary>
     internal readonly struct PointEstimate
->>>>>>> f3f6414 (Twelve public types fewer: what no page, sample or signature leads a user to is internal)
     {
         public readonly double Points;
 

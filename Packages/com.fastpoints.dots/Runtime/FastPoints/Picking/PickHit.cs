@@ -3,7 +3,7 @@ using FastPoints.Points;
 namespace FastPoints.Picking
 {
     /// <summary>The point that a search has found, and its position in the cloud. Blittable.</summary>
-    public struct PickHit
+    internal struct PickHit
     {
         /// <summary>World units along the ray; infinity if nothing was found.</summary>
         public double Distance;

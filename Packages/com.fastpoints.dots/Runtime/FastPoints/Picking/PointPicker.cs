@@ -268,7 +268,7 @@ namespace FastPoints.Picking
     }
 
     /// <summary>Options of a search: what a ray may hit, and how much may be read.</summary>
-    public sealed class PickOptions
+    internal sealed class PickOptions
     {
         /// <summary>The boxes that the cloud is clipped by: what is not shown is not hit.</summary>
         public List<ClipBox> ClipBoxes = new List<ClipBox>();

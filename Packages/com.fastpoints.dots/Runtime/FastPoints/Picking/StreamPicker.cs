@@ -11,7 +11,7 @@ namespace FastPoints.Picking
     /// Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>, then
     /// <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken off.
     /// </summary>
-    internal sealed class StreamPicker : IDisposable
+    public sealed class StreamPicker : IDisposable
     {
         struct Target
         {

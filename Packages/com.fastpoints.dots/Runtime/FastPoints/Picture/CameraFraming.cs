@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>Makes cameras that show the whole of a cloud, as large as the picture allows.</summary>
-    public static class CameraFraming
+    internal static class CameraFraming
     {
         /// <summary>Share of the picture's width and height that stays free on each side.</summary>
         const double Margin = 0.03;

@@ -13,7 +13,7 @@ namespace FastPoints.Picture
     /// <summary>
     /// Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main thread.
     /// </summary>
-    public sealed unsafe class StreamedBlocks : IDisposable
+    internal sealed unsafe class StreamedBlocks : IDisposable
     {
         readonly StreamContext m_stream;
         readonly MemoryNodePool m_pool;

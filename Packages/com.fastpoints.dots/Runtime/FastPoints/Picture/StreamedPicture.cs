@@ -9,7 +9,7 @@ using Unity.Mathematics;
 namespace FastPoints.Picture
 {
     /// <summary>Makes software pictures of all streamed clouds. Main thread; waits for its jobs.</summary>
-    public sealed class StreamedPicture : IDisposable
+    internal sealed class StreamedPicture : IDisposable
     {
         readonly List<StreamedBlocks> m_clouds = new List<StreamedBlocks>();
         readonly PictureOptions m_options;
