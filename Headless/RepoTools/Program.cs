@@ -8,6 +8,7 @@ using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.House;
 using FastPoints.RepoTools.Meta;
 using FastPoints.RepoTools.Package;
+using FastPoints.RepoTools.Reference;
 using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools
@@ -28,6 +29,7 @@ namespace FastPoints.RepoTools
               formats   compares the byte tables in Documentation~/disk-format.md with the structs marked [DiskFormat]
               behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list
                         of what is unverified from it
+              reference the reference at the end of Documentation~/api.md: the public types of the compiled package
               guard     makes members of a stand-in refuse other threads than the main one, as Headless/Api/threads.tsv says
               house     prints how large the repository's parts are and refuses what is beyond the limits in
                         Headless/Api/house.tsv; lowers limits that are above their goals to what has been reached
@@ -117,6 +119,8 @@ namespace FastPoints.RepoTools
                     return FormatCommand.Run(repository);
                 case "behaviour":
                     return BehaviourCommand.Run(repository, check);
+                case "reference":
+                    return ReferenceCommand.Run(repository, check);
                 case "house":
                     return HouseCommand.Run(repository, check, list);
                 case "package":

@@ -11,6 +11,7 @@ using FastPoints.Entities;
 using FastPoints.Files;
 using FastPoints.Picture;
 using FastPoints.Rendering;
+using FastPoints.RepoTools.Reference;
 using FastPoints.Scenes;
 using FastPoints.SourceFeeds;
 using NUnit.Framework;
@@ -110,7 +111,7 @@ namespace FastPoints.HostTests.Manual
         {
             string[] pages = { "show.md", "style.md", "run-time.md", "players.md", "performance.md",
                 "troubleshooting.md", "api.md", "streaming.md" };
-            var missing = pages.Select(ManualPage.Of).SelectMany(p => ManualPage.Code(p.Text)
+            var missing = pages.Select(ManualPage.Of).SelectMany(p => ManualPage.Code(ReferenceBlock.Remove(p.Text))
                 .Where(c => Regex.IsMatch(c, @"^(Point|Cloud|Stream|Convert|Preview)[A-Z]\w+(\.\w+)?(\(\))?$"))
                 .Where(c => !IsThere(c.TrimEnd('(', ')')))
                 .Select(c => p.Name + ": " + c));

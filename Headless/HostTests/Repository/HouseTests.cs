@@ -104,6 +104,11 @@ namespace FastPoints.HostTests.Repository
             Assert.That(Report(new SourceFile("README.md", words + "more")).Figures["long-pages"], Is.EqualTo(0));
         }
 
+        [Test]
+        public void Figure_GeneratedReference_HasNoWords() => Assert.That(Report(new SourceFile(Manual + "api.md",
+            "One.\n<!-- RepoTools reference writes what follows -->\ntwo three\n<!-- and this is its end -->\nFour.\n"))
+                .Figures["manual-words"], Is.EqualTo(16));
+
         [TestCase("class FirstSpan { }", 1, TestName = "a type")]
         [TestCase("class A { int m_spanLength; void SpansOf(int span) { int slices = 0; } }", 4, TestName = "members and locals")]
         [TestCase("class A { Span<int> B() => C.Slice(0); }", 0, TestName = "names of others")]

@@ -33,7 +33,7 @@ namespace FastPoints.RepoTools.House
             new HouseMeasure("methods", "methods of more than {0} lines", false,
                 s => s.CSharp.SelectMany(f => s.ShapeOf(f).Methods, (f, m) => Of(f, m, "lines"))),
             new HouseMeasure("wide-lines", "lines of C# and shaders over {0} columns", false, s => s.Code.SelectMany(Widths)),
-            new HouseMeasure("manual-words", "words of the manual", true,
+            new HouseMeasure("manual-words", "words of the manual, without its generated reference", true,
                 s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),
             new HouseMeasure("long-pages", "pages of the manual of more than {0} words", false,
                 s => s.Manual.Select(f => new Finding(f.Path, f.WordCount, $"{f.WordCount} words"))),

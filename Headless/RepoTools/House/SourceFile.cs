@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.RepoTools.House
 {
@@ -29,8 +30,10 @@ namespace FastPoints.RepoTools.House
         /// <summary>How many lines; the last one counts without a line end too.</summary>
         public int LineCount => Text.Count(c => c == '\n') + (Text.Length > 0 && Text[^1] != '\n' ? 1 : 0);
 
-        /// <summary>How many words; the bars of tables are none.</summary>
-        public int WordCount => Text.Replace('|', ' ').Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Length;
+        /// <summary>How many words. The bars of tables are none, and a generated reference, which nobody reads through, has
+        /// none.</summary>
+        public int WordCount => ReferenceBlock.Remove(Text).Replace('|', ' ')
+            .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Length;
 
         /// <summary>Whether the house looks into a file of this path.</summary>
         public static bool IsWanted(string path) => IsCodePath(path) || new SourceFile(path, "").IsManual;

@@ -92,6 +92,7 @@ namespace FastPoints.Streaming
         }
     }
 
+    /// <summary>Whether a page of a hierarchy is in memory.</summary>
     public enum HierarchyPageStatus : byte
     {
         Absent,
