@@ -24,7 +24,7 @@ namespace FastPoints.RepoTools.Threads
             };
 
         /// <summary>Whether a method steps or disposes what lies on the stack.</summary>
-        internal static bool IsStepped(MethodDefinition method, MethodReference called) => method.DeclaringType.FullName == Stack &&
-            called.Name is "MoveNext" or "Dispose";
+        internal static bool IsStepped(MethodDefinition method, MethodReference called) =>
+            method.DeclaringType.FullName == Stack && called.Name is "MoveNext" or "Dispose";
     }
 }

@@ -64,8 +64,8 @@ namespace FastPoints.Files
             if (directory.Has(EntryBytes, count * EntryBytes))
                 return count;
             int room = directory.Length / EntryBytes - 1;
-            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + NumberText.Of(count) + " keys, there is room for "
-                + NumberText.Of(room));
+            info.Warn(record.DataOffset + 6, "GeoTIFF keys: the directory claims " + NumberText.Of(count)
+                + " keys, there is room for " + NumberText.Of(room));
             return room;
         }
 

@@ -139,8 +139,8 @@ namespace FastPoints.Files
             }
             for (int c = 0; Format.IsLayered && Chunks.MaxBytes > MaxLayeredChunkBytes && c < Chunks.Count; c++)
                 if (Chunks[c].Bytes > MaxLayeredChunkBytes)
-                    throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset, "bytes of a layered chunk",
-                        "at most " + NumberText.Of(MaxLayeredChunkBytes), Chunks[c].Bytes);
+                    throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset,
+                        "bytes of a layered chunk", "at most " + NumberText.Of(MaxLayeredChunkBytes), Chunks[c].Bytes);
             if (Chunks.Count == 0 && !isLost && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, start, "the header claims "
                     + NumberText.Of(Info.PointsClaimed) + " points, the file holds none");
