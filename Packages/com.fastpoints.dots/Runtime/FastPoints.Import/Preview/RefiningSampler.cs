@@ -10,28 +10,33 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and has a sample to
-    /// draw at a fifth, a half and at the end, when it is that of <see cref="UniformSampler"/>, point for point.
+    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and offers a sample
+    /// to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for point.
     /// </summary>
     /// <remarks>
-    /// Until then the sample has those of its points that were come to, and in place of the others the first point of each cell
-    /// that would be bare although points of it were read (spatial thinning). It is the same for any number of threads and slots.
-    /// All members belong to the pump's thread; disposing of the work stops at once, and leaves the last wave's sample.
+    /// Until then the sample has those of its points that were reached, and instead of the others the first point of each cell
+    /// that would be empty although points in it were read (spatial thinning). It is the same for any number of threads and
+    /// slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's sample.
     /// </remarks>
     internal sealed class RefiningSampler : IDisposable
     {
-        /// <summary>Shares of the points at which a wave ends. Each costs what a twentieth of the decoding of some million points
-        /// does, for the states that are kept and the sample that is put together: one more, at a fifteenth, kept all others
-        /// waiting.</summary>
+        /// <summary>
+        /// Shares of the points at which a wave ends. Each costs as much as a twentieth of decoding some million points, for
+        /// keeping states and composing the sample: one more, at a fifteenth, delayed all others.
+        /// </summary>
         static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
 
-        /// <summary>From this share on there is a wave whatever it takes; before it where so many points are decoded for it,
-        /// which takes half a second.</summary>
+        /// <summary>
+        /// From this share on, waves come at any cost; before it, only if this many points are decoded for one, which takes
+        /// half a second.
+        /// </summary>
         const double FirstShareOfAny = 0.2;
         const long LeastPointsBeforeFifth = 2_000_000;
 
-        /// <summary>A first sample of so many points is worth its time anywhere; of one in so many where blocks are too many to
-        /// be come to together.</summary>
+        /// <summary>
+        /// A first sample of this many points is always worth its time; one in so many if there are too many blocks to reach
+        /// together.
+        /// </summary>
         const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
 
         readonly PointReader m_reader;
@@ -56,11 +61,11 @@ namespace FastPoints.Preview
         int m_rangesRead;
         bool m_isLastWave;
 
-        /// <param name="reader">Its blocks are known.</param>
-        /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
-        /// <param name="before">A first sample, which is shown where nothing else has been come to; stays the caller's, until the
-        /// first wave.</param>
-        /// <param name="bounds">Where nearly all points are, by that sample.</param>
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
+        /// <param name="before">A first sample, shown where nothing else has been reached; the caller owns it and keeps it
+        /// until the first wave.</param>
+        /// <param name="bounds">The bounds of nearly all points, by that sample.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public RefiningSampler(PointReader reader, int wanted, uint seed, PreviewSample before, BoundsGeo bounds)
         {
@@ -72,7 +77,7 @@ namespace FastPoints.Preview
             m_bounds = bounds;
         }
 
-        /// <summary>Points of the first sample that comes before: what it decodes is decoded again.</summary>
+        /// <summary>Points of the first sample before this one: what it decodes is decoded again.</summary>
         public static int PointsBefore(PointReader reader, int wanted) => (int)Math.Min(wanted,
             reader.BlockCount <= DepthPlan.MostSlicedBlocks ? LeastPointsBefore
                 : Math.Max(LeastPointsBefore, reader.PointCount / PointsPerPointBefore));
@@ -82,14 +87,13 @@ namespace FastPoints.Preview
 
         public IReadOnlyList<SampleWave> Waves => m_waves;
 
-        /// <summary>That of the last wave, until the next one takes its place and disposes of it; null before the
-        /// first.</summary>
+        /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
         public PreviewSample Sample => m_sample;
 
-        /// <summary>While set, no more reads begin: for the times when somebody else needs the machine.</summary>
+        /// <summary>While set, no more reads begin, so that other work can use the machine.</summary>
         public bool IsPaused { get; set; }
 
-        /// <summary>Work for a pump, once.</summary>
+        /// <summary>Takes the sample as work for a pump, once.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor(PointReader, PointSchema)"/>.</param>
         public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
@@ -112,7 +116,7 @@ namespace FastPoints.Preview
                     }
                     yield return Work.Of(share < 1 ? Compose() : Close());
                     RaiseWave();
-                    // Whoever steps the work has the wave to himself until the next step.
+                    // The wave belongs to the code that steps the work until the next step.
                     yield return default;
                 }
             }
@@ -178,7 +182,7 @@ namespace FastPoints.Preview
             {
                 m_done[slot] = m_buffer.Schedule(read, m_columnsOfSlot[slot], m_strata, read.Decoded);
             }
-            // In the end no point stands in for another one.
+            // In the final sample no point stands in for another one.
             if (m_strata.Count > 0 && !m_isLastWave)
             {
                 var appended = m_others.ScheduleAppend(read.Points, m_columnsOfSlot[slot], read.Result, range.Count,
@@ -203,13 +207,13 @@ namespace FastPoints.Preview
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
         }
 
-        /// <summary>A sample of what is there: its own points, and others where there are none.</summary>
+        /// <summary>Composes a sample of the points so far: its own points, and others where there are none.</summary>
         IEnumerator<Work> Compose()
         {
-            // A point of the first sample may have been come to again.
+            // A point of the first sample may have been reached again.
             if (!m_plan.IsSliced)
                 yield return Work.Of(m_others.Thin(m_buffer));
-            // Of points in a row, no more strata than they are long are chosen from, and one at either end.
+            // Consecutive points are chosen from at most as many strata as they span, plus one at either end.
             long own = m_pointsFound * m_strata.Count / Math.Max(1, m_reader.PointCount) + 2L * m_rangesRead;
             var drawn = new SampleBuffer(m_schema, (int)Math.Min(m_strata.Count, own + m_others.Count));
             var gathered = new NativeReference<int>(Allocator.Persistent);
@@ -271,7 +275,7 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>The full scan's sample.</summary>
+        /// <summary>Closes the full scan's sample.</summary>
         IEnumerator<Work> Close()
         {
             yield return Work.Of(m_buffer.Close(m_reader.Info.Transform));
@@ -297,7 +301,7 @@ namespace FastPoints.Preview
             WaveReady?.Invoke(wave);
         }
 
-        /// <summary>Hands the last wave's sample over, once; null without one.</summary>
+        /// <summary>Hands over the last wave's sample, once; null if there is none.</summary>
         public PreviewSample TakeSample()
         {
             var sample = m_sample;
@@ -305,7 +309,7 @@ namespace FastPoints.Preview
             return sample;
         }
 
-        /// <summary>Frees all but the last wave's sample; jobs in flight are awaited. May run twice.</summary>
+        /// <summary>Frees everything except the last wave's sample and awaits jobs in flight. May be called twice.</summary>
         void Free()
         {
             for (int i = 0; m_reads != null && i < m_reads.Length; i++)

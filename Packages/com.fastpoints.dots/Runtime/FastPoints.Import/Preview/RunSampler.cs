@@ -8,18 +8,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>Short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for
-    /// which.</summary>
-    /// <remarks>How long the first reads take decides between two plans (<see cref="ReadPace"/>), and what the first wave's take,
-    /// which gaps between runs are read along.</remarks>
+    /// <summary>
+    /// Samples short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for which.
+    /// </summary>
+    /// <remarks>
+    /// The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's reads
+    /// decides which gaps between runs are read along.
+    /// </remarks>
     sealed class RunSampler : PreviewSampler
     {
-        /// <summary>Runs of one request at most: about a millisecond.</summary>
+        /// <summary>The most runs in one request: about a millisecond.</summary>
         const int MaxRunsPerRequest = 256;
 
         const int MinRunsPerRequest = 4;
 
-        /// <summary>Runs of one slice of planning and listing them: about 2 ms of managed code.</summary>
+        /// <summary>Runs in one slice of planning and listing them: about 2 ms of managed code.</summary>
         const int RunsPerSlice = 1 << 14;
 
         /// <summary>Bytes of a slot's buffer.</summary>
@@ -66,8 +69,9 @@ namespace FastPoints.Preview
             EndPlace = m_plan.PlaceOf(end);
         }
 
-        /// <summary>Work for a pump: reads the first runs of the usual plan, and takes the other one where that is
-        /// slow.</summary>
+        /// <summary>
+        /// Work for a pump: reads the first runs of the usual plan, and changes to the other one if that is slow.
+        /// </summary>
         IEnumerator<Work> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);
@@ -158,7 +162,7 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>Brings the planned runs into their places.</summary>
+        /// <summary>Reads the planned runs into their places.</summary>
         IEnumerator<Work> ReadRuns(StageProgress progress)
         {
             var runs = m_runs.AsArray();
@@ -184,7 +188,8 @@ namespace FastPoints.Preview
                 next += m_reads[request++ % slots].Begin(runs, next, most, m_gapBytes);
                 JobHandle.ScheduleBatchedJobs();
             }
-            // From the first wave, whose runs lie far apart: with gaps read along a stretch takes longer for its bytes.
+            // This measures the first wave, whose runs lie far apart: when gaps are read along, a stretch takes longer for its
+            // bytes.
             if (isFirstWave)
                 m_gapBytes = m_pace.GapBytes(ReadClock.Seconds(begun, ended) / stretches);
         }
@@ -230,22 +235,22 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>Which strata have the next runs, by an order of which every beginning is spread over the file.</summary>
+    /// <summary>Ranks the strata with the next runs, in an order of which every beginning is spread over the file.</summary>
     [BurstCompile]
     struct RankStrataJob : IJob
     {
         public SampleOrder Order;
 
-        /// <summary>Of the order: where the last run of this stopped.</summary>
+        /// <summary>Position in the order where the last call stopped.</summary>
         public NativeReference<int> NextPlace;
 
-        /// <summary>Runs that have a stratum.</summary>
+        /// <summary>Number of runs that have a stratum.</summary>
         public int FirstRank;
 
-        /// <summary>These, and those that get one.</summary>
+        /// <summary>The same, plus those that get one now.</summary>
         public int EndRank;
 
-        /// <summary>For each stratum, its run's rank + 1; 0 for those that were not come to.</summary>
+        /// <summary>For each stratum, its run's rank + 1; 0 for those that were not reached.</summary>
         public NativeArray<int> Ranks;
 
         public void Execute()

@@ -8,8 +8,8 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write disjoint places, so
-    /// any number of these may run at once.
+    /// Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write to disjoint
+    /// places, so any number of these may run at the same time.
     /// </summary>
     [BurstCompile]
     internal struct SampleBlockJob : IJob
@@ -20,11 +20,11 @@ namespace FastPoints.Preview
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfBlock;
         [ReadOnly] public NativeReference<DecodeResult> Result;
 
-        /// <summary>Of the points that are there, those from <see cref="First"/> to before <see cref="End"/>.</summary>
+        /// <summary>The points from <see cref="First"/> to before <see cref="End"/>.</summary>
         public int First;
         public int End;
 
-        /// <summary>Index of the block's first point over the whole source.</summary>
+        /// <summary>Index of the block's first point in the whole source.</summary>
         public long FirstPoint;
 
         public SampleStrata Strata;

@@ -9,13 +9,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>A sample while it is collected: a place for each point that is wanted, and which of them are filled.</summary>
+    /// <summary>A sample while it is being collected: a place for each wanted point, and which places are filled.</summary>
     sealed class SampleBuffer : IDisposable
     {
-        /// <summary>Places of one slice of such work: about 2 ms of managed code.</summary>
+        /// <summary>Places in one slice of such work: about 2 ms of managed code.</summary>
         public const int PlacesPerSlice = 1 << 17;
 
-        /// <summary>Points of one slice that looks each up in a table: about as much.</summary>
+        /// <summary>Points in one slice that looks each up in a table: about as much.</summary>
         public const int PointsPerSlice = 1 << 16;
 
         NativeArray<byte> m_filled;
@@ -38,7 +38,7 @@ namespace FastPoints.Preview
         public NativeArray<byte> Filled => m_filled;
         public NativeArray<PointColumn> Columns => m_columns;
 
-        /// <summary>Where the batch keeps its columns, for a job. The caller disposes it.</summary>
+        /// <summary>The location of the batch's columns, for a job. The caller disposes it.</summary>
         public static NativeArray<PointColumn> ColumnsOf(PointBatch batch)
         {
             var columns = new NativeArray<PointColumn>(batch.Schema.Count, Allocator.Persistent);
@@ -48,7 +48,7 @@ namespace FastPoints.Preview
         }
 
         /// <summary>Schedules the choice of a range's points that stand for their strata, in slices.</summary>
-        /// <param name="columns">Of the read's points.</param>
+        /// <param name="columns">The columns of the read's points.</param>
         public JobHandle Schedule(BlockRead read, NativeArray<PointColumn> columns, SampleStrata strata, JobHandle decoded)
         {
             for (int first = 0; first < read.Range.Count; first += PlacesPerSlice)
@@ -68,10 +68,10 @@ namespace FastPoints.Preview
             return decoded;
         }
 
-        /// <summary>Work for a pump: closes the gaps; after all that fills.</summary>
+        /// <summary>Work for a pump: closes the gaps, after everything that fills places.</summary>
         public IEnumerator<Work> Close(PositionTransform transform) => Close(transform, 0, Places);
 
-        /// <summary>As <see cref="Close(PositionTransform)"/>, for the places that follow those that are closed.</summary>
+        /// <summary>The same for the places after those that are closed.</summary>
         public IEnumerator<Work> Close(PositionTransform transform, int begin, int end)
         {
             for (int first = begin; first < end; first += PlacesPerSlice)
@@ -99,10 +99,11 @@ namespace FastPoints.Preview
             Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>Work for a pump: runs of places become runs of points; after <see
-        /// cref="Close(PositionTransform)"/>.</summary>
-        /// <param name="runs">All within the places that are closed.</param>
-        /// <param name="end">Of these places.</param>
+        /// <summary>
+        /// Work for a pump: runs of places become runs of points; after <see cref="Close(PositionTransform)"/>.
+        /// </summary>
+        /// <param name="runs">Runs within the closed places.</param>
+        /// <param name="end">The end of these places.</param>
         public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int end)
         {
             var pointOfPlace = new NativeArray<int>(end + 1, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
@@ -142,7 +143,7 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>Hands the closed sample over; the caller sets what is known beside.</summary>
+        /// <summary>Hands over the closed sample; the caller sets what else is known.</summary>
         public PreviewSample TakeSample(PositionTransform transform)
         {
             var sample = ShareSample(transform);
@@ -150,14 +151,16 @@ namespace FastPoints.Preview
             return sample;
         }
 
-        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>; it owns the points from now on.</summary>
+        /// <summary>
+        /// A sample of what is closed so far, for <see cref="Measure"/>; the sample owns the points from now on.
+        /// </summary>
         public PreviewSample ShareSample(PositionTransform transform)
         {
             m_isShared = true;
             return new PreviewSample(Points, transform);
         }
 
-        /// <summary>Tells a sample of these points what has been closed.</summary>
+        /// <summary>Updates a sample of these points after more were closed.</summary>
         public void Measure(PreviewSample sample)
         {
             var state = m_state.Value;
@@ -177,11 +180,11 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>Runs of places become runs of the points that were left when gaps were closed.</summary>
+    /// <summary>Turns runs of places into runs of the points that remained when gaps were closed.</summary>
     [BurstCompile]
     struct MoveRunsJob : IJob
     {
-        /// <summary>One more than there are places.</summary>
+        /// <summary>Has one entry more than there are places.</summary>
         [ReadOnly] public NativeArray<int> PointOfPlace;
 
         public int First;
@@ -201,7 +204,7 @@ namespace FastPoints.Preview
         }
     }
 
-    /// <summary>Which point is at or behind each place, once gaps have been closed. Slices go from front to back.</summary>
+    /// <summary>Finds the point at or behind each place after gaps have been closed. Slices go from front to back.</summary>
     [BurstCompile]
     struct NumberPlacesJob : IJob
     {
@@ -211,7 +214,7 @@ namespace FastPoints.Preview
         public int First;
         public int End;
 
-        /// <summary>One more than there are places; that of <see cref="First"/> is known.</summary>
+        /// <summary>Has one entry more than there are places; that of <see cref="First"/> is known.</summary>
         public NativeArray<int> PointOfPlace;
 
         public void Execute()

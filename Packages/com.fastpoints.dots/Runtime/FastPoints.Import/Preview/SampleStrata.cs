@@ -1,19 +1,20 @@
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// So many points in file order, cut into equal strata (their lengths differ by at most one), and one place chosen in each by
-    /// a seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.
+    /// Points in file order, cut into equal strata (their lengths differ by at most one), with one place chosen in each by a
+    /// seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.
     /// </summary>
     internal readonly struct SampleStrata
     {
         public readonly long Points;
 
-        /// <summary>Strata, at most <see cref="Points"/>.</summary>
+        /// <summary>Number of strata, at most <see cref="Points"/>.</summary>
         public readonly int Count;
 
         public readonly uint Seed;
 
-        // Points / Count and what is left: a 64-bit division takes as long as all else that finds a stratum's point.
+        // Points / Count and the remainder are stored: a 64-bit division takes as long as everything else that finds a
+        // stratum's point.
         readonly long m_whole;
         readonly long m_rest;
 

@@ -10,16 +10,18 @@ using Unity.Mathematics;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// What a sample in the making shows where it has no point yet: the first point that was read of each cell that would be bare
-    /// (spatial thinning). When they become too many, the cells become larger.
+    /// What an unfinished sample shows where it has no point yet: the first point read in each cell that would be empty
+    /// (spatial thinning). When there are too many, the cells become larger.
     /// </summary>
     sealed class SubstitutePoints : IDisposable
     {
-        /// <summary>Cells along the longest edge for each root of a point wanted: a surface then has about as many cells as there
-        /// are points, or a few more.</summary>
+        /// <summary>
+        /// Cells along the longest edge, divided by the root of the wanted points: a surface then has about as many cells as
+        /// there are points, or a few more.
+        /// </summary>
         const double CellsPerRootOfPoints = 1.05;
 
-        /// <summary>With this share of their places taken, they are thinned: cells so much larger.</summary>
+        /// <summary>When this share of their places is taken, they are thinned with cells larger by this factor.</summary>
         const double MostTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
@@ -29,8 +31,8 @@ namespace FastPoints.Preview
         NativeReference<int> m_count;
         JobHandle m_lastAppended;
 
-        /// <param name="wanted">Points of the sample.</param>
-        /// <param name="bounds">Where nearly all points are.</param>
+        /// <param name="wanted">Number of points in the sample.</param>
+        /// <param name="bounds">The bounds of nearly all points.</param>
         public SubstitutePoints(PointSchema schema, PositionTransform transform, int wanted, BoundsGeo bounds)
         {
             m_transform = transform;
@@ -50,13 +52,13 @@ namespace FastPoints.Preview
         public PointBatch Points { get; }
         public NativeArray<PointColumn> Columns => m_columns;
 
-        /// <summary>Nothing may be in flight.</summary>
+        /// <summary>Do not read it while anything is in flight.</summary>
         public int Count => m_count.Value;
         public bool AreTooMany => m_count.Value > MostTaken * Points.Capacity;
 
-        /// <summary>Adds those of a block's points that are needed, in slices, after all that was scheduled before.</summary>
-        /// <param name="count">Points that there may be.</param>
-        /// <param name="strata">Of the sample, which takes some of the points itself.</param>
+        /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>
+        /// <param name="count">The most points that there may be.</param>
+        /// <param name="strata">The strata of the sample, which takes some of the points itself.</param>
         public JobHandle ScheduleAppend(PointBatch points, NativeArray<PointColumn> columns, NativeReference<DecodeResult> result,
             int count, long firstPoint, SampleStrata strata, JobHandle inputDeps)
         {
@@ -90,7 +92,7 @@ namespace FastPoints.Preview
             return m_lastAppended;
         }
 
-        /// <summary>Work for a pump: adds those of a sample's points that are needed.</summary>
+        /// <summary>Work for a pump: adds the needed ones of a sample's points.</summary>
         public IEnumerator<Work> Append(PreviewSample sample)
         {
             var columns = SampleBuffer.ColumnsOf(sample.Points);
@@ -112,15 +114,16 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>Work for a pump: larger cells, then <see cref="Thin"/>.</summary>
+        /// <summary>Work for a pump: enlarges the cells, then calls <see cref="Thin"/>.</summary>
         public IEnumerator<Work> Coarsen(SampleBuffer own)
         {
             m_cells.CellsPerUnit /= CoarserCells;
             return Thin(own);
         }
 
-        /// <summary>Work for a pump: marks the sample's own points anew, and keeps of the substitutes those that stand where none
-        /// of these does.</summary>
+        /// <summary>
+        /// Work for a pump: marks the sample's own points again, and keeps the substitutes in cells without any of these.
+        /// </summary>
         public IEnumerator<Work> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;

@@ -9,12 +9,12 @@ using Unity.Jobs;
 namespace FastPoints.Preview
 {
     /// <summary>
-    /// A uniform sample by a scan of all points, stratified in file order: the reference that quicker samplers are measured
-    /// against. Exactly min(wanted, all) points, the same ones for any number of threads and slots.
+    /// Takes a uniform sample by scanning all points, stratified in file order: the reference for quicker samplers. It has
+    /// exactly min(wanted, all) points, the same ones for any number of threads and slots.
     /// </summary>
     /// <remarks>
     /// After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without hierarchical
-    /// acceleration structures", 2020, whose shuffled order this replaces by a hashed place in each stratum.
+    /// acceleration structures", 2020, whose shuffled order this replaces with a hashed place in each stratum.
     /// </remarks>
     internal sealed class UniformSampler : IBlockConsumer, IDisposable
     {
@@ -27,8 +27,8 @@ namespace FastPoints.Preview
         long m_bytesRead;
         PreviewSample m_sample;
 
-        /// <param name="reader">Its blocks must be known.</param>
-        /// <param name="wanted">Points; no more than <see cref="PreviewSample.MaxPoints"/> are taken.</param>
+        /// <param name="reader">A reader whose blocks are known.</param>
+        /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
         public UniformSampler(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
@@ -36,7 +36,7 @@ namespace FastPoints.Preview
             m_strata = new SampleStrata(reader.PointCount, Math.Min(wanted, PreviewSample.MaxPoints(m_schema)), seed);
         }
 
-        /// <summary>Work for a pump; afterwards <see cref="TakeSample"/>.</summary>
+        /// <summary>Takes the sample as work for a pump; call <see cref="TakeSample"/> afterwards.</summary>
         /// <param name="slots">Blocks in flight; 0 for <see cref="SourceScan.SlotsFor"/>.</param>
         public IEnumerator<Work> Run(int slots, StageProgress progress)
         {
@@ -80,7 +80,7 @@ namespace FastPoints.Preview
             m_bytesRead += m_reader.BytesOfRange(read.Range);
         }
 
-        /// <summary>Hands the sample over, once; null before the work has ended.</summary>
+        /// <summary>Hands over the sample, once; null before the work has ended.</summary>
         public PreviewSample TakeSample()
         {
             var sample = m_sample;

@@ -6,9 +6,9 @@ using Unity.Jobs;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source: they are
-    /// mere copies, and so neither locks nor the order of completion matter. Where the chunks hold more pages than they may, the
-    /// largest are relieved of theirs.
+    /// Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source: since
+    /// they only copy, neither locks nor the order of completion matter. If the chunks hold more pages than allowed, the
+    /// largest ones give theirs up.
     /// </summary>
     [BurstCompile]
     internal unsafe struct AppendRecordsJob : IJob
@@ -18,16 +18,16 @@ namespace FastPoints.Records
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
 
-        /// <summary>Pages that may be used again.</summary>
+        /// <summary>Pages that may be reused.</summary>
         public RecordPages Returned;
 
-        /// <summary>Pages that the chunks may hold.</summary>
+        /// <summary>The most pages that the chunks may hold.</summary>
         public long MostPages;
 
-        /// <summary>Pages that are held elsewhere: on their way to a disk.</summary>
+        /// <summary>Number of pages held elsewhere, on their way to a disk.</summary>
         public NativeReference<long> PagesDetached;
 
-        /// <summary>Out: full pages to be written, none twice.</summary>
+        /// <summary>Out: full pages to be written, each once.</summary>
         public NativeList<DetachedRecordPages> Detached;
 
         public SliceTimes Slices;
@@ -58,7 +58,7 @@ namespace FastPoints.Records
             PagesDetached.Value = detached;
         }
 
-        /// <returns>How many pages were detached.</returns>
+        /// <returns>The number of detached pages.</returns>
         long Detach(RecordPages* chunks, long wanted)
         {
             long done = 0;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>From what a cloud's attributes showed to what its manifest says of them.</summary>
+    /// <summary>Turns statistics of a cloud's attributes into the manifest's description of them.</summary>
     internal static unsafe class AttributeSummary
     {
         /// <summary>Sets divisors and ranges.</summary>
@@ -27,7 +27,7 @@ namespace FastPoints.Records
             }
         }
 
-        /// <summary>8-bit colours fill 16-bit fields in two ways: shifted up, or doubled.</summary>
+        /// <summary>The divisor, if 8-bit colours fill 16-bit fields in one of two ways: shifted up, or doubled.</summary>
         static int DivisorOf(in AttributeStatistics found)
         {
             if (found.Or == 0)

@@ -6,20 +6,22 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>The columns that are averaged, at most four, and the averages of a chunk's points. Blittable, for jobs.</summary>
+    /// <summary>The averaged columns, at most four, and the averages of a chunk's points. Blittable, for jobs.</summary>
     internal unsafe struct AveragedColumns
     {
-        /// <summary>None where nothing is averaged.</summary>
+        /// <summary>Empty if nothing is averaged.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>By point: its average among <see cref="Averages"/>; -1 for a point that stands for what its record says, or
-        /// for itself alone. Empty where nothing is averaged.</summary>
+        /// <summary>
+        /// For each point, its index in <see cref="Averages"/>; -1 for a point that represents what its record says, or only
+        /// itself. Empty if nothing is averaged.
+        /// </summary>
         public NativeArray<int> AverageOfPoint;
         public NativeList<PointAverage> Averages;
 
         public bool IsOn => Columns.Length > 0;
 
-        /// <summary>What a point stands for, so far.</summary>
+        /// <summary>The points that a point represents so far.</summary>
         public PointAverage Of(int point, byte* record, RecordLayout layout)
         {
             int average = AverageOfPoint[point];
@@ -29,7 +31,7 @@ namespace FastPoints.Records
             var own = new PointAverage { Points = 1 };
             if (layout.AverageBytes > 0)
             {
-                // Records lie on whole words only.
+                // Records are only aligned to whole words.
                 UnsafeUtility.MemCpy(&own, attributes + layout.AttributeBytes, sizeof(PointAverage));
                 return own;
             }
@@ -38,7 +40,7 @@ namespace FastPoints.Records
             return own;
         }
 
-        /// <summary>A point's averaged value of one column, as it is packed.</summary>
+        /// <summary>A point's averaged value of one column, in packed form.</summary>
         public ulong Stored(in PointAverage average, int column)
         {
             double mean = average.Sum[column] / average.Points;
@@ -59,10 +61,10 @@ namespace FastPoints.Records
         }
     }
 
-    /// <summary>What a sampled point stands for. Blittable.</summary>
+    /// <summary>The average of what a sampled point represents. Blittable.</summary>
     internal struct PointAverage
     {
-        /// <summary>Points of the cloud, itself included.</summary>
+        /// <summary>Number of points of the cloud, including itself.</summary>
         public double Points;
 
         /// <summary>Sums over them of up to four values: the columns of the averaged planes.</summary>

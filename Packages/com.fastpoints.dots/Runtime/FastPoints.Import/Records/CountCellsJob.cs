@@ -5,7 +5,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>How many of a chunk's records lie in each cell: exact, where the first partition had but a sample.</summary>
+    /// <summary>Counts a chunk's records in each cell: exactly, where the first partition had only a sample.</summary>
     [BurstCompile]
     internal unsafe struct CountCellsJob : IJob
     {
@@ -13,7 +13,7 @@ namespace FastPoints.Records
         public RecordLayout Layout;
         public CellFinder Cells;
 
-        /// <summary>By Morton number of the cell; starts at zero. All records lie inside.</summary>
+        /// <summary>Indexed by Morton number of the cell; starts at zero. All records lie inside.</summary>
         public NativeArray<long> PointsOfCell;
 
         public SliceTimes Slices;

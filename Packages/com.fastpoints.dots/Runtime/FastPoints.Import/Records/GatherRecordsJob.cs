@@ -7,36 +7,39 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>Puts some of a chunk's records in order, one after the other, and prepares the sampling: where cubes end in the
-    /// order, and each record's priority. The slices of a chunk follow one another.</summary>
+    /// <summary>
+    /// Copies some of a chunk's records in order and prepares the sampling: where cubes end in the order, and each record's
+    /// priority. The slices of a chunk follow one another.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct GatherRecordsJob : IJob
     {
-        /// <summary>Takes about 4 ms.</summary>
+        /// <summary>A slice takes about 4 ms.</summary>
         public const int PointsOfSlice = 30000;
 
-        // Records that are copied, then looked at while they are in the cache.
+        // This many records are copied, then examined while they are in the cache.
         const int PointsOfRun = 512;
 
-        /// <summary>The points of this slice, in the order.</summary>
+        /// <summary>The points of this slice in the order.</summary>
         public int First;
         public int End;
 
-        /// <summary>By page: its address.</summary>
+        /// <summary>Address of each page.</summary>
         [ReadOnly] public NativeList<ulong> PageTable;
         public RecordLayout Layout;
         public Points.GridCube Cube;
         [ReadOnly] public NativeArray<uint> Order;
         public NativeArray<byte> Records;
 
-        /// <summary>By point: log2 of the side of the smallest cube that has it and the point before; of the first one,
-        /// 255.</summary>
+        /// <summary>
+        /// For each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first one.
+        /// </summary>
         public NativeArray<byte> CommonCubeLog2;
 
-        /// <summary>By point: the upper half of its hash.</summary>
+        /// <summary>For each point, the upper half of its hash.</summary>
         public NativeArray<uint> Priority;
 
-        /// <summary>The sum of the hashes is added; the first slice begins with it.</summary>
+        /// <summary>Receives the sum of the hashes; the first slice resets it.</summary>
         public NativeReference<ulong> Checksum;
 
         public SliceTimes Slices;
@@ -78,14 +81,14 @@ namespace FastPoints.Records
         }
     }
 
-    /// <summary>What every sampler stands on.</summary>
+    /// <summary>The common basis of all samplers.</summary>
     internal static unsafe class Sampling
     {
-        /// <summary>No node yet.</summary>
+        /// <summary>The point belongs to no node yet.</summary>
         public const int Unassigned = -1;
 
-        /// <summary>From records in order: where cubes end, and priorities.</summary>
-        /// <param name="first">Of the points that this is done for; of those before it, the last is looked at.</param>
+        /// <summary>Finds, from records in order, where cubes end, and priorities.</summary>
+        /// <param name="first">First point to process; the one before it is read.</param>
         /// <returns>The sum of the records' hashes.</returns>
         public static ulong Prepare(byte* records, int first, int end, in RecordLayout layout, Grid3 corner, byte* commonCubeLog2,
             uint* priority)

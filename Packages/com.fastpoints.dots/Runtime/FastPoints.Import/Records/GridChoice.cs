@@ -9,8 +9,8 @@ using Unity.Mathematics;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// Chooses the one grid of a cloud and how each source's numbers become places on it. Whole numbers with scales and offsets
-    /// keep every digit where the scales and offsets have a common step; floats get a step that is a power of two.
+    /// Chooses the one grid of a cloud and how each source's numbers map to it. Whole numbers keep every digit if their scales
+    /// and offsets have a common step; floats get a step that is a power of two.
     /// </summary>
     internal sealed class GridChoice
     {
@@ -19,13 +19,15 @@ namespace FastPoints.Records
 
         public CloudGrid Grid;
 
-        /// <summary>By source.</summary>
+        /// <summary>One for each source.</summary>
         public SourceGrid[] Sources;
 
-        /// <summary>What the sources' numbers can be on the grid at most, or wide where 32 bits do not hold that.</summary>
+        /// <summary>
+        /// The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32 bits.
+        /// </summary>
         public RecordLayout Records;
 
-        /// <exception cref="PointCloudException">Scales and offsets that no grid of 2^60 steps has room for.</exception>
+        /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
         public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
             int attributeBytes)
         {
@@ -82,8 +84,7 @@ namespace FastPoints.Records
             return axes;
         }
 
-        /// <summary>How one source's numbers lie on a grid that is given: that of a stored cloud, to compare it with its
-        /// source.</summary>
+        /// <summary>Maps one source's numbers to a given grid: that of a stored cloud, to compare it with its source.</summary>
         /// <exception cref="PointCloudException">The grid has no room for the source's scales and offsets.</exception>
         public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
@@ -120,7 +121,7 @@ namespace FastPoints.Records
             return CommonGrid.StepOf(scales, offsets);
         }
 
-        /// <summary>A power of two that keeps all digits of the sample where 31 bits for its extent allow.</summary>
+        /// <summary>A power of two that keeps all digits of the sample if its extent then fits 31 bits.</summary>
         static double FloatStep(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis, string name)
         {
             double least = double.PositiveInfinity, most = double.NegativeInfinity, finestScale = double.PositiveInfinity;

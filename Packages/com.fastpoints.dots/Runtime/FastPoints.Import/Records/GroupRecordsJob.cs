@@ -10,8 +10,8 @@ using Unity.Mathematics;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// Turns one batch of columns into records, those of one chunk together, and takes in what the points show: bounds, attribute
-    /// ranges, checksum, how many have no place.
+    /// Turns one batch of columns into records, grouped by chunk, and collects statistics of the points: bounds, attribute
+    /// ranges, checksum, and how many have no position.
     /// </summary>
     [BurstCompile]
     internal unsafe struct GroupRecordsJob : IJob
@@ -29,13 +29,15 @@ namespace FastPoints.Records
         public ChunkFinder Chunks;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
 
-        /// <summary>Room for the batch's records.</summary>
+        /// <summary>Has room for the batch's records.</summary>
         public NativeArray<byte> Records;
 
-        /// <summary>By chunk, and one more: where its records start. Outside is the chunk before the last entry.</summary>
+        /// <summary>
+        /// Start of each chunk's records, with one more entry. The chunk for points outside comes before the last entry.
+        /// </summary>
         public NativeArray<int> FirstOfChunk;
 
-        /// <summary>By point: scratch.</summary>
+        /// <summary>Scratch, indexed by point.</summary>
         public NativeArray<int> ChunkOfPoint;
         public NativeReference<PointStatistics> Statistics;
         public NativeArray<AttributeStatistics> Attributes;
@@ -66,7 +68,7 @@ namespace FastPoints.Records
             // From here on a point's entry is the place of its record, or -1.
             WritePlaces(bytes, count, chunkOfPoint, records);
             byte* attributes = records + Layout.PositionBytes;
-            // What fills the last word up is zero.
+            // The padding of the last word is zero.
             byte* lastWord = attributes + Layout.AttributeBytes - sizeof(uint);
             for (int i = 0; i < kept && Fields.Length > 0; i++)
                 *(uint*)(lastWord + (long)i * stride) = 0;
@@ -122,7 +124,7 @@ namespace FastPoints.Records
             statistics.Max = max;
         }
 
-        /// <summary>Counts become starts, each point's chunk the place of its record.</summary>
+        /// <summary>Turns counts into starts, and each point's chunk into the place of its record.</summary>
         int Order(int count, int* chunkOfPoint, int* first)
         {
             int chunks = FirstOfChunk.Length - 1;
@@ -136,7 +138,7 @@ namespace FastPoints.Records
             for (int i = 0; i < count; i++)
                 if (chunkOfPoint[i] >= 0)
                     chunkOfPoint[i] = first[chunkOfPoint[i]]++;
-            // Each start has moved to its end, which is the next one's start.
+            // Each start has moved to its end, which is the start of the next one.
             for (int c = chunks; c > 0; c--)
                 first[c] = first[c - 1];
             first[0] = 0;
@@ -200,7 +202,7 @@ namespace FastPoints.Records
             statistics.Or = or;
         }
 
-        /// <summary>The usual type of colours and intensity, and the one whose halves are looked at.</summary>
+        /// <summary>Copies the usual type of colours and intensity, whose halves are examined.</summary>
         static void CopyShorts(ushort* from, int count, int* placeOfPoint, byte* to, long stride,
             ref AttributeStatistics statistics)
         {

@@ -5,14 +5,14 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>The bounds of a chunk's records.</summary>
+    /// <summary>Finds the bounds of a chunk's records.</summary>
     [BurstCompile]
     internal unsafe struct MeasureRecordsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;
 
-        /// <summary>Smallest, largest: two places, which grow.</summary>
+        /// <summary>The smallest and the largest position; they grow.</summary>
         public NativeArray<Grid3> Bounds;
 
         public SliceTimes Slices;

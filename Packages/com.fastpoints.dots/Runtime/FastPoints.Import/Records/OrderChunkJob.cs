@@ -24,7 +24,7 @@ namespace FastPoints.Records
     [BurstCompile]
     internal unsafe struct OrderChunkJob : IJob
     {
-        /// <summary>What the next slice goes on with.</summary>
+        /// <summary>What the next slice continues.</summary>
         public enum Stage
         {
             Start,
@@ -34,10 +34,10 @@ namespace FastPoints.Records
             Done,
         }
 
-        /// <summary>Takes at most about 4 ms, but for a bucket that has more points.</summary>
+        /// <summary>A slice takes about 4 ms at most, unless a bucket has more points.</summary>
         public const int PointsOfSlice = 60000;
 
-        /// <summary>How often each point is looked at: its key is made, distributed, and sorted in its bucket.</summary>
+        /// <summary>How often each point is visited: its key is made, distributed, and sorted in its bucket.</summary>
         public const int Looks = 3;
 
         public const int Buckets = 1 << FirstDigitBits;
@@ -51,10 +51,10 @@ namespace FastPoints.Records
         /// <summary>Its <see cref="OrderScratch.Now"/> is reset before the first slice.</summary>
         public OrderScratch Scratch;
 
-        /// <summary>About so many points are looked at in one run.</summary>
+        /// <summary>About this many points are visited in one run.</summary>
         public int PointsPerSlice;
 
-        /// <summary>Out: numbers of the records, in order.</summary>
+        /// <summary>Out: numbers of the records in order.</summary>
         public NativeArray<uint> Order;
 
         public SliceTimes Slices;
@@ -76,7 +76,7 @@ namespace FastPoints.Records
         int KeyBits => 3 * Levels;
         int NumberBits => 64 - math.lzcnt((ulong)Pages.PageCount * RecordPages.RecordsPerPage - 1);
 
-        // Bits of the key in the first digit, below it, and of these the upper ones that have room above the number.
+        // Bits of the key in the first digit and below it, and those of the latter that fit above the number.
         int FirstBits => Count < FewRecords ? 0 : math.min(KeyBits, FirstDigitBits);
         int RestBits => KeyBits - FirstBits;
         int KeptBits => math.min(RestBits, 64 - NumberBits);
@@ -144,7 +144,7 @@ namespace FastPoints.Records
             m_now = new OrderScratch.State { Stage = Stage.Distribute };
         }
 
-        /// <summary>Distributes by the first digit; what is left of the key goes above the record's number.</summary>
+        /// <summary>Distributes by the first digit; the rest of the key goes above the record's number.</summary>
         void Distribute(in RecordTable table)
         {
             int restBits = RestBits, keptBits = KeptBits, numberBits = NumberBits, dropped = restBits - keptBits;
@@ -165,7 +165,7 @@ namespace FastPoints.Records
                 m_now.Record += count;
                 m_budget -= count;
             }
-            // Each start has moved to its end, which is the next one's start.
+            // Each start has moved to its end, which is the start of the next one.
             for (int b = Buckets; b > 0; b--)
                 next[b] = next[b - 1];
             next[0] = 0;
@@ -223,7 +223,7 @@ namespace FastPoints.Records
             return keys;
         }
 
-        /// <returns>Where the sorted keys are: one of the two.</returns>
+        /// <returns>The array with the sorted keys: one of the two.</returns>
         static ulong* RadixSort(ulong* keys, ulong* scratch, int count, int firstBit, int bits, int digitBits)
         {
             ulong or = 0, and = ulong.MaxValue;

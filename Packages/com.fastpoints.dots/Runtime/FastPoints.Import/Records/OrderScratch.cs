@@ -3,32 +3,32 @@ using Unity.Collections;
 
 namespace FastPoints.Records
 {
-    /// <summary>Where an <see cref="OrderChunkJob"/> stands between two slices, and the memory it works in.</summary>
+    /// <summary>The progress of an <see cref="OrderChunkJob"/> between two slices, and its working memory.</summary>
     internal struct OrderScratch : IDisposable
     {
-        /// <summary>Where the job stands.</summary>
+        /// <summary>The progress of the job.</summary>
         public struct State
         {
             public OrderChunkJob.Stage Stage;
 
-            /// <summary>The page, or the bucket, that is next, and the first record of that page.</summary>
+            /// <summary>The next page or bucket, and the first record of that page.</summary>
             public int At;
             public int Record;
         }
 
         public NativeReference<State> Now;
 
-        /// <summary>By record: keys as they came, then as they are sorted.</summary>
+        /// <summary>Keys of the records, first as they came, then sorted.</summary>
         public NativeArray<ulong> Keys;
         public NativeArray<ulong> Sorted;
 
-        /// <summary>By page: its address.</summary>
+        /// <summary>Address of each page.</summary>
         public NativeList<ulong> PageTable;
 
-        /// <summary>By bucket of the first digit, and one more: the first record.</summary>
+        /// <summary>First record of each bucket of the first digit, with one more entry.</summary>
         public NativeArray<int> FirstOfBucket;
 
-        /// <param name="records">Of the largest chunk.</param>
+        /// <param name="records">Number of records in the largest chunk.</param>
         public OrderScratch(int records, Allocator allocator)
         {
             Now = new NativeReference<State>(allocator);

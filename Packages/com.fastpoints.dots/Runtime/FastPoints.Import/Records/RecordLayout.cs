@@ -16,14 +16,16 @@ namespace FastPoints.Records
     {
         public bool IsWide;
 
-        /// <summary>What narrow positions count from; zero where wide.</summary>
+        /// <summary>The corner that narrow positions count from; zero if wide.</summary>
         public Grid3 Base;
 
         /// <summary>Bytes of the attributes, padded.</summary>
         public int AttributeBytes;
 
-        /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it where colours
-        /// are averaged. It is no part of the point.</summary>
+        /// <summary>
+        /// Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
+        /// averaged. It is not part of the point.
+        /// </summary>
         public int AverageBytes;
 
         public RecordLayout(bool isWide, Grid3 origin, int attributeBytes)

@@ -4,8 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// The memory of record pages: slabs that are used again and again, and freed all at once. What is resident is thus what was
-    /// in use at most, whatever the allocator below makes of many small blocks. Blittable; one job at a time may use it.
+    /// The memory of record pages: slabs that are reused and freed all at once. The resident memory is thus the peak in use,
+    /// however the allocator below handles many small blocks. Blittable; one job at a time may use it.
     /// </summary>
     internal unsafe struct RecordPagePool
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Records
             public Slab* Next;
         }
 
-        // Large enough to come from the system and go back there; what is not touched takes no memory.
+        // Slabs are large enough to come from the system and go back to it; untouched parts take no memory.
         const long SlabBytes = 36L << 20;
         const int HeaderBytes = 64;
         const int MinSlabPages = 4;
@@ -25,8 +25,8 @@ namespace FastPoints.Records
         int m_pagesLeft;
         readonly int m_pagesPerSlab;
 
-        /// <param name="strideBytes">Of a record.</param>
-        /// <param name="expectedPages">Small clouds take small slabs.</param>
+        /// <param name="strideBytes">Bytes of a record.</param>
+        /// <param name="expectedPages">The expected number of pages: small clouds take small slabs.</param>
         public RecordPagePool(int strideBytes, long expectedPages)
         {
             m_free = null;
@@ -44,10 +44,10 @@ namespace FastPoints.Records
 
         public int StrideBytes { get; }
 
-        /// <summary>Taken, and not given back.</summary>
+        /// <summary>Pages that were taken and not given back.</summary>
         public long PagesInUse { get; private set; }
 
-        /// <summary>An empty page.</summary>
+        /// <summary>Takes an empty page.</summary>
         public RecordPages.Page* Take()
         {
             var page = m_free;
@@ -61,7 +61,7 @@ namespace FastPoints.Records
             return page;
         }
 
-        /// <summary>Gives back all pages of a list, which is empty afterwards.</summary>
+        /// <summary>Returns all pages of a list, which is empty afterwards.</summary>
         public void Return(ref RecordPages pages)
         {
             if (pages.First != null)
@@ -73,7 +73,7 @@ namespace FastPoints.Records
             pages = default;
         }
 
-        /// <summary>Gives back one page.</summary>
+        /// <summary>Returns one page.</summary>
         public void Return(RecordPages.Page* page)
         {
             page->Next = m_free;

@@ -4,9 +4,9 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// The records of one chunk in arrival order: a list of pages of a fixed number of records, so that lists grow, are joined
-    /// and are given back without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a time
-    /// may change a list.
+    /// The records of one chunk in arrival order: a list of pages with a fixed number of records, so that lists grow, are
+    /// joined and returned without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a
+    /// time may change a list.
     /// </summary>
     internal unsafe struct RecordPages
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Records
         public const int RecordsPerPage = 1 << RecordsPerPageLog2;
         public const int RecordsPerPageLog2 = 11;
 
-        /// <summary>Followed in memory by the records.</summary>
+        /// <summary>The header of a page; its records follow it in memory.</summary>
         public struct Page
         {
             public Page* Next;
@@ -27,7 +27,7 @@ namespace FastPoints.Records
         [NativeDisableUnsafePtrRestriction] public Page* Last;
         public long Count;
 
-        /// <summary>Pages in the list, the last few perhaps not full.</summary>
+        /// <summary>Pages in the list, of which the last few may not be full.</summary>
         public int PageCount;
 
         /// <summary>Bytes of a page in memory.</summary>
@@ -113,11 +113,11 @@ namespace FastPoints.Records
             return head;
         }
 
-        /// <summary>Cuts off all pages but a last one that has room.</summary>
+        /// <summary>Cuts off all pages except a last one that has room.</summary>
         public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
     }
 
-    /// <summary>Full pages of one chunk that memory has no more room for. Blittable.</summary>
+    /// <summary>Full pages of one chunk that no longer fit in memory. Blittable.</summary>
     internal struct DetachedRecordPages
     {
         public int Chunk;

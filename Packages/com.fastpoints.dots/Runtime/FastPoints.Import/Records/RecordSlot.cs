@@ -7,7 +7,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>What one block in flight needs to become records, grouped by chunk, and what its points showed so far.</summary>
+    /// <summary>
+    /// The memory that one block in flight needs to become records, grouped by chunk, and the statistics of its points so far.
+    /// </summary>
     internal sealed class RecordSlot : IDisposable
     {
         readonly RecordLayout m_layout;
@@ -16,8 +18,8 @@ namespace FastPoints.Records
         NativeArray<int> m_chunkOfPoint;
 
         /// <param name="capacity">Points of the largest block.</param>
-        /// <param name="attributes">Those that records have: the batch has them all.</param>
-        /// <param name="batch">The columns that will come.</param>
+        /// <param name="attributes">The attributes of records, all of which the batch has.</param>
+        /// <param name="batch">The layout of the columns that will come.</param>
         public RecordSlot(int capacity, PointSchema attributes, RecordLayout layout, PartitionMap map, PointBatch batch)
         {
             m_layout = layout;
@@ -48,20 +50,20 @@ namespace FastPoints.Records
             Attributes = new NativeArray<AttributeStatistics>(statistics, Allocator.Persistent);
         }
 
-        /// <summary>The block's points that have a place.</summary>
+        /// <summary>The block's points that have a position.</summary>
         public NativeArray<byte> Records { get; }
 
-        /// <summary>By chunk, outside with them, and one more: the first record.</summary>
+        /// <summary>First record of each chunk, including that for points outside, and one more entry.</summary>
         public NativeArray<int> FirstOfChunk { get; }
 
-        /// <summary>Of all blocks that went through this slot.</summary>
+        /// <summary>Statistics of all blocks that went through this slot.</summary>
         public NativeReference<PointStatistics> Statistics { get; }
         public NativeArray<AttributeStatistics> Attributes { get; }
 
-        /// <summary>Of this slot's jobs.</summary>
+        /// <summary>Times of this slot's jobs.</summary>
         public SliceTimes Slices { get; }
 
-        /// <summary>Of the last block: pages that are to be written.</summary>
+        /// <summary>Pages of the last block that are to be written.</summary>
         public NativeList<DetachedRecordPages> Detached { get; }
 
         public JobHandle ScheduleGrouping(BlockRead read, in SourceGrid grid, JobHandle decoded)
@@ -88,8 +90,8 @@ namespace FastPoints.Records
             }.Schedule(decoded);
         }
 
-        /// <summary>What the blocks since the last call showed.</summary>
-        /// <param name="attributes">By attribute: their statistics are taken in.</param>
+        /// <summary>Takes the statistics of the blocks since the last call.</summary>
+        /// <param name="attributes">Statistics of each attribute, to which theirs are added.</param>
         public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
@@ -119,12 +121,12 @@ namespace FastPoints.Records
         }
     }
 
-    /// <summary>From a column of a batch to its place in a record. Blittable.</summary>
+    /// <summary>A copy from a column of a batch to a place in a record. Blittable.</summary>
     internal struct RecordField
     {
         public PointColumn Column;
 
-        /// <summary>From the record's first attribute byte.</summary>
+        /// <summary>Offset from the record's first attribute byte.</summary>
         public int RecordOffset;
 
         /// <summary>Index of the attribute in the cloud's schema.</summary>

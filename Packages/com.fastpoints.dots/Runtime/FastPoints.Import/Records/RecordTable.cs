@@ -10,7 +10,7 @@ namespace FastPoints.Records
         [NativeDisableUnsafePtrRestriction] public RecordPages.Page** Pages;
         public RecordLayout Layout;
 
-        /// <summary>Corner of the chunk: places are ordered as seen from there.</summary>
+        /// <summary>Corner of the chunk: positions are ordered relative to it.</summary>
         public Grid3 Corner;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -18,8 +18,10 @@ namespace FastPoints.Records
             RecordPages.RecordsOf(Pages[number >> RecordPages.RecordsPerPageLog2]) +
             (long)(number & (RecordPages.RecordsPerPage - 1)) * Layout.StrideBytes;
 
-        /// <summary>The order of records that does not depend on when they came: along the Morton curve, at one place by their
-        /// attributes' bytes. 0 for records that are the same.</summary>
+        /// <summary>
+        /// Compares records independently of when they came: along the Morton curve, and at equal positions by their
+        /// attributes' bytes. 0 for equal records.
+        /// </summary>
         public int Compare(uint a, uint b)
         {
             byte* first = At(a), second = At(b);
@@ -45,7 +47,7 @@ namespace FastPoints.Records
                 HeapSort(numbers, count);
         }
 
-        /// <summary>Equal points by the million are sorted as they come.</summary>
+        /// <summary>Whether numbers are sorted already, which is worth checking for millions of equal points.</summary>
         bool IsSorted(uint* numbers, int count)
         {
             for (int i = 1; i < count; i++)

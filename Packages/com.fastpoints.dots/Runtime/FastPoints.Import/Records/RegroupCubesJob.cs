@@ -6,21 +6,21 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>Copies records to the cubes that contain them. Those in none are left out.</summary>
+    /// <summary>Copies records to the cubes that contain them, and leaves out the others.</summary>
     [BurstCompile]
     internal unsafe struct RegroupCubesJob : IJob
     {
-        /// <summary>They stay as they are.</summary>
+        /// <summary>The records, which stay unchanged.</summary>
         public RecordPages Pages;
         public RecordLayout Layout;
 
-        /// <summary>Cubes of one octree that do not overlap, or are equal, in Morton order.</summary>
+        /// <summary>Cubes of one octree in Morton order, which are equal or do not overlap.</summary>
         [ReadOnly] public NativeArray<GridCube> Cubes;
 
         /// <summary>The octree's corner.</summary>
         public Grid3 Corner;
 
-        /// <summary>By cube; of equal ones the last has the records.</summary>
+        /// <summary>Lists for the cubes; of equal cubes the last one gets the records.</summary>
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
 
@@ -42,11 +42,11 @@ namespace FastPoints.Records
             }
         }
 
-        /// <summary>The last cube whose corner does not come after a place; -1 where there is none.</summary>
+        /// <summary>The last cube whose corner does not come after a position; -1 if there is none.</summary>
         int LastFrom(Grid3 place)
         {
             var at = place - Corner;
-            // Morton order is that of places within the octree.
+            // Morton order is only defined for positions within the octree.
             if (at.X < 0 || at.Y < 0 || at.Z < 0)
                 return -1;
             int first = 0, end = Cubes.Length;

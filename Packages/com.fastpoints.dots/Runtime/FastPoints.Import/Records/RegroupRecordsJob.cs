@@ -6,8 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>Distributes one chunk's records over the chunks that it is split into, and gives its pages
-    /// back as they are done.</summary>
+    /// <summary>
+    /// Distributes one chunk's records over the chunks that it is split into, and returns its pages as they are done.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct RegroupRecordsJob : IJob
     {

@@ -7,8 +7,8 @@ using Unity.Jobs;
 namespace FastPoints.Records
 {
     /// <summary>
-    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first doubled
-    /// cube that contains it, and there to one of the seven octants that are not the cube before.
+    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first
+    /// doubled cube that contains it, and there to one of the seven octants other than the previous cube.
     /// </summary>
     [BurstCompile]
     internal unsafe struct RegroupShellsJob : IJob
@@ -19,7 +19,7 @@ namespace FastPoints.Records
         /// <summary>The doubled cubes, the smallest first.</summary>
         [ReadOnly] public NativeArray<GridCube> Shells;
 
-        /// <summary>By shell times 8, plus octant.</summary>
+        /// <summary>Indexed by shell times 8, plus octant.</summary>
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
 

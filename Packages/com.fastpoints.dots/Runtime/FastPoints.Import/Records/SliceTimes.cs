@@ -5,11 +5,13 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Records
 {
-    /// <summary>How long single runs of jobs took: Unity's queue has no priorities, and so nothing else of the frame gets a
-    /// worker meanwhile. Jobs that follow one another share one; each adds its run.</summary>
+    /// <summary>
+    /// Measures how long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for everything
+    /// else in the frame. Jobs that follow one another share one; each adds its run.
+    /// </summary>
     internal struct SliceTimes : IDisposable
     {
-        /// <summary>One bucket is 0.1 ms; the last has all that is longer.</summary>
+        /// <summary>One bucket is 0.1 ms; the last one has all longer runs.</summary>
         const int Buckets = 8192;
         const long NanosecondsPerBucket = 100000;
 
@@ -20,7 +22,7 @@ namespace FastPoints.Records
             m_runsOfBucket = new NativeArray<int>(Buckets, allocator);
         }
 
-        /// <summary>At the beginning of a run: for <see cref="End"/>.</summary>
+        /// <summary>Call it at the beginning of a run, for <see cref="End"/>.</summary>
         public static long Begin() => ProfilerUnsafeUtility.Timestamp;
 
         public void End(long begin)
@@ -30,7 +32,7 @@ namespace FastPoints.Records
             m_runsOfBucket[(int)math.clamp(nanoseconds / NanosecondsPerBucket, 0, Buckets - 1)]++;
         }
 
-        /// <summary>Takes in what another one measured, which forgets it.</summary>
+        /// <summary>Adds the measurements of another one, which is reset.</summary>
         public void Take(SliceTimes other)
         {
             var from = other.m_runsOfBucket;
@@ -41,7 +43,7 @@ namespace FastPoints.Records
             }
         }
 
-        /// <summary>The time that a share of the runs does not exceed, in ms: 1 for the longest. 0 where nothing ran.</summary>
+        /// <summary>The time in ms that a share of the runs does not exceed: 1 for the longest. 0 if nothing ran.</summary>
         public double QuantileMs(double share)
         {
             long all = 0;

@@ -1,10 +1,9 @@
 namespace FastPoints.Samplers
 {
-    /// <summary>A node as a sampler makes it: which points are its own stands in the array of nodes by point.
-    /// Blittable.</summary>
+    /// <summary>A node as a sampler makes it: an array of nodes by point says which points are its own. Blittable.</summary>
     internal struct NodeDraft
     {
-        /// <summary>All points of the node's cube are among these: a range of the sorted points.</summary>
+        /// <summary>All points of the node's cube are in this range of the sorted points.</summary>
         public int First;
         public int End;
 
@@ -17,11 +16,13 @@ namespace FastPoints.Samplers
         public byte CellLog2;
         public bool IsLeaf;
 
-        /// <summary>What was left of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
+        /// <summary>Whether it is what was left of a chunk's top: see <see cref="Store.NodeRecord.IsTop"/>.</summary>
         public bool IsTop;
     }
 
-    /// <summary>A chunk's part in the merge: its top node's points, in order, and what is below them. Blittable.</summary>
+    /// <summary>
+    /// A chunk's part in the merge: its top node's points in order, and whether anything is below them. Blittable.
+    /// </summary>
     internal struct ChunkTop
     {
         /// <summary>Range of the merged points.</summary>
@@ -33,10 +34,10 @@ namespace FastPoints.Samplers
         public byte CellLog2;
         public bool IsLeaf;
 
-        /// <summary>Whether the chunk has nodes beside the top.</summary>
+        /// <summary>Whether the chunk has nodes besides the top.</summary>
         public bool HasNodes;
 
-        /// <summary>Out: the node that the chunk's other nodes hang on.</summary>
+        /// <summary>Out: the node that the chunk's other nodes are attached to.</summary>
         public int AttachNode;
     }
 }

@@ -4,8 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>What the samplers do alike: which cubes become leaves, chains or chunks' tops, how fine cells may be, and how a
-    /// cube's points are divided. Points that belong to no node yet have a negative number.</summary>
+    /// <summary>
+    /// What all samplers share: which cubes become leaves, chains or chunks' tops, how fine cells may be, and how a cube's
+    /// points are divided. Points that belong to no node yet have a negative number.
+    /// </summary>
     internal unsafe struct NodeDrafting
     {
         [NativeDisableUnsafePtrRestriction] public byte* CommonCubeLog2;
@@ -14,10 +16,10 @@ namespace FastPoints.Samplers
         public NativeArray<ChunkTop> Tops;
         public NativeList<NodeDraft> Nodes;
 
-        /// <summary>Takes all that is left of a range into a leaf, a chunk's top or a chain, where it should be one.</summary>
-        /// <param name="look">At the range's points.</param>
-        /// <param name="top">The chunk whose top that was, or -1.</param>
-        /// <returns>False where the range is to be sampled: its cube and cells are set.</returns>
+        /// <summary>Puts all remaining points of a range into a leaf, a chunk's top or a chain, if it should be one.</summary>
+        /// <param name="look">The survey of the range's points.</param>
+        /// <param name="top">The chunk whose top it was, or -1.</param>
+        /// <returns>False if the range is to be sampled: its cube and cells are then set.</returns>
         public bool TakeWhole(ref SampledRange range, in RangeSurvey look, out int top)
         {
             top = -1;
@@ -61,7 +63,7 @@ namespace FastPoints.Samplers
         }
 
         /// <summary>Makes the node of a range that was sampled.</summary>
-        /// <returns>The node that the range's parts hang on: the one above where this one got no point.</returns>
+        /// <returns>The node that the range's parts are attached to: the one above if this one got no point.</returns>
         public int AddSampled(in SampledRange range)
         {
             if (range.Count == 0)
@@ -70,7 +72,7 @@ namespace FastPoints.Samplers
             return Nodes.Length - 1;
         }
 
-        /// <summary>Where the part of a range that begins at a point ends: one of the octants of the range's cube.</summary>
+        /// <summary>The end of the part of a range that begins at a point: one of the octants of the range's cube.</summary>
         public int EndOfPart(in SampledRange range, int first)
         {
             int i = first + 1;
@@ -89,8 +91,8 @@ namespace FastPoints.Samplers
             return node;
         }
 
-        /// <summary>Points at one place: a chain of nodes of one step's cube.</summary>
-        /// <returns>The chain's end, or the node above where all points are in nodes already.</returns>
+        /// <summary>Takes points at one place: into a chain of nodes of one step's cube.</summary>
+        /// <returns>The chain's end, or the node above if all points are in nodes already.</returns>
         int TakeEqual(in SampledRange range, int left, bool endsInLeaf)
         {
             int parent = range.Parent;
@@ -112,7 +114,7 @@ namespace FastPoints.Samplers
             return parent;
         }
 
-        /// <summary>What the upper nodes have left of a chunk's top is that chunk's top node.</summary>
+        /// <summary>Makes what the upper nodes left of a chunk's top that chunk's top node.</summary>
         void TakeTop(in SampledRange range, int index, int left)
         {
             var top = Tops[index];

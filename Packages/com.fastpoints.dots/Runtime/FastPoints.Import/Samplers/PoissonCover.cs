@@ -21,18 +21,18 @@ namespace FastPoints.Samplers
         /// <summary>Words of the memory that it works in.</summary>
         public const int Words = CellsPerTile * CellsPerTile + (RowsOfSample * RowsOfSample + 7) / 8;
 
-        // A tile of 16 spacings.
+        // A tile has an edge of 16 spacings.
         public const int TileSpacingsLog2 = CellsPerTileLog2 - CellsPerSpacingLog2;
         const int CellsPerTileLog2 = 6;
         const int CellsPerTile = 1 << CellsPerTileLog2;
         const int CellsPerSpacingLog2 = 2;
 
-        // A sample covers cells up to so many away from its own.
+        // A sample covers cells up to this many away from its own.
         const int Reach = (1 << CellsPerSpacingLog2) - 1;
         const int RowsOfSample = 2 * Reach + 1;
 
-        // By row around a sample's own, in the memory's last words: the cells that it covers, the first of them Reach before its
-        // own.
+        // In the memory's last words, for each row around a sample's own: the cells that it covers, the first one Reach before
+        // its own.
         const int BeginOfMasks = CellsPerTile * CellsPerTile;
 
         [NativeDisableUnsafePtrRestriction] readonly ulong* m_rows;
@@ -40,9 +40,9 @@ namespace FastPoints.Samplers
         readonly int m_shift;
         readonly Grid3 m_corner;
 
-        /// <param name="memory">Room for <see cref="Words"/>: kept while the spacing is the same.</param>
-        /// <param name="spacingLog2">Of the samples.</param>
-        /// <param name="place">Any place in the tile.</param>
+        /// <param name="memory">Memory with room for <see cref="Words"/>, which is kept while the spacing is the same.</param>
+        /// <param name="spacingLog2">log2 of the samples' spacing.</param>
+        /// <param name="place">Any position in the tile.</param>
         public PoissonCover(ulong* memory, int spacingLog2, Grid3 place)
         {
             m_rows = memory;
@@ -54,11 +54,11 @@ namespace FastPoints.Samplers
 
         static int ShiftOf(int spacingLog2) => math.max(0, spacingLog2 - CellsPerSpacingLog2);
 
-        /// <summary>A new spacing: which cells a sample covers.</summary>
+        /// <summary>Begins a new spacing: finds which cells a sample covers.</summary>
         public static void Begin(ulong* memory, int spacingLog2)
         {
             var masks = (byte*)(memory + BeginOfMasks);
-            // In steps: places are whole numbers. With cells of many steps the squares go by cells.
+            // Squares are in steps, since positions are whole numbers; with cells of many steps they are in parts of cells.
             int shift = ShiftOf(spacingLog2), step = math.min(shift, 8), spacing = spacingLog2 - shift + step;
             for (int z = -Reach; z <= Reach; z++)
             {
@@ -73,14 +73,14 @@ namespace FastPoints.Samplers
             }
         }
 
-        /// <summary>A new tile: nothing is covered.</summary>
+        /// <summary>Begins a new tile, with nothing covered.</summary>
         public void Clear() => UnsafeUtility.MemClear(m_rows, BeginOfMasks * sizeof(ulong));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool IsCovered(Grid3 place) =>
             (m_rows[RowOf(place)] >> (int)(place.X - m_corner.X >> m_shift) & 1) != 0;
 
-        /// <summary>Takes in a sample of the tile.</summary>
+        /// <summary>Adds a sample of the tile.</summary>
         public void Cover(Grid3 place)
         {
             int x = (int)(place.X - m_corner.X >> m_shift) - Reach;
@@ -101,7 +101,7 @@ namespace FastPoints.Samplers
         int RowOf(Grid3 place) =>
             (int)(place.Y - m_corner.Y >> m_shift) + CellsPerTile * (int)(place.Z - m_corner.Z >> m_shift);
 
-        /// <summary>Square of the farthest that places of two cells are apart along one axis.</summary>
+        /// <summary>Square of the largest distance between positions in two cells along one axis.</summary>
         static int FarthestSq(int cells, int shift)
         {
             int farthest = (math.abs(cells) + 1 << shift) - 1;

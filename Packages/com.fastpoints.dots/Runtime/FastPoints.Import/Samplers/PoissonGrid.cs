@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>The samples that <see cref="SamplePoissonJob"/> has taken, in cells of twice the spacing, hashed.</summary>
+    /// <summary>The samples that <see cref="SamplePoissonJob"/> has taken, hashed by cells of twice the spacing.</summary>
     unsafe struct PoissonGrid
     {
         // Spacings beyond this many bits are compared in units of 2^-30 of them, so that squares fit a long.
@@ -14,7 +14,7 @@ namespace FastPoints.Samplers
         [NativeDisableUnsafePtrRestriction] public readonly int* Heads;
         readonly int m_hashShift;
 
-        // log2 of the spacing, the bits of distances that are dropped, and the square of what is left of the spacing.
+        // log2 of the spacing, the bits of distances that are dropped, and the square of the remaining spacing.
         readonly int m_cell;
         readonly int m_dropped;
         readonly long m_nearSq;
@@ -28,7 +28,9 @@ namespace FastPoints.Samplers
             m_nearSq = 1L << 2 * (cellLog2 - m_dropped);
         }
 
-        /// <summary>Bars of two by two cells along x, so that neighbours share cache lines.</summary>
+        /// <summary>
+        /// The slot of a position: cells form bars of two by two along x, so that neighbours share cache lines.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int SlotOf(Grid3 place)
         {
@@ -65,7 +67,7 @@ namespace FastPoints.Samplers
             return distanceSq < m_nearSq;
         }
 
-        /// <summary>A sample nearer than the spacing, or -1.</summary>
+        /// <summary>Finds a sample nearer than the spacing, or -1.</summary>
         /// <param name="own">The slot of the point's own cell.</param>
         public int Find(PoissonSample* samples, in Grid3 point, out int own)
         {
@@ -76,8 +78,8 @@ namespace FastPoints.Samplers
             if (found >= 0)
                 return found;
 
-            // The sphere reaches into the cells on the point's side of the middle only, and into those at edges and the corner
-            // where these are near.
+            // The sphere only reaches into the cells on the point's side of the middle, and into those at edges and the corner
+            // if these are near.
             long spacing = 1L << m_cell, inX = point.X & spacing - 1, inY = point.Y & spacing - 1, inZ = point.Z & spacing - 1;
             bool isHighX = (point.X & spacing) != 0, isHighY = (point.Y & spacing) != 0, isHighZ = (point.Z & spacing) != 0;
             long besideX = isHighX ? x + 1 : x - 1, besideY = isHighY ? y + 1 : y - 1, besideZ = isHighZ ? z + 1 : z - 1;
@@ -101,7 +103,7 @@ namespace FastPoints.Samplers
             return FindIn(SlotOf(besideX, bar), samples, point);
         }
 
-        /// <summary>Of a distance, in the units of <see cref="m_nearSq"/>, not rounded up.</summary>
+        /// <summary>Square of a distance in the units of <see cref="m_nearSq"/>, not rounded up.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         long SquareOf(long distance)
         {
@@ -109,8 +111,10 @@ namespace FastPoints.Samplers
             return distance * distance;
         }
 
-        /// <summary>The sample nearest to a point of those nearer than the spacing, the first on the curve of several; -1 for
-        /// none.</summary>
+        /// <summary>
+        /// The nearest of the samples that are nearer to a point than the spacing, the first on the curve in a tie; -1 for
+        /// none.
+        /// </summary>
         public int Nearest(PoissonSample* samples, in Grid3 point)
         {
             long x = point.X >> m_cell + 1, y = point.Y >> m_cell + 1, z = point.Z >> m_cell + 1;
@@ -147,11 +151,11 @@ namespace FastPoints.Samplers
     /// <summary>A point that was taken, in the hash grid that keeps others away from it. Blittable.</summary>
     internal struct PoissonSample
     {
-        /// <summary>In grid steps from the corner.</summary>
+        /// <summary>Position in grid steps from the corner.</summary>
         public Grid3 Place;
         public int Point;
 
-        /// <summary>The next sample of the same slot, or -1.</summary>
+        /// <summary>The next sample in the same slot, or -1.</summary>
         public int Next;
     }
 }

@@ -4,9 +4,9 @@ using Unity.Mathematics;
 namespace FastPoints.Samplers
 {
     /// <summary>
-    /// The order in which points are tried. The share of points with a higher priority is what counts, so priorities are told
-    /// apart by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the
-    /// hash grid's neighbourhood in the cache; before each class come at least four times as many points by chance alone.
+    /// The order in which points are tried. Only the share of points with a higher priority matters, so priorities are classed
+    /// by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the hash
+    /// grid's neighbourhood in the cache; by chance alone, at least four times as many points come before each class.
     /// </summary>
     internal static class PoissonPriority
     {
@@ -14,7 +14,7 @@ namespace FastPoints.Samplers
 
         public const int Classes = 4 * Octaves + 1;
 
-        /// <summary>The class of a record's hash: 0 is tried first, and has 2^-16 of the points.</summary>
+        /// <summary>The class of a record's hash: 0 is tried first and has 2^-16 of the points.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int ClassOf(uint priority)
         {

@@ -3,29 +3,32 @@ using Unity.Collections;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>Where a Poisson sampler stands between two slices, and the memory it works in. Used again for the next
-    /// chunk.</summary>
+    /// <summary>
+    /// The progress of a Poisson sampler between two slices, and its working memory, which is reused for the next chunk.
+    /// </summary>
     internal struct PoissonScratch : IDisposable
     {
-        /// <summary>Where the sampler stands.</summary>
+        /// <summary>The progress of the sampler.</summary>
         public struct State
         {
             public SamplePoissonJob.Stage Stage;
 
-            /// <summary>The range in work, or -1; the first point of the tile in work, and its end where the first of its darts
-            /// are thrown; while a range is split, the first point of the next part, while it is averaged, the next point; while
-            /// the grid is filled, the next sample.</summary>
+            /// <summary>
+            /// The current range, or -1; the first point of the current tile, and its end once its first darts are thrown;
+            /// while a range is split, the first point of the next part; while it is averaged, the next point; while the grid
+            /// is filled, the next sample.
+            /// </summary>
             public int At;
             public int Point;
             public int EndOfTile;
 
             public RangeSurveyState Looking;
 
-            /// <summary>How many of the darts are thrown, and whether the tile has others.</summary>
+            /// <summary>How many darts were thrown, and whether the tile has others.</summary>
             public int Dart;
             public bool IsLastOfTile;
 
-            /// <summary>Edge of the cells of the ranges in work.</summary>
+            /// <summary>Edge of the cells of the current ranges.</summary>
             public int CellLog2;
 
             /// <summary>The first sample of those ranges.</summary>
@@ -40,19 +43,19 @@ namespace FastPoints.Samplers
         public RangeQueue Ranges;
         public NativeList<PoissonSample> Samples;
 
-        /// <summary>By slot of the hash grid: the sample that came last, or -1.</summary>
+        /// <summary>For each slot of the hash grid, the sample that came last, or -1.</summary>
         public NativeList<int> Heads;
 
-        /// <summary>Points of the tile in work that nothing is known to keep off, along the curve.</summary>
+        /// <summary>Points of the current tile that no known sample keeps off, along the curve.</summary>
         public NativeList<int> Waiting;
 
         /// <summary>The same, in the order in which they are tried.</summary>
         public NativeList<int> Darts;
 
-        /// <summary>Where no point of the tile in work can be taken: see <see cref="PoissonCover"/>.</summary>
+        /// <summary>Where no point of the current tile can be taken: see <see cref="PoissonCover"/>.</summary>
         public NativeArray<ulong> Covered;
 
-        /// <summary>By run of a few points on the curve: the sample that kept off the last one of them, or -1.</summary>
+        /// <summary>For each run of a few points on the curve, the sample that kept off the last one of them, or -1.</summary>
         public NativeList<int> KeeperOfRun;
 
         public PoissonScratch(Allocator allocator)

@@ -3,33 +3,35 @@ using Unity.Collections;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>Where a <see cref="SampleRandomJob"/> stands between two slices, and the memory it works in.</summary>
+    /// <summary>The progress of a <see cref="SampleRandomJob"/> between two slices, and its working memory.</summary>
     internal struct RandomScratch : IDisposable
     {
-        /// <summary>Where the sampler stands.</summary>
+        /// <summary>The progress of the sampler.</summary>
         public struct State
         {
             public SampleRandomJob.Stage Stage;
 
-            /// <summary>The point, or the range, that is next.</summary>
+            /// <summary>The next point or range.</summary>
             public int At;
 
-            /// <summary>Of the range in work: the point that is next, log2 of the side of the largest cube that neighbours have
-            /// in common, and the cells of the node above.</summary>
+            /// <summary>
+            /// For the current range: the next point, log2 of the side of the largest cube that neighbours have in common, and
+            /// the cells of the node above.
+            /// </summary>
             public int Point;
             public int Largest;
             public byte CellAbove;
 
-            /// <summary>Points so far that none of a higher priority has come after.</summary>
+            /// <summary>Number of points so far that were not followed by one of a higher priority.</summary>
             public int Rising;
         }
 
         public NativeReference<State> Now;
 
-        /// <summary>Cubes to be sampled, the coarse ones first.</summary>
+        /// <summary>Cubes to sample, the coarse ones first.</summary>
         public NativeList<SampledRange> Ranges;
 
-        /// <summary>Of the range in work, by log2 of a side: points that have to give way in cubes of it.</summary>
+        /// <summary>For the current range, by log2 of a side: the number of points that give way in cubes of it.</summary>
         public NativeArray<int> GivingWay;
 
         public RandomScratch(Allocator allocator)

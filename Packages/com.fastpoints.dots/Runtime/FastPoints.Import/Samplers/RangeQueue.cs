@@ -5,13 +5,15 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
-    /// come from, each with the next one's number.</summary>
+    /// <summary>
+    /// Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they come from,
+    /// each with the number of the next one.
+    /// </summary>
     internal unsafe struct RangeQueue : IDisposable
     {
         NativeList<SampledRange> m_ranges;
 
-        // By cell size: the first and the last range, or -1.
+        // For each cell size, the first and the last range, or -1.
         NativeArray<int> m_first;
         NativeArray<int> m_last;
 
@@ -58,9 +60,9 @@ namespace FastPoints.Samplers
                 m_last[cell] = number;
         }
 
-        /// <summary>Takes the ranges of the widest spacing: they wait no more.</summary>
-        /// <param name="cellLog2">Of the spacing.</param>
-        /// <returns>The first one's number, or -1 where none waits.</returns>
+        /// <summary>Takes the ranges of the widest spacing out of the queue.</summary>
+        /// <param name="cellLog2">log2 of the spacing.</param>
+        /// <returns>The number of the first one, or -1 if none waits.</returns>
         public int TakeWidest(out int cellLog2)
         {
             for (cellLog2 = GridCube.MaxSideLog2; cellLog2 >= 0; cellLog2--)
@@ -82,7 +84,7 @@ namespace FastPoints.Samplers
         }
     }
 
-    /// <summary>The points of one cube, while a sampler works on them: a range of the ordered points. Blittable.</summary>
+    /// <summary>The points of one cube while a sampler works on them: a range of the ordered points. Blittable.</summary>
     internal struct SampledRange
     {
         public int First;
@@ -91,13 +93,13 @@ namespace FastPoints.Samplers
         /// <summary>The nearest node above, or -1.</summary>
         public int Parent;
 
-        /// <summary>At first a cube that has the points; then the smallest of the octree that does.</summary>
+        /// <summary>At first any cube with the points; then the smallest of the octree.</summary>
         public byte SideLog2;
 
-        /// <summary>Edge of the sampling cells: the spacing.</summary>
+        /// <summary>log2 of the edge of the sampling cells: the spacing.</summary>
         public byte CellLog2;
 
-        /// <summary>Points that are taken into the node.</summary>
+        /// <summary>Number of points that are taken into the node.</summary>
         public int Count;
 
         /// <summary>The next range of the same spacing, or -1.</summary>

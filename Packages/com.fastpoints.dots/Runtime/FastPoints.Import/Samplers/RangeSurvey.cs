@@ -1,26 +1,28 @@
 namespace FastPoints.Samplers
 {
-    /// <summary>What a sampler sees of a range's points before it decides what becomes of them.</summary>
+    /// <summary>What a sampler knows of a range's points before it decides how to handle them.</summary>
     internal unsafe struct RangeSurvey
     {
-        // Sides from a step's to the largest cube's, and one beyond all.
+        // There is one for each side from a step's to the largest cube's, and one beyond all.
         public const int Sides = Points.GridCube.MaxSideLog2 + 3;
 
-        /// <summary>Points that are in no node yet.</summary>
+        /// <summary>Number of points that are in no node yet.</summary>
         public int Left;
 
-        /// <summary>log2 of the side of the smallest cube that has them all.</summary>
+        /// <summary>log2 of the side of the smallest cube with all of them.</summary>
         public int Largest;
 
-        /// <summary>Cells of any size without a point of a node above, but for those below.</summary>
+        /// <summary>Number of cells of any size without a point of a node above, apart from those below.</summary>
         public int AnyCell;
 
-        /// <summary>By log2 of a side: such cells that there are more of where cells are smaller than this.</summary>
+        /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
         public fixed int CellsBelow[Sides];
 
-        /// <summary>The finest cells with which a node does not become too large: those that the sizes say, coarser in a filled
-        /// volume.</summary>
-        /// <param name="cells">How many of them have points of which none is in a node above.</param>
+        /// <summary>
+        /// The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a filled
+        /// volume.
+        /// </summary>
+        /// <param name="cells">The number of cells with points of which none is in a node above.</param>
         public readonly int FinestCell(in NodeSizes sizes, out int cells)
         {
             int finest = Largest > sizes.CellsLog2 ? Largest - sizes.CellsLog2 : 0;

@@ -2,13 +2,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>A <see cref="RangeSurvey"/> at points of which nodes above may have taken any: in slices, as a chunk's first
-    /// range has all of its points. Blittable.</summary>
+    /// <summary>
+    /// Makes a <see cref="RangeSurvey"/> of points of which nodes above may have taken any: in slices, since a chunk's first
+    /// range has all of its points. Blittable.
+    /// </summary>
     internal unsafe struct RangeSurveyState
     {
         public SampledRange Range;
 
-        /// <summary>Whole when <see cref="GoOn"/> says so.</summary>
+        /// <summary>Complete when <see cref="GoOn"/> returns true.</summary>
         public RangeSurvey Look;
         int m_at;
         int m_taken;
@@ -25,17 +27,17 @@ namespace FastPoints.Samplers
             m_sinceTaken = 0;
         }
 
-        /// <param name="common">By point: log2 of the side of the smallest cube that has it and the point before.</param>
+        /// <param name="common">For each point, log2 of the side of the smallest cube with it and the previous point.</param>
         /// <param name="nodeOfPoint">Negative for points that are in no node yet.</param>
-        /// <param name="budget">Points that may be looked at: what is left of them.</param>
-        /// <returns>Whether all points were looked at.</returns>
+        /// <param name="budget">The number of points that may still be visited.</param>
+        /// <returns>Whether all points were visited.</returns>
         public bool GoOn(byte* common, int* nodeOfPoint, ref long budget)
         {
             var look = Look;
             int end = (int)math.min(Range.End, m_at + budget), taken = m_taken;
             uint sinceTaken = m_sinceTaken, largest = (uint)look.Largest;
-            // By side: neighbours in the order whose smallest common cube has it; of all points, less those of the taken ones.
-            // A cell boundary lies between two points where their common cube is larger than the cell.
+            // For each side, this counts neighbours in the order whose smallest common cube has it: over all points, minus the
+            // taken ones. A cell boundary lies between two points if their common cube is larger than the cell.
             for (int i = m_at; i < end; i++)
             {
                 if (i > Range.First)

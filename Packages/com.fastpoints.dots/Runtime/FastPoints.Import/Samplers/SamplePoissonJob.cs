@@ -10,22 +10,22 @@ using Unity.Mathematics;
 namespace FastPoints.Samplers
 {
     /// <summary>
-    /// The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried, and one that has
-    /// no taken point nearer than its node's spacing is taken. Cubes of one spacing are sampled together, so that the distance
-    /// holds across the borders of nodes; a leaf's points keep none and ask for none.
+    /// The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried, and a point is
+    /// taken if no taken point is nearer than its node's spacing. Cubes of one spacing are sampled together, so that the
+    /// distance holds across the borders of nodes; a leaf's points neither keep nor demand it.
     /// </summary>
     /// <remarks>
     /// Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile in the
-    /// order of their priority: all that a dart may meet is in the cache, and the sample is as even as one in the order of
+    /// order of their priority: everything near a dart is in the cache, and the sample is as even as one in the order of
     /// priority alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash
     /// grid with cells of twice the spacing, so that whatever lies nearer than that is in two by two by two cells; the slots
-    /// are chains without keys, as a point of another cell fails the distance anyway. Which points a node has depends on
-    /// nothing but the points themselves. One run of the job is a slice: it is run until it is done.
+    /// are chains without keys, as a point of another cell fails the distance anyway. Which points a node has depends only on
+    /// the points themselves. One run of the job is a slice; the job runs again until it is done.
     /// </remarks>
     [BurstCompile]
     internal unsafe struct SamplePoissonJob : IJob
     {
-        /// <summary>What the next slice goes on with.</summary>
+        /// <summary>What the next slice continues.</summary>
         public enum Stage
         {
             Start,
@@ -39,20 +39,20 @@ namespace FastPoints.Samplers
             Done,
         }
 
-        /// <summary>Takes about 4 ms.</summary>
+        /// <summary>A slice takes about 4 ms.</summary>
         public const int PointsOfSlice = 60000;
 
-        // A dart costs as much as so many points that are only looked at, and so does a point that adds to an average.
+        // A dart, or a point that adds to an average, costs as much as this many points that are only visited.
         const int LooksOfDart = 3;
         const int LooksOfAverage = 8;
 
         /// <summary>Edge of a tile: log2 of the spacings.</summary>
         public const int TileSpacingsLog2 = PoissonCover.TileSpacingsLog2;
 
-        // An eighth of all points, by which most of a tile is covered.
+        // These are an eighth of all points, which cover most of a tile.
         const int FirstClasses = PoissonPriority.Classes - 12;
 
-        // Points that share a guess at what keeps them off.
+        // Points in a run share a guess at the sample that keeps them off.
         const int RunLog2 = 3;
 
         public int Count;
@@ -60,29 +60,31 @@ namespace FastPoints.Samplers
         public NodeSizes Sizes;
         public RecordLayout Layout;
 
-        /// <summary>Corner of a cube that has all the points.</summary>
+        /// <summary>Corner of a cube that contains all the points.</summary>
         public Grid3 Corner;
         [ReadOnly] public NativeArray<byte> Records;
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
         [ReadOnly] public NativeArray<uint> Priority;
 
-        /// <summary>As those of <see cref="SampleRandomJob"/>.</summary>
+        /// <summary>The same as those of <see cref="SampleRandomJob"/>.</summary>
         public NativeArray<ChunkTop> Tops;
 
-        /// <summary>Out, by point.</summary>
+        /// <summary>Out: the node of each point.</summary>
         public NativeArray<int> NodeOfPoint;
 
-        /// <summary>Out, parents before children.</summary>
+        /// <summary>Out: drafts, parents before children.</summary>
         public NativeList<NodeDraft> Nodes;
 
-        /// <summary>Averages over what each sampled point stands for: the points that are nearer to it than to any other at its
-        /// spacing. Off for the plain sampler.</summary>
+        /// <summary>
+        /// Averages over the points that each sampled point represents: those that are nearer to it than to any other at its
+        /// spacing. Off for the plain sampler.
+        /// </summary>
         public AveragedColumns Averaged;
 
         /// <summary>Its <see cref="PoissonScratch.Now"/> is reset before the first slice.</summary>
         public PoissonScratch Scratch;
 
-        /// <summary>About so many points are looked at in one run.</summary>
+        /// <summary>About this many points are visited in one run.</summary>
         public int PointsPerSlice;
 
         [NativeDisableUnsafePtrRestriction] byte* m_records;
@@ -169,7 +171,7 @@ namespace FastPoints.Samplers
                 Visit(new SampledRange { First = 0, End = Count, Parent = -1, SideLog2 = (byte)RootSideLog2 });
         }
 
-        /// <summary>What becomes of a range is seen when all its points were looked at.</summary>
+        /// <summary>Decides what becomes of a range after all its points were visited.</summary>
         void Visit(in SampledRange range)
         {
             m_now.Looking = new RangeSurveyState(range);
@@ -184,7 +186,7 @@ namespace FastPoints.Samplers
             m_now.Stage = m_now.At < 0 ? Stage.NextSpacing : Stage.Split;
         }
 
-        /// <summary>Takes a range whole, or has it wait for its spacing's turn.</summary>
+        /// <summary>Takes a range whole, or lets it wait for its spacing's turn.</summary>
         void Place(SampledRange range, in RangeSurvey look)
         {
             if (!Drafting.TakeWhole(ref range, look, out int top))
@@ -193,7 +195,7 @@ namespace FastPoints.Samplers
                 AddTop(range);
         }
 
-        /// <summary>What is left of a chunk's top keeps its distance from what is sampled beside it.</summary>
+        /// <summary>Makes the rest of a chunk's top keep its distance from what is sampled beside it.</summary>
         void AddTop(in SampledRange range)
         {
             for (int i = range.First; i < range.End; i++)
@@ -204,7 +206,7 @@ namespace FastPoints.Samplers
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         Grid3 PlaceAt(int point) => Layout.PlaceOf(m_records + (long)point * Layout.StrideBytes) - Corner;
 
-        /// <summary>The widest spacing that ranges wait for, and a grid for it with all points taken so far.</summary>
+        /// <summary>Begins the widest spacing that ranges wait for, with a grid of all points taken so far.</summary>
         void NextSpacing()
         {
             m_now.FirstRange = Scratch.Ranges.TakeWidest(out int cell);
@@ -226,7 +228,7 @@ namespace FastPoints.Samplers
             m_now.Stage = Stage.FillGrid;
         }
 
-        /// <summary>Puts the points that were taken so far into the grid.</summary>
+        /// <summary>Puts the points taken so far into the grid.</summary>
         void FillGrid()
         {
             var grid = GridOfSpacing;
@@ -250,8 +252,10 @@ namespace FastPoints.Samplers
             m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
         }
 
-        /// <summary>The next darts of the tile in work: those of the first classes, then the others. What is kept off already is
-        /// none: seen along the curve that is quickly said of most. After a range's last tile, its node.</summary>
+        /// <summary>
+        /// Queues the next darts of the current tile: those of the first classes, then the others. Points that are already kept
+        /// off are skipped, which along the curve is quickly seen for most. After a range's last tile, it makes the node.
+        /// </summary>
         void QueueTile()
         {
             var range = Scratch.Ranges[m_now.At];
@@ -278,7 +282,7 @@ namespace FastPoints.Samplers
             {
                 if (nodeOfPoint[end] >= 0)
                 {
-                    // Those that the grid has.
+                    // These are the ones in the grid.
                     if (!isBegun && Nodes[nodeOfPoint[end]].CellLog2 >= m_now.CellLog2)
                         cover.Cover(PlaceAt(end));
                     continue;
@@ -289,7 +293,7 @@ namespace FastPoints.Samplers
                 var place = PlaceAt(end);
                 if (cover.IsCovered(place))
                     continue;
-                // What kept off one point keeps off most of its neighbours on the curve.
+                // The sample that kept off one point keeps off most of its neighbours on the curve.
                 int found = keeper[end >> RunLog2];
                 if (found >= 0 && grid.IsNear(samples + found, place, out _))
                     continue;
@@ -305,7 +309,7 @@ namespace FastPoints.Samplers
             m_now.Stage = Stage.Throw;
         }
 
-        /// <summary>Darts of a class follow the Morton curve.</summary>
+        /// <summary>Sorts darts by class; those of one class follow the Morton curve.</summary>
         void SortWaiting(uint* priority, int* next)
         {
             int sum = 0;
@@ -325,7 +329,7 @@ namespace FastPoints.Samplers
         PoissonGrid GridOfSpacing =>
             new PoissonGrid(Scratch.Heads.GetUnsafePtr(), math.tzcnt(Scratch.Heads.Length), m_now.CellLog2);
 
-        /// <summary>Of the tile that has a point.</summary>
+        /// <summary>The cover of the tile that contains a point.</summary>
         PoissonCover CoverAt(int point) =>
             new PoissonCover((ulong*)Scratch.Covered.GetUnsafePtr(), m_now.CellLog2, PlaceAt(point));
 
@@ -392,8 +396,7 @@ namespace FastPoints.Samplers
                 NativeArrayOptions.ClearMemory);
         }
 
-        /// <summary>Each point of a range adds to the new sample that is nearest to it, unless one of a wider spacing is
-        /// nearer.</summary>
+        /// <summary>Adds each point of a range to its nearest new sample, unless one of a wider spacing is nearer.</summary>
         void AverageRange()
         {
             var range = Scratch.Ranges[m_now.At];
@@ -427,7 +430,7 @@ namespace FastPoints.Samplers
             BeginSplit(m_now.FirstRange);
         }
 
-        /// <summary>Goes on with a range's parts, or with the next spacing where there is no range left.</summary>
+        /// <summary>Continues with a range's parts, or with the next spacing if no range is left.</summary>
         void BeginSplit(int number)
         {
             m_now.At = number;

@@ -8,22 +8,22 @@ using Unity.Mathematics;
 namespace FastPoints.Samplers
 {
     /// <summary>
-    /// The random sampler: from the root down, each node takes the point of the highest priority of each of its cells, unless a
-    /// node above has a point of that cell already. Which points a node has depends on nothing but the points themselves.
+    /// The random sampler: from the root down, each node takes the point of highest priority from each of its cells, unless a
+    /// node above already has a point of that cell. Which points a node has depends only on the points themselves.
     /// </summary>
     /// <remarks>
-    /// Points are in Morton order, so that cubes and cells are ranges. A point that has the highest priority of a cell has it of
-    /// all finer ones that it is in, and so one number says in which cells a point wins: those smaller than the smallest cube in
-    /// which it has to give way. One pass finds it for all points, and then no priority is looked at again: a node takes the
-    /// points that win at its cells and did not at those of the node above. A node's cells are as fine as the sizes say, and
-    /// coarser where that made it too large: a filled volume. Cubes that would have their points in one octant only are passed
-    /// over, and so is a node that gets no point: its children hang on the node above. One run of the job is a slice: it is run
+    /// Points are in Morton order, so that cubes and cells are ranges. A point that has the highest priority of a cell has it
+    /// of all finer ones that it is in, and so one number says in which cells a point wins: those smaller than the smallest
+    /// cube in which it has to give way. One pass finds it for all points, and then no priority is read again: a node takes the
+    /// points that win at its cells and did not at those of the node above. A node's cells are as fine as the sizes allow, and
+    /// coarser if that made it too large: in a filled volume. Cubes with points in one octant only are skipped, and so is a
+    /// node that gets no point: its children are attached to the node above. One run of the job is a slice; the job runs again
     /// until it is done.
     /// </remarks>
     [BurstCompile]
     internal unsafe struct SampleRandomJob : IJob
     {
-        /// <summary>What the next slice goes on with.</summary>
+        /// <summary>What the next slice continues.</summary>
         public enum Stage
         {
             Start,
@@ -33,7 +33,7 @@ namespace FastPoints.Samplers
             Done,
         }
 
-        /// <summary>Takes at most about 4 ms.</summary>
+        /// <summary>A slice takes at most about 4 ms.</summary>
         public const int PointsOfSlice = 100000;
 
         const byte Everywhere = byte.MaxValue;
@@ -44,24 +44,26 @@ namespace FastPoints.Samplers
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
         [ReadOnly] public NativeArray<uint> Priority;
 
-        /// <summary>Scratch, by point: log2 of the side of the smallest cube in which another point has a higher
-        /// priority.</summary>
+        /// <summary>
+        /// Scratch: for each point, log2 of the side of the smallest cube in which another point has a higher priority.
+        /// </summary>
         public NativeArray<byte> GivesWayLog2;
 
         /// <summary>Its <see cref="RandomScratch.Now"/> is reset before the first slice.</summary>
         public RandomScratch Scratch;
 
-        /// <summary>About so many points are looked at in one run.</summary>
+        /// <summary>About this many points are visited in one run.</summary>
         public int PointsPerSlice;
 
-        /// <summary>Where the points are the tops of chunks, these: a range that lies in one of them becomes its node. Empty for
-        /// whole points.</summary>
+        /// <summary>
+        /// The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole points.
+        /// </summary>
         public NativeArray<ChunkTop> Tops;
 
-        /// <summary>Out, by point.</summary>
+        /// <summary>Out: the node of each point.</summary>
         public NativeArray<int> NodeOfPoint;
 
-        /// <summary>Out, in breadth-first order but for nodes whose parent was passed over.</summary>
+        /// <summary>Out: drafts in breadth-first order, except nodes whose parent was skipped.</summary>
         public NativeList<NodeDraft> Nodes;
 
         public SliceTimes Slices;
@@ -112,15 +114,17 @@ namespace FastPoints.Samplers
             m_now = new RandomScratch.State { Stage = Stage.FindWinners };
         }
 
-        /// <summary>Where each point gives way: in the smaller of the cubes that it has in common with the next point of a higher
-        /// priority before it, and with that behind it. Of equal priorities the first in order counts as higher, so that content
-        /// decides.</summary>
+        /// <summary>
+        /// Finds where each point gives way: in the smaller of the cubes that it shares with the next points of a higher
+        /// priority before and behind it. Of equal priorities the first in order counts as higher, so that content decides.
+        /// </summary>
         void FindWinners()
         {
             var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();
             var givesWay = (byte*)GivesWayLog2.GetUnsafePtr();
-            // No node is known yet: here are the points that none of a higher priority has come after, which fall in priority.
+            // Nodes are not known yet, so this holds the points not yet followed by one of a higher priority; their priorities
+            // fall.
             var rising = (int*)NodeOfPoint.GetUnsafePtr();
             int depth = m_now.Rising, end = (int)math.min(Count, m_now.At + m_budget);
             for (int i = m_now.At; i < end; i++)
@@ -132,7 +136,7 @@ namespace FastPoints.Samplers
                     int before = rising[depth - 1];
                     if (priority[before] >= own)
                         break;
-                    // What it has in common with the one that stands before it, it is known by already.
+                    // The cube that it shares with the point before it is known already.
                     byte wider = givesWay[before];
                     givesWay[before] = (byte)math.min((uint)wider, cube);
                     cube = (byte)math.max((uint)wider, cube);
@@ -150,7 +154,7 @@ namespace FastPoints.Samplers
             Begin(0);
         }
 
-        /// <summary>Goes on with a range, where there is one.</summary>
+        /// <summary>Begins a range, if there is one.</summary>
         void Begin(int number)
         {
             m_now = new RandomScratch.State { Stage = Stage.Done, At = number };
@@ -171,8 +175,10 @@ namespace FastPoints.Samplers
             Nodes = Nodes,
         };
 
-        /// <summary>Points that win at the cells of the node above are in nodes; of the others each is one cell more where
-        /// cells are so small that it wins.</summary>
+        /// <summary>
+        /// Counts cells. Points that win at the cells of the node above are in nodes; each of the others adds a cell once cells
+        /// are so small that it wins.
+        /// </summary>
         void Look()
         {
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();

@@ -1,16 +1,18 @@
 namespace FastPoints.Samplers
 {
-    /// <summary>Who decides which points of a cube stand for the others.</summary>
+    /// <summary>How the points of a cube are chosen that represent the others.</summary>
     public enum Sampler
     {
-        /// <summary>One point of each cell of a grid, by chance.</summary>
+        /// <summary>One random point of each cell of a grid.</summary>
         Random,
 
-        /// <summary>Blue noise: no two points nearer than the spacing, and none missing that would fit between.</summary>
+        /// <summary>Blue noise: no two points are nearer than the spacing, and no further point would fit between.</summary>
         Poisson,
 
-        /// <summary>As <see cref="Poisson"/>, with colour and intensity averaged over the points that a point stands for, in
-        /// planes of their own.</summary>
+        /// <summary>
+        /// Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in planes
+        /// of their own.
+        /// </summary>
         Average,
     }
 }

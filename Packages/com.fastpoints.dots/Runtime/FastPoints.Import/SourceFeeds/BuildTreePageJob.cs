@@ -12,26 +12,28 @@ namespace FastPoints.SourceFeeds
     [BurstCompile]
     internal unsafe struct BuildTreePageJob : IJob
     {
-        /// <summary>All that are known of the source.</summary>
+        /// <summary>All known nodes of the source.</summary>
         [ReadOnly] public NativeArray<SourceNode> Nodes;
 
-        /// <summary>By <see cref="SourceNode.Key"/>: the first of them.</summary>
+        /// <summary>Index of the first node for each <see cref="SourceNode.Key"/>.</summary>
         [ReadOnly] public NativeParallelHashMap<int4, int> NodeOfKey;
 
-        /// <summary>Bits of a point, by plane that is streamed; the position's depend on the node.</summary>
+        /// <summary>Bits of a point in each streamed plane; the position's depend on the node.</summary>
         [ReadOnly] public NativeArray<int> BitsOfPlane;
 
-        /// <summary>By plane that is streamed.</summary>
+        /// <summary>Indexed by streamed plane.</summary>
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         public int4 Root;
 
-        /// <summary>Nodes below this one hang on the page as pages of their own.</summary>
+        /// <summary>Nodes below this level are attached to the page as pages of their own.</summary>
         public int LastLevel;
         public TreeGrid Grid;
 
-        /// <summary>Whoever takes the page owns its memory. <see cref="StreamNode.ChunkCount"/> of a node is the number of pages
-        /// that hang on it; <see cref="PlaneRange.OffsetBytes"/> is the number of the source's node, of a node's every
-        /// plane.</summary>
+        /// <summary>
+        /// The page, whose memory belongs to the code that takes it. <see cref="StreamNode.ChunkCount"/> of a node is the
+        /// number of pages attached to it; <see cref="PlaneRange.OffsetBytes"/> is the number of the source's node, in every
+        /// plane of a node.
+        /// </summary>
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 
@@ -59,7 +61,7 @@ namespace FastPoints.SourceFeeds
             order.Dispose();
         }
 
-        /// <summary>More blocks of the same node, then its children.</summary>
+        /// <summary>Adds more blocks of the same node, then its children.</summary>
         void AddChildren(int index, NativeList<int> order)
         {
             int4 key = Nodes[index].Key;
@@ -85,7 +87,7 @@ namespace FastPoints.SourceFeeds
                 Spacing = (float)Grid.SpacingOf(source.Level),
                 FirstChild = firstChild,
                 ChildCount = endOfChildren - firstChild,
-                // A guest is what has none: a node that only holds others together is a hole.
+                // A node without points would be a guest: one that only holds others together is a hole.
                 PointCount = hasPoints ? source.PointCount : 1,
                 BlockCount = hasPoints ? PlaneShape.BlocksOf(source.PointCount) : 0,
             };
@@ -108,7 +110,7 @@ namespace FastPoints.SourceFeeds
                 };
         }
 
-        /// <summary>So many bytes a plane has at most, if all points lie in their cube.</summary>
+        /// <summary>The most bytes of a plane, if all points lie in their cube.</summary>
         long LongestOf(int plane, int level, int blocks, int points)
         {
             long bits = BitsOfPlane[plane];

@@ -10,16 +10,16 @@ using Unity.Mathematics;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// A slice of a node's decoded points: brings their positions to the cloud's grid and puts them into the order of the Morton
-    /// curve, so that neighbours share a block. A node of several slices is several runs along the curve.
+    /// Orders a slice of a node's decoded points: it moves their positions to the cloud's grid and sorts them along the Morton
+    /// curve, so that neighbours share a block. A node of several slices becomes several runs along the curve.
     /// </summary>
     [BurstCompile]
     internal unsafe struct OrderNodeJob : IJob
     {
-        /// <summary>About 3 ms.</summary>
+        /// <summary>A slice takes about 3 ms.</summary>
         public const int PointsOfSlice = 1 << 16;
 
-        /// <summary>Bits an axis of a key: cells that are finer than those of a full block's points.</summary>
+        /// <summary>Bits of a key along each axis: cells that are finer than those of a full block's points.</summary>
         const int KeyBits = 10;
         const int RunLength = 128;
 
@@ -31,27 +31,27 @@ namespace FastPoints.SourceFeeds
         public Grid3 Corner;
         public bool IsWide;
 
-        /// <summary>Of the node's cube, from <see cref="Corner"/>.</summary>
+        /// <summary>Position of the node's cube relative to <see cref="Corner"/>.</summary>
         public Grid3 CubePlace;
 
-        /// <summary>Of the cube's edges.</summary>
+        /// <summary>Bits of the cube's edges.</summary>
         public int3 CubeBits;
 
-        /// <summary>Of the node.</summary>
+        /// <summary>Number of points in the node.</summary>
         public int Count;
         public int First;
 
         /// <summary>Points of a column of <see cref="Offsets"/>.</summary>
         public int Capacity;
 
-        /// <summary>Out: X, Y, Z from the corner, 32 or 64 bits each, by point.</summary>
+        /// <summary>Out: X, Y, Z of each point from the corner, 32 or 64 bits each.</summary>
         public NativeArray<byte> Offsets;
 
-        /// <summary>Out: by place along the curve.</summary>
+        /// <summary>Out: the point at each place along the curve.</summary>
         public NativeArray<uint> PointOfPlace;
         public NativeReference<PackState> State;
 
-        /// <summary>Scratch, of a slice.</summary>
+        /// <summary>Scratch for a slice.</summary>
         public NativeArray<ulong> Keys;
         public NativeArray<ulong> KeyScratch;
         public NativeArray<uint> PointScratch;
@@ -97,8 +97,8 @@ namespace FastPoints.SourceFeeds
             return isSound;
         }
 
-        /// <summary>Moves a run to the corner and keeps it.</summary>
-        /// <returns>Whether every place has a packed number.</returns>
+        /// <summary>Moves consecutive positions to the corner and stores them.</summary>
+        /// <returns>Whether every position has a packed number.</returns>
         bool Store(long* places, long corner, int axis, int first, int count)
         {
             long any = 0;
@@ -123,21 +123,21 @@ namespace FastPoints.SourceFeeds
             return (ulong)any <= uint.MaxValue;
         }
 
-        /// <summary>A place that is out of its cube goes with those at its side.</summary>
+        /// <summary>The cell of a position; one outside its cube goes with those at its side.</summary>
         static uint Cell(long place, long cube, int bits) =>
             (uint)(math.clamp(place - cube, 0, (1L << bits) - 1) >> math.max(0, bits - KeyBits));
     }
 
-    /// <summary>How far the packing of a node is, from slice to slice.</summary>
+    /// <summary>The progress of packing a node, from slice to slice.</summary>
     internal struct PackState
     {
-        /// <summary>The source did not give the node's points, or one lies where no packed number reaches.</summary>
+        /// <summary>Whether the source did not give the node's points, or one exceeds the range of packed numbers.</summary>
         public bool IsDamaged;
 
-        /// <summary>Byte at which the plane that is written begins.</summary>
+        /// <summary>Offset of the plane that is being written.</summary>
         public long PlaneStart;
 
-        /// <summary>Of that plane, where the next packed words go.</summary>
+        /// <summary>Index in that plane of the next packed word.</summary>
         public long Word;
     }
 }

@@ -9,12 +9,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>A slice of a node's plane: packs some blocks, behind those of the slice before. The planes of a node come one
-    /// behind the other.</summary>
+    /// <summary>
+    /// Packs a slice of a node's plane: some blocks, behind those of the previous slice. The planes of a node come one behind
+    /// the other.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {
-        /// <summary>About 2 ms.</summary>
+        /// <summary>A slice takes about 2 ms.</summary>
         public const int BlocksOfSlice = 512;
 
         /// <summary>The batch that was decoded.</summary>
@@ -23,25 +25,25 @@ namespace FastPoints.SourceFeeds
         [ReadOnly] public NativeArray<uint> PointOfPlace;
         public PlaneShape Shape;
 
-        /// <summary>The plane's columns in the batch; none for the position's.</summary>
+        /// <summary>The plane's columns in the batch; the position plane has none.</summary>
         public PointColumn Column0;
         public PointColumn Column1;
         public PointColumn Column2;
 
-        /// <summary>Counted among those that are streamed: 0 is the position's.</summary>
+        /// <summary>Index among the streamed planes: 0 is the position's.</summary>
         public int Plane;
 
-        /// <summary>Of the node.</summary>
+        /// <summary>Number of points in the node.</summary>
         public int Count;
         public int FirstBlock;
 
         /// <summary>Points of a column of <see cref="Offsets"/>.</summary>
         public int Capacity;
 
-        /// <summary>Room for the longest that the planes can be.</summary>
+        /// <summary>Has room for the longest that the planes can be.</summary>
         public NativeArray<byte> Packed;
 
-        /// <summary>By plane.</summary>
+        /// <summary>Indexed by plane.</summary>
         public NativeArray<long> LengthOfPlane;
         public NativeReference<PackState> State;
 

@@ -4,14 +4,14 @@ using UnityEngine;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// Has clouds read from LAS, LAZ, PLY, E57, text, COPC, Potree and EPT where they are not converted. In an editor they always
-    /// are; a player has the readers where its code uses this assembly, or where a scene has this component.
+    /// Makes clouds in LAS, LAZ, PLY, E57, text, COPC, Potree and EPT readable without conversion. In an editor they always
+    /// are; a player has the readers if its code uses this assembly, or if a scene has this component.
     /// </summary>
     [AddComponentMenu("FastPoints/Point File Readers")]
     [DisallowMultipleComponent]
     public sealed class PointFileReaders : MonoBehaviour
     {
-        /// <summary>Also with domain reload off: twice is as once.</summary>
+        /// <summary>Works with domain reload off, too: registering twice is the same as once.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         public static void Register() => CloudFeeds.Register(SourceFeed.Open);
 

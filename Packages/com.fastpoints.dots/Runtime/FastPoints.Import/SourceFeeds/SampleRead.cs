@@ -59,13 +59,13 @@ namespace FastPoints.SourceFeeds
         }
     }
 
-    /// <summary>Every so manieth point of a batch, to the beginning of another.</summary>
+    /// <summary>Copies every n-th point of a batch to the beginning of another.</summary>
     [BurstCompile]
     internal unsafe struct CopyStrideJob : IJob
     {
         [ReadOnly] public NativeArray<byte> From;
 
-        /// <summary>Two for each column: where it is, and where it goes.</summary>
+        /// <summary>Two numbers for each column: where it is, and where it goes.</summary>
         [ReadOnly] public NativeArray<PointColumn> Columns;
         public NativeArray<byte> To;
         public NativeReference<DecodeResult> Result;

@@ -13,28 +13,28 @@ using Unity.Mathematics;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// A preview's sample as a source that brings an octree along: one node, in blocks of points that are spread over all of the
-    /// sample each. So <see cref="TreeSource"/> streams it like any other cloud, before there is another.
+    /// Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all of the
+    /// sample. <see cref="TreeSource"/> can thus stream it like any other cloud, before there is another.
     /// </summary>
     internal sealed class SampleReader : PointReader
     {
-        /// <summary>Points of a block at most.</summary>
+        /// <summary>The most points in a block.</summary>
         public const int PointsPerBlock = 1 << 15;
 
         readonly SourceTree m_tree;
         readonly int m_blocks;
 
-        /// <summary>Readers of the same points; the last of them frees these.</summary>
+        /// <summary>Number of readers of the same points; the last one frees them.</summary>
         readonly int[] m_readers;
         bool m_isDisposed;
 
-        /// <summary>Copies a sample, which its sampler goes on with: about a millisecond for ten megabytes.</summary>
-        /// <param name="path">Of the source, for messages.</param>
+        /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
+        /// <param name="path">Path of the source, for messages.</param>
         public SampleReader(PreviewSample sample, string path) : this(sample, CopyNow(sample), path)
         {
         }
 
-        /// <param name="points">All of the sample's; become this reader's.</param>
+        /// <param name="points">All points of the sample, which this reader owns.</param>
         SampleReader(PreviewSample sample, PointBatch points, string path)
         {
             Points = points;
@@ -55,7 +55,7 @@ namespace FastPoints.SourceFeeds
                 BoundsClaimed = sample.Bounds,
             };
             double edge = math.max(math.cmax(bounds.Size), math.cmax(math.abs(sample.Transform.Scale)));
-            // As if the points of a block lay on a surface.
+            // This assumes that the points of a block lie on a surface.
             double spacing = edge / math.sqrt(math.max(1.0, math.min(count, PointsPerBlock)));
             var cube = new BoundsGeo(bounds.Min, bounds.Min + edge);
             m_tree = TreeOf(cube, spacing);
@@ -77,7 +77,7 @@ namespace FastPoints.SourceFeeds
 
         internal PointBatch Points { get; }
 
-        /// <summary>From a point of a block to its next.</summary>
+        /// <summary>Distance from a point of a block to its next one in the sample.</summary>
         internal int Step => m_blocks;
 
         internal override SourceTree Tree => m_tree;
@@ -93,13 +93,13 @@ namespace FastPoints.SourceFeeds
             return (long)block * (Points.Count / m_blocks) + Math.Min(block, longer);
         }
 
-        /// <summary>Nothing is read any more.</summary>
+        /// <summary>Nothing has to be read any more.</summary>
         public override long BytesOfRange(BlockRange range) => 0;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new SampleRead(this, wanted, capacity, allocator);
 
-        /// <summary>Another reader of the same points; null where they are gone.</summary>
+        /// <summary>Another reader of the same points; null if they were freed.</summary>
         internal SampleReader Share() => Points.IsCreated ? new SampleReader(this) : null;
 
         public override void DisposeUnread()
@@ -112,9 +112,9 @@ namespace FastPoints.SourceFeeds
                 Points.Dispose();
         }
 
-        /// <summary>Work for a pump: copies a sample in jobs. It stays as it is until the work has ended.</summary>
-        /// <param name="path">Of the source, for messages.</param>
-        /// <param name="copied">Takes the reader over.</param>
+        /// <summary>Work for a pump: copies a sample in jobs. The sample must not change before the work has ended.</summary>
+        /// <param name="path">Path of the source, for messages.</param>
+        /// <param name="copied">Receives the reader and owns it.</param>
         public static IEnumerator<Work> Copy(PreviewSample sample, string path, Action<SampleReader> copied)
         {
             var points = RoomFor(sample);
@@ -176,11 +176,11 @@ namespace FastPoints.SourceFeeds
         }
     }
 
-    /// <summary>A slice of a column, from one batch to another.</summary>
+    /// <summary>Copies a slice of a column from one batch to another.</summary>
     [BurstCompile]
     internal unsafe struct CopyColumnJob : IJob
     {
-        /// <summary>About 3 ms, where the memory is touched for the first time.</summary>
+        /// <summary>A slice takes about 3 ms if the memory is touched for the first time.</summary>
         public const int BytesOfSlice = 4 << 20;
 
         [ReadOnly] public NativeArray<byte> From;
@@ -188,7 +188,7 @@ namespace FastPoints.SourceFeeds
         public int FirstByteOfFrom;
         public int FirstByteOfTo;
 
-        /// <summary>Bytes.</summary>
+        /// <summary>Number of bytes.</summary>
         public int Count;
 
         public void Execute() => UnsafeUtility.MemCpy((byte*)To.GetUnsafePtr() + FirstByteOfTo,

@@ -11,12 +11,12 @@ using FastPoints.Streaming;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, of a source that
-    /// brings its octree along, the whole of it, streamed as it is.
+    /// The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source with an
+    /// octree, the whole of it, streamed directly.
     /// </summary>
     internal sealed class SourceFeed : CloudFeed
     {
-        /// <summary>Of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
+        /// <summary>Points of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>
         public const int PreviewPoints = 1_000_000;
 
         /// <summary>Points of an octree's upper levels that decide on colours.</summary>
@@ -32,8 +32,8 @@ namespace FastPoints.SourceFeeds
         CloudFacts m_newest;
         bool m_isHurried;
 
-        /// <param name="reader">Becomes this feed's.</param>
-        /// <param name="previewPoints">Of a source without an octree at most; one that has no more is whole.</param>
+        /// <param name="reader">The reader, which this feed owns.</param>
+        /// <param name="previewPoints">The most points of a source without an octree; a smaller one is shown whole.</param>
         public SourceFeed(PointReader reader, int previewPoints = PreviewPoints)
         {
             m_reader = reader;
@@ -46,7 +46,7 @@ namespace FastPoints.SourceFeeds
         public override bool IsEnded => m_pump.IsDone;
 
         /// <summary>Opens files and folders that make one cloud; on any thread.</summary>
-        /// <exception cref="PointCloudException">As of <see cref="PointReaders"/>.</exception>
+        /// <exception cref="PointCloudException">As <see cref="PointReaders"/> throws it.</exception>
         public static SourceFeed Open(IReadOnlyList<string> paths) => new SourceFeed(PointReaders.Open(paths));
 
         public override NodeSource Take(params string[] planes)
@@ -114,7 +114,7 @@ namespace FastPoints.SourceFeeds
             }
         }
 
-        /// <summary>What comes decodes all of the source, which a build does anyway.</summary>
+        /// <summary>Whether the next step would decode all of the source, which a build does anyway.</summary>
         bool IsLeftToTheBuild => m_isHurried &&
             (m_progress.Current == PreviewCloud.RefineStage || m_progress.Current == PreviewCloud.FindBlocksStage);
 
@@ -144,7 +144,7 @@ namespace FastPoints.SourceFeeds
 
         DisplayRanges NewRanges() => new DisplayRanges { IsInDegrees = double.IsNaN(m_reader.Info.Crs.MetresPerUnit) };
 
-        /// <param name="seen">Bounds where the source claims none.</param>
+        /// <param name="seen">Bounds to use if the source claims none.</param>
         CloudFacts Describe(CloudStage stage, DisplayRanges ranges, BoundsGeo seen)
         {
             var info = m_reader.Info;

@@ -8,33 +8,37 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers
-    /// stay what they are. Blittable, for jobs.</summary>
+    /// <summary>
+    /// Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers stay the
+    /// same. Blittable, for jobs.
+    /// </summary>
     internal struct TreeGrid
     {
         public CloudGrid Grid;
 
-        /// <summary>How stored numbers become the grid's.</summary>
+        /// <summary>Converts stored numbers to the grid's.</summary>
         public SourceGrid Source;
 
-        /// <summary>The least cube of a power of two that has the source's.</summary>
+        /// <summary>The smallest cube with a power-of-two side that contains the source's.</summary>
         public GridCube Root;
 
-        /// <summary>What packed positions count from, in all nodes: no number that the source can hold lies below. A block has
-        /// its own minimum, so that this costs nothing.</summary>
+        /// <summary>
+        /// The corner that packed positions count from, in all nodes: no number that the source can hold lies below it. A block
+        /// has its own minimum, so this costs nothing.
+        /// </summary>
         public Grid3 Corner;
 
-        /// <summary>Packed positions have 64 bits.</summary>
+        /// <summary>Whether packed positions have 64 bits.</summary>
         public bool IsWide;
 
-        /// <summary>Of the octree, georeferenced.</summary>
+        /// <summary>Corner of the octree, georeferenced.</summary>
         public double3 CubeMin;
         public double3 CubeSize;
 
-        /// <summary>What the source claims, georeferenced; the cube where it claims nothing.</summary>
+        /// <summary>The bounds that the source claims, georeferenced; the cube if it claims none.</summary>
         public BoundsGeo Bounds;
 
-        /// <summary>Between points of the root, CRS units.</summary>
+        /// <summary>Distance between points of the root, in CRS units.</summary>
         public double Spacing;
 
         /// <exception cref="PointCloudException">No grid holds the source's numbers.</exception>
@@ -72,26 +76,26 @@ namespace FastPoints.SourceFeeds
 
         public NodeCubes Cubes => new NodeCubes { Corner = CubeMin - Grid.ToGeo(Root.Corner), Size = CubeSize };
 
-        /// <summary>Around a node's points and all below: from the corner of the root cube, CRS units.</summary>
+        /// <summary>The box around a node's points and all below: from the corner of the root cube, in CRS units.</summary>
         public void BoxOf(int4 key, out double3 center, out float3 half)
         {
             double3 size = SizeOf(key.w), min = MinOf(key), max = min + size;
             double3 low = math.max(min, Bounds.Min), high = math.min(max, Bounds.Max);
-            // A claim that leaves nothing of the node is none.
+            // A claim that leaves nothing of the node is ignored.
             bool isEmpty = math.any(low > high);
             var origin = Grid.ToGeo(Root.Corner);
             HierarchyGrid.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin, out center,
                 out half);
         }
 
-        /// <summary>Of a node's cube, from <see cref="Corner"/>.</summary>
+        /// <summary>Position of a node's cube relative to <see cref="Corner"/>.</summary>
         public Grid3 PlaceOf(int4 key)
         {
             var steps = math.floor((MinOf(key) - Grid.Origin) / Grid.Step);
             return new Grid3((long)steps.x, (long)steps.y, (long)steps.z) - Corner;
         }
 
-        /// <summary>Bits that places within a node's cube need along each axis.</summary>
+        /// <summary>Bits that positions within a node's cube need along each axis.</summary>
         public int3 BitsOf(int level)
         {
             var steps = SizeOf(level) / Grid.Step + 2;

@@ -16,7 +16,7 @@ namespace FastPoints.SourceFeeds
     /// </summary>
     sealed unsafe class TreeNodeMaker : NodeMaker
     {
-        /// <summary>Nodes up to this share one size of memory; it is doubled for larger ones.</summary>
+        /// <summary>Nodes up to this size share one size of memory, which is doubled for larger ones.</summary>
         const int LeastCapacity = 1 << 12;
 
         readonly TreeSource m_source;
@@ -35,7 +35,7 @@ namespace FastPoints.SourceFeeds
         PointCloudException m_refused;
         SourceNode m_node;
 
-        /// <param name="planes">That it makes; stay the source's.</param>
+        /// <param name="planes">The planes that it makes, which the source still owns.</param>
         public TreeNodeMaker(TreeSource source, TreePlanes planes)
         {
             m_source = source;
@@ -44,10 +44,10 @@ namespace FastPoints.SourceFeeds
             m_state = new NativeReference<PackState>(Allocator.Persistent);
         }
 
-        /// <summary>Points that it has memory for.</summary>
+        /// <summary>The number of points that it has memory for.</summary>
         public int Capacity => m_capacity;
 
-        /// <summary>Points of the node that it was taken for.</summary>
+        /// <summary>Points of the node that it was lent for.</summary>
         public int PointsTaken { get; set; }
 
         public override JobHandle Done => m_done;

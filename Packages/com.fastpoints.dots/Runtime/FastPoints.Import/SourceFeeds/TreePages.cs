@@ -10,15 +10,17 @@ using Unity.Mathematics;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// The hierarchy of a source that brings its octree along, as pages of some levels each. Of what is not known, that is read
-    /// which a wanted page takes, and no more: a look into one corner costs what lies there. Main thread; never waits.
+    /// The hierarchy of a source with an octree, as pages of some levels each. It reads only the unknown parts that a wanted
+    /// page needs: looking into one corner costs what lies there. Main thread; never waits.
     /// </summary>
     sealed class TreePages : IDisposable
     {
-        /// <summary>Levels of a page: some hundred nodes at most where points lie on surfaces.</summary>
+        /// <summary>Levels of a page: at most some hundred nodes if points lie on surfaces.</summary>
         public const int LevelsPerPage = 4;
 
-        /// <summary>Levels that have to be read before the first page is built: its own, and whether there are more.</summary>
+        /// <summary>
+        /// Levels to read before the first page is built: its own, and one more to know whether there are others.
+        /// </summary>
         public const int FirstLevels = LevelsPerPage + 1;
 
         const int NotNumbered = -1;
@@ -35,10 +37,12 @@ namespace FastPoints.SourceFeeds
         JobHandle m_building;
         int m_nodes;
 
-        /// <summary>The hierarchy cannot be read: nothing more of it is tried.</summary>
+        /// <summary>Whether the hierarchy cannot be read: no more of it is tried.</summary>
         bool m_isBroken;
 
-        /// <summary>The first that was asked for since the last update, and that which is read; or <see cref="None"/>.</summary>
+        /// <summary>
+        /// The first page that was requested since the last update, and the one being read; or <see cref="None"/>.
+        /// </summary>
         int m_wanted = None;
         int m_read = None;
 
@@ -57,11 +61,12 @@ namespace FastPoints.SourceFeeds
 
         public int Count => m_rootOfPage.Count;
 
-        /// <summary>What <see cref="Update"/> goes on after.</summary>
+        /// <summary>The handle that <see cref="Update"/> waits for before it continues.</summary>
         public JobHandle Step => m_step;
 
-        /// <summary>Whether a page's levels, and what hangs below, are known; of those that are asked for and are not, the first
-        /// is read next.</summary>
+        /// <summary>
+        /// Whether a page's levels, and the one below, are known. The first requested page that is not is read next.
+        /// </summary>
         public bool IsKnown(int page)
         {
             if (!m_isPageKnown[page] && m_wanted == None)
@@ -69,11 +74,11 @@ namespace FastPoints.SourceFeeds
             return m_isPageKnown[page];
         }
 
-        /// <summary>Goes on reading, if there is something to read.</summary>
-        /// <returns>What went wrong: pages that are still wanted are made of what is there. Or null.</returns>
+        /// <summary>Continues reading, if there is something to read.</summary>
+        /// <returns>The failure, after which pages that are still wanted are made of what is known; or null.</returns>
         public PointCloudException Update()
         {
-            // Jobs that build pages read what would be added to.
+            // Jobs that build pages read the lists that would grow.
             if (m_reading == null && m_wanted == None || !WorkPump.HasEnded(m_step) ||
                 !WorkPump.HasEnded(m_building))
                 return null;
@@ -126,8 +131,8 @@ namespace FastPoints.SourceFeeds
             return building;
         }
 
-        /// <summary>Numbers the pages that hang on one; each time that it is built they are the same.</summary>
-        /// <param name="planeCount">Planes that are streamed.</param>
+        /// <summary>Numbers the pages attached to one; the numbers are the same each time it is built.</summary>
+        /// <param name="planeCount">Number of streamed planes.</param>
         public unsafe void Number(int page, in HierarchyPage built, int planeCount)
         {
             if (m_firstHangingOfPage[page] == NotNumbered)
@@ -146,7 +151,7 @@ namespace FastPoints.SourceFeeds
             }
         }
 
-        /// <summary>A page that is not built: its box.</summary>
+        /// <summary>A page that is not built: only its box.</summary>
         public HierarchyPage Empty(int page)
         {
             var empty = new HierarchyPage();
@@ -189,7 +194,7 @@ namespace FastPoints.SourceFeeds
                 m_nodeOfKey.TryAdd(tree[m_nodes].Key, m_nodes);
         }
 
-        /// <summary>That a page takes: its own, and whether there are more.</summary>
+        /// <summary>The levels that a page needs: its own, and one more to know whether there are others.</summary>
         static int LevelsOf(int4 root) => root.w + FirstLevels;
     }
 }

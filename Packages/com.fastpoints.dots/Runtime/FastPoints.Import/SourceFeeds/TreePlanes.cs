@@ -6,7 +6,7 @@ using Unity.Collections;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>Some planes of a source's layout, and what has to be decoded to make them.</summary>
+    /// <summary>Some planes of a source's layout, and what must be decoded to make them.</summary>
     sealed class TreePlanes : IDisposable
     {
         static readonly string[] s_position = { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
@@ -16,9 +16,9 @@ namespace FastPoints.SourceFeeds
         NativeArray<PlaneShape> m_shapes;
         NativeArray<int> m_bits;
 
-        /// <param name="schema">All that the source has.</param>
-        /// <param name="layout">Of that, without the position.</param>
-        /// <param name="names">Of planes beside the position's; those that the source has not are left out.</param>
+        /// <param name="schema">All attributes of the source.</param>
+        /// <param name="layout">The layout of these, without the position.</param>
+        /// <param name="names">Names of planes besides the position's; those that the source lacks are left out.</param>
         public TreePlanes(PointSchema schema, StoreLayout layout, IReadOnlyList<string> names)
         {
             m_layout = layout;
@@ -47,18 +47,18 @@ namespace FastPoints.SourceFeeds
 
         public int Count => m_indices.Length;
 
-        /// <summary>In the layout, rising; position is the first.</summary>
+        /// <summary>Rising indices in the layout; position is the first.</summary>
         public NativeArray<int> Indices => m_indices;
 
-        /// <summary>By plane; the position's as it is in nodes that are not wide.</summary>
+        /// <summary>One for each plane; the position's is that of nodes that are not wide.</summary>
         public NativeArray<PlaneShape> Shapes => m_shapes;
 
-        /// <summary>By plane: bits of a point's values. The position's depend on the node.</summary>
+        /// <summary>Bits of a point's values in each plane. The position's depend on the node.</summary>
         public NativeArray<int> Bits => m_bits;
 
         public PointSchema Decoded { get; }
 
-        /// <summary>The layout of all attributes but the position.</summary>
+        /// <summary>The layout of all attributes except the position.</summary>
         public static StoreLayout LayoutOf(PointSchema schema)
         {
             var attributes = new List<PointAttribute>();
@@ -68,8 +68,8 @@ namespace FastPoints.SourceFeeds
             return new StoreLayout(new PointSchema(attributes));
         }
 
-        /// <summary>What a column of a plane holds.</summary>
-        /// <param name="plane">Not the position's.</param>
+        /// <summary>The attribute in a column of a plane.</summary>
+        /// <param name="plane">Any plane except the position's.</param>
         public string AttributeOf(int plane, int column)
         {
             int of = m_layout.AttributeOfColumn[m_layout.Planes[m_indices[plane]].FirstColumn + column];

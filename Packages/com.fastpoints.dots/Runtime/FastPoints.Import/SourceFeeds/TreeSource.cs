@@ -12,21 +12,24 @@ using Unity.Jobs.LowLevel.Unsafe;
 namespace FastPoints.SourceFeeds
 {
     /// <summary>
-    /// A file or folder that brings its octree along (COPC, Potree, EPT), streamed as it is: nothing is converted. Its
-    /// hierarchy is read as deep as it is looked at, its nodes are decoded and packed as they are wanted. Or a preview's sample
-    /// (<see cref="SampleReader"/>).
+    /// A file or folder with an octree (COPC, Potree, EPT), streamed without conversion. Its hierarchy is read as deep as it is
+    /// viewed; its nodes are decoded and packed on demand. It also streams a preview's sample (<see cref="SampleReader"/>).
     /// </summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>Nodes that are made at once at most: small ones take less than a frame each, and a maker is free again in
-        /// the frame after.</summary>
+        /// <summary>
+        /// The most nodes that are made at the same time: small ones take less than a frame each, and a maker is free again in
+        /// the next frame.
+        /// </summary>
         const int MostMakers = 16;
 
-        /// <summary>Large ones: one is read while another is decoded.</summary>
+        /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
         const int LeastAtWork = 2;
 
-        /// <summary>About a frame's work. Nodes of more points than this for each worker are not made at once, so that other
-        /// jobs' turn comes.</summary>
+        /// <summary>
+        /// About a frame's work. Nodes with more points than this for each worker are not made together, so that other jobs get
+        /// their turn.
+        /// </summary>
         const int PointsPerWorker = 1 << 16;
 
         readonly TreePages m_pages;
@@ -38,10 +41,10 @@ namespace FastPoints.SourceFeeds
         TreePlanes m_allPlanes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <param name="reader">Becomes this source's. <see cref="FindTop"/> has been run.</param>
-        /// <param name="planes">Names of planes that are streamed beside the position (<see cref="StoreLayout"/>); those that
-        /// the source has not are left out.</param>
-        /// <exception cref="PointCloudException">The source brings no octree, or one without a root.</exception>
+        /// <param name="reader">The reader, which this source owns, after <see cref="FindTop"/>.</param>
+        /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
+        /// the source lacks are left out.</param>
+        /// <exception cref="PointCloudException">The source has no octree, or one without a root.</exception>
         public TreeSource(PointReader reader, params string[] planes)
         {
             if (reader.Tree == null)
@@ -72,10 +75,10 @@ namespace FastPoints.SourceFeeds
 
         internal TreeGrid Grids { get; }
 
-        /// <summary>Whether all nodes lie in one file: one that cannot be read is told of once.</summary>
+        /// <summary>Whether all nodes lie in one file, whose failure is then reported once.</summary>
         internal bool IsOneFile => Reader is CopcReader || Reader is Potree2Reader;
 
-        /// <summary>Work for a pump that comes before a source is made: reads the upper levels of the hierarchy.</summary>
+        /// <summary>Work for a pump, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
         public static IEnumerator<Work> FindTop(PointReader reader) => reader.FindLevels(TreePages.FirstLevels);
 
@@ -181,8 +184,8 @@ namespace FastPoints.SourceFeeds
             Reader.Dispose();
         }
 
-        /// <summary>The smallest with enough memory, otherwise the largest, so that few grow large.</summary>
-        /// <returns>-1 where none is idle.</returns>
+        /// <summary>The smallest maker with enough memory, otherwise the largest, so that few grow large.</summary>
+        /// <returns>-1 if none is idle.</returns>
         int BestIdle(int points)
         {
             int best = -1;

@@ -7,15 +7,15 @@ using Unity.Collections;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>The points of the upper levels of a source that brings its octree along: what colours and ranges are decided
-    /// by.</summary>
+    /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
-        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Nodes that are damaged give what they
-        /// have.</summary>
-        /// <param name="attributes">Beside the positions; those that the source has not are left out.</param>
-        /// <param name="wanted">Points: whole nodes, until there are so many.</param>
-        /// <param name="read">Takes the points over.</param>
+        /// <summary>
+        /// Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they have.
+        /// </summary>
+        /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
+        /// <param name="wanted">Number of points: whole nodes are read until there are this many.</param>
+        /// <param name="read">Receives the points and owns them.</param>
         public static IEnumerator<Work> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();

@@ -11,14 +11,13 @@ namespace FastPoints.Verify
 
         public AttributeType Type;
 
-        /// <summary>Values that are numbers: all of them but for floats.</summary>
+        /// <summary>Number of finite values: all of them, except for floats.</summary>
         public long Finite;
 
-        /// <summary>Values that are infinite or no number: in the sum, not in the range.</summary>
+        /// <summary>Number of values that are infinite or NaN: they count in the sum, but not in the range.</summary>
         public long NonFinite;
 
-        /// <summary>Modulo 2^64: of integers extended by their sign, of floats the sum of their bits, extended by
-        /// zeros.</summary>
+        /// <summary>Sum modulo 2^64: of sign-extended integers; for floats, of their bits, extended by zeros.</summary>
         public ulong Sum;
 
         ulong m_minOrdered;
@@ -27,13 +26,14 @@ namespace FastPoints.Verify
         public static ColumnSummary EmptyOf(AttributeType type) =>
             new ColumnSummary { Type = type, m_minOrdered = ulong.MaxValue };
 
-        /// <summary>Smallest and largest finite stored value; 0 where there is none. Exact but for 64-bit integers beyond
-        /// 2^53.</summary>
+        /// <summary>
+        /// The smallest finite stored value; 0 if there is none. Exact except for 64-bit integers beyond 2^53.
+        /// </summary>
         public double Min => Finite == 0 ? 0 : ToDouble(m_minOrdered);
 
         public double Max => Finite == 0 ? 0 : ToDouble(m_maxOrdered);
 
-        /// <summary>As <see cref="Min"/>, with all digits; null where there is none.</summary>
+        /// <summary>The same with all digits; null if there is none.</summary>
         public string MinText => Finite == 0 ? null : ToText(m_minOrdered);
 
         public string MaxText => Finite == 0 ? null : ToText(m_maxOrdered);

@@ -6,12 +6,14 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>The smallest distance between points of a level that were sampled together, across nodes of one file; and the
-    /// points at the sides of the file's cube, which other files' points may come near to.</summary>
+    /// <summary>
+    /// Finds the smallest distance between points of a level that were sampled together, across nodes of one file; and the
+    /// points at the sides of the file's cube, which other files' points may be close to.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct MeasureSpacingJob : IJob
     {
-        /// <summary>One after the other, level by level.</summary>
+        /// <summary>The groups of points, one after the other, level by level.</summary>
         public NativeArray<SampledGroup> Runs;
 
         /// <summary>In CRS units, from the cloud's corner.</summary>
@@ -21,13 +23,13 @@ namespace FastPoints.Verify
         public double3 CubeMin;
         public double3 CubeMax;
 
-        /// <summary>All points are wanted, not those at the sides alone.</summary>
+        /// <summary>Whether all points are wanted, not only those at the sides.</summary>
         public bool IsWhole;
 
-        /// <summary>Room for <see cref="Points"/>: those at the sides, level by level.</summary>
+        /// <summary>Has room for <see cref="Points"/>: receives those at the sides, level by level.</summary>
         public NativeArray<double3> AtSides;
 
-        /// <summary>Out, by run: points at the sides.</summary>
+        /// <summary>Out: for each group, its number of points at the sides.</summary>
         public NativeArray<int> AtSidesOfRun;
 
         public void Execute()
@@ -51,20 +53,21 @@ namespace FastPoints.Verify
         }
     }
 
-    /// <summary>Where a file's points of one level that were sampled together lie among all of its sampled points.
-    /// Blittable.</summary>
+    /// <summary>
+    /// The range of a file's points of one level that were sampled together, among all its sampled points. Blittable.
+    /// </summary>
     internal struct SampledGroup
     {
         public int First;
         public int Count;
 
-        /// <summary>Counted from the root.</summary>
+        /// <summary>The level, counted from the root.</summary>
         public int Level;
 
         /// <summary>Points nearer than this to the file's cube's sides may have neighbours beyond them; CRS units.</summary>
         public double Spacing;
 
-        /// <summary>What upper levels left of the tops of others: not sampled together.</summary>
+        /// <summary>Whether they are what upper levels left of other nodes' tops, which were not sampled together.</summary>
         public bool IsTop;
 
         /// <summary>Out: the smallest distance between two of the points, in CRS units.</summary>

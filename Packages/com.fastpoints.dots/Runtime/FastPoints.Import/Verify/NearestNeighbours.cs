@@ -4,13 +4,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Distances to nearest neighbours up to a limit, by a hash grid with cells of the limit's size.</summary>
+    /// <summary>
+    /// Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's size.
+    /// </summary>
     internal static unsafe class NearestNeighbours
     {
-        // Rounding of double coordinates is far below this; a distance that is exactly the limit is not within it.
+        // Rounding of double coordinates is far below this; a distance that is exactly the limit is outside it.
         const double Tolerance = 1e-9;
 
-        /// <summary>How many of the points have another one nearer than the limit.</summary>
+        /// <summary>Counts the points that have another one nearer than the limit.</summary>
         public static long CountWithin(double3* points, int count, double limit)
         {
             var distances = (double*)UnsafeUtility.Malloc((long)math.max(1, count) * sizeof(double), 16, Allocator.Temp);
@@ -22,7 +24,7 @@ namespace FastPoints.Verify
             return near;
         }
 
-        /// <summary>By point: the distance to its nearest neighbour; infinity where there is none within the limit.</summary>
+        /// <summary>Finds each point's distance to its nearest neighbour; infinity if there is none within the limit.</summary>
         public static void Find(double3* points, int count, double limit, double* distances)
         {
             int bits = 64 - math.lzcnt((ulong)math.max(1, count));

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>The distances of one file's sampled points, level by level.</summary>
+    /// <summary>Checks the distances of one file's sampled points, level by level.</summary>
     sealed class SpacingCheck : IDisposable
     {
         readonly CloudManifest m_manifest;
@@ -18,8 +18,8 @@ namespace FastPoints.Verify
         NativeArray<double3> m_atSides;
         NativeArray<int> m_atSidesOfRun;
 
-        /// <param name="cube">All of the file's points are in it.</param>
-        /// <param name="isUpper">The upper levels, which are not sampled in one go.</param>
+        /// <param name="cube">A cube that contains all of the file's points.</param>
+        /// <param name="isUpper">Whether it is the file of the upper levels, which are not sampled in one go.</param>
         public SpacingCheck(CloudManifest manifest, NodeTable table, GridCube cube, bool isUpper)
         {
             m_manifest = manifest;
@@ -67,7 +67,7 @@ namespace FastPoints.Verify
         /// <summary>By node: where its points go, or -1.</summary>
         public NativeArray<int> FirstSampled { get; private set; }
 
-        /// <summary>Places of the sampled points, in CRS units from the root's corner: to be filled first.</summary>
+        /// <summary>Positions of the sampled points in CRS units from the root's corner: to be filled first.</summary>
         public NativeArray<double3> Sampled { get; private set; }
 
         public JobHandle Schedule()
@@ -86,8 +86,8 @@ namespace FastPoints.Verify
             }.Schedule();
         }
 
-        /// <summary>When the job is done.</summary>
-        /// <param name="atSides">By level: gets the points at the cube's sides.</param>
+        /// <summary>Takes the results when the job is done.</summary>
+        /// <param name="atSides">Receives the points at the cube's sides for each level.</param>
         public void Take(List<VerifyResult.Level> levels, List<NativeList<double3>> atSides)
         {
             int first = 0;

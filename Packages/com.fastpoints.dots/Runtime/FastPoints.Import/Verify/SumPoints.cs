@@ -13,9 +13,9 @@ using Unity.Jobs;
 namespace FastPoints.Verify
 {
     /// <summary>
-    /// Sums of two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that no
-    /// order changes. Two different multisets of points have equal sums with a probability of about 2^-128; nothing but a
-    /// deliberate construction against these hashes does better.
+    /// Sums two independent 64-bit hashes over all points of a source, as a stored cloud would have them: 128 bits that do not
+    /// depend on the order. Two different multisets of points have equal sums with a probability of about 2^-128, unless they
+    /// are deliberately constructed against these hashes.
     /// </summary>
     internal sealed class SumPoints : IBlockConsumer, IDisposable
     {
@@ -28,7 +28,7 @@ namespace FastPoints.Verify
         readonly List<NativeReference<ulong>> m_sums = new List<NativeReference<ulong>>();
         readonly List<JobHandle> m_jobs = new List<JobHandle>();
 
-        /// <param name="attributes">Those of the stored cloud: the source has them all.</param>
+        /// <param name="attributes">The attributes of the stored cloud, all of which the source has.</param>
         /// <param name="grid">The source's numbers on the stored cloud's grid.</param>
         /// <param name="capacity">Points of the largest block.</param>
         public SumPoints(PointSchema attributes, in SourceGrid grid, int capacity)
@@ -63,7 +63,7 @@ namespace FastPoints.Verify
         {
         }
 
-        /// <summary>After the scan: what the points showed, the first sum among it.</summary>
+        /// <summary>Takes the statistics after the scan, which include the first sum.</summary>
         public PointStatistics TakeStatistics(out ulong secondSum, AttributeStatistics[] attributes)
         {
             var all = PointStatistics.None;
@@ -101,7 +101,7 @@ namespace FastPoints.Verify
         [ReadOnly] public NativeArray<int> FirstOfChunk;
         public RecordLayout Layout;
 
-        /// <summary>Added to.</summary>
+        /// <summary>The sum is added to it.</summary>
         public NativeReference<ulong> Sum;
 
         public void Execute()

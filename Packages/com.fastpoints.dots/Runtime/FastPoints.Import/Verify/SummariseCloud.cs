@@ -10,10 +10,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Decodes every point of a source, all attributes, and says what was found. Bounded memory.</summary>
+    /// <summary>Decodes every point of a source with all attributes and summarises them, in bounded memory.</summary>
     internal sealed class SummariseCloud : IBlockConsumer
     {
-        /// <summary>What one slot's job writes to.</summary>
+        /// <summary>The memory that one slot's job writes to.</summary>
         struct SlotState
         {
             public NativeArray<PointColumn> Columns;
@@ -116,15 +116,15 @@ namespace FastPoints.Verify
         }
     }
 
-    /// <summary>What a scan of all points found. Facts, where a header has claims.</summary>
+    /// <summary>The results of a scan of all points: facts, where a header has claims.</summary>
     internal sealed class CloudSummary
     {
         public long Points { get; internal set; }
 
-        /// <summary>Of all finite positions, georeferenced; empty where there is none.</summary>
+        /// <summary>Bounds of all finite positions, georeferenced; empty if there are none.</summary>
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
-        /// <summary>Points with a position that is not finite.</summary>
+        /// <summary>Number of points with a position that is not finite.</summary>
         public long NonFinite { get; internal set; }
 
         public PointSchema Schema { get; internal set; }
@@ -133,7 +133,7 @@ namespace FastPoints.Verify
         public ColumnSummary[] Columns { get; internal set; }
     }
 
-    /// <summary>Range and sum of each column of a decoded block, and the bounds of its positions.</summary>
+    /// <summary>Finds range and sum of each column of a decoded block, and the bounds of its positions.</summary>
     [BurstCompile]
     internal struct SummariseBlockJob : IJob
     {
@@ -142,7 +142,7 @@ namespace FastPoints.Verify
         [ReadOnly] public NativeReference<DecodeResult> Result;
         public PositionTransform Transform;
 
-        /// <summary>False for a source that lacks X, Y or Z: its bounds stay empty.</summary>
+        /// <summary>False for a source without X, Y or Z, whose bounds stay empty.</summary>
         public bool HasPositions;
 
         public PositionColumns Positions;

@@ -17,8 +17,8 @@ using Unity.Mathematics;
 namespace FastPoints.Verify
 {
     /// <summary>
-    /// Proves a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum; and,
-    /// against its sources, that the points are the same as a multiset, over position and every attribute.
+    /// Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
+    /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every attribute.
     /// </summary>
     public sealed unsafe class VerifyCloud : IDisposable
     {
@@ -30,7 +30,7 @@ namespace FastPoints.Verify
         readonly NativeStoreLayout m_store;
         readonly StoreRead m_read = new StoreRead();
 
-        /// <summary>By level: sampled points that other chunks' may come near to.</summary>
+        /// <summary>For each level, sampled points that other chunks' points may be close to.</summary>
         readonly List<NativeList<double3>> m_atSides = new List<NativeList<double3>>();
         ulong m_firstSum;
         ulong m_secondSum;
@@ -43,9 +43,9 @@ namespace FastPoints.Verify
             m_store = new NativeStoreLayout(folder.Layout);
         }
 
-        /// <summary>Work for a pump. What is wrong with the cloud is in the result; nothing is thrown for it.</summary>
-        /// <param name="against">The sources to compare with; none to leave that out.</param>
-        /// <exception cref="PointCloudException">The path is no cloud at all, or a source cannot be read.</exception>
+        /// <summary>Verifies as work for a pump. Problems of the cloud are in the result and throw nothing.</summary>
+        /// <param name="against">The sources to compare with; none to skip that.</param>
+        /// <exception cref="PointCloudException">The path is not a cloud at all, or a source cannot be read.</exception>
         public static IEnumerator<Work> Run(string path, IReadOnlyList<PointReader> against, VerifyResult result,
             StageProgress progress)
         {
@@ -209,7 +209,9 @@ namespace FastPoints.Verify
             m_result.Levels[level] = at;
         }
 
-        /// <summary>How near the sampled points of different chunks are: samplers keep their distance inside of chunks.</summary>
+        /// <summary>
+        /// Measures how near the sampled points of different chunks are: samplers only keep their distance inside chunks.
+        /// </summary>
         IEnumerator<Work> MeasureAcrossChunks()
         {
             var smallest = new NativeReference<double>(Allocator.Persistent);
@@ -332,7 +334,7 @@ namespace FastPoints.Verify
         }
     }
 
-    /// <summary>How many points have another one nearer than a spacing, and how near the nearest two are.</summary>
+    /// <summary>Counts the points that have another one nearer than a spacing, and finds the nearest two.</summary>
     [BurstCompile]
     internal unsafe struct CountNearJob : IJob
     {
@@ -342,7 +344,7 @@ namespace FastPoints.Verify
         /// <summary>Out: the smallest distance; infinity for fewer than two points.</summary>
         public NativeReference<double> MinDistance;
 
-        /// <summary>Out.</summary>
+        /// <summary>Out: the number of these points.</summary>
         public NativeReference<long> Near;
 
         public void Execute()

@@ -8,7 +8,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>Reads every point of a file's nodes: hashes, shapes, cubes, bounds, sums. The table has been checked.</summary>
+    /// <summary>
+    /// Reads every point of a file's nodes and checks hashes, shapes, cubes, bounds and sums. The table must have been checked.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct VerifyNodesJob : IJobParallelFor
     {
@@ -20,22 +22,22 @@ namespace FastPoints.Verify
         [ReadOnly] public NativeArray<int> FirstColumnOfPlane;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
 
-        /// <summary>By attribute plane: the one whose values are averaged in it, or negative.</summary>
+        /// <summary>For each attribute plane, the one whose values it averages, or a negative number.</summary>
         [ReadOnly] public NativeArray<int> AverageOf;
         public int AttributeBytes;
         public double3 Step;
 
-        /// <summary>What <see cref="Sampled"/> counts from.</summary>
+        /// <summary>The origin that <see cref="Sampled"/> counts from.</summary>
         public Grid3 Origin;
 
         /// <summary>By node: where its points go in <see cref="Sampled"/>; -1 for leaves and points at one place, which have no
         /// spacing.</summary>
         [ReadOnly] public NativeArray<int> FirstSampled;
 
-        /// <summary>Out: places of the sampled points, in CRS units.</summary>
+        /// <summary>Out: positions of the sampled points in CRS units.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<double3> Sampled;
 
-        /// <summary>By node.</summary>
+        /// <summary>Indexed by node.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<NodeCheckResult> Results;
 
         public void Execute(int index)
@@ -46,7 +48,7 @@ namespace FastPoints.Verify
             CheckPlanes(index, ref verdict);
             var node = Nodes[index];
             Results[index] = CheckPoints(index, verdict);
-            // The guests' verdicts are nobody else's to write.
+            // Only the host writes its guests' results.
             for (int child = node.FirstChild; child < node.FirstChild + node.ChildCount; child++)
                 if (Nodes[child].Host == index)
                     Results[child] = CheckPoints(child, verdict);
@@ -164,7 +166,7 @@ namespace FastPoints.Verify
                         ulong value = values[i] * (ulong)column.Divisor;
                         if (bits < 64 && value >> bits != 0)
                             verdict.What = NodeCheckResult.Fault.Value;
-                        // Averages are no part of the point.
+                        // Averages are not part of the point.
                         if (AverageOf[p - 1] < 0)
                             OrderedBits.Store(value, column.Type, records + i * recordBytes + column.RecordOffset);
                     }
@@ -176,7 +178,7 @@ namespace FastPoints.Verify
     /// <summary>What reading one node's points showed. Blittable.</summary>
     internal struct NodeCheckResult
     {
-        /// <summary>What is wrong with a node; 0 for nothing.</summary>
+        /// <summary>What can be wrong with a node; 0 means nothing.</summary>
         public enum Fault
         {
             None,
@@ -190,7 +192,7 @@ namespace FastPoints.Verify
 
         public Fault What;
 
-        /// <summary>The plane at fault.</summary>
+        /// <summary>The faulty plane.</summary>
         public int Plane;
 
         /// <summary>Sums of the points' hashes: see <see cref="RecordHash"/>.</summary>

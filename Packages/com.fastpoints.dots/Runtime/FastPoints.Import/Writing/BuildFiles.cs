@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace FastPoints.Writing
 {
-    /// <summary>Names in a folder in the making, of what is gone when the cloud is whole.</summary>
+    /// <summary>Names of files that exist only in a folder in the making.</summary>
     internal static class BuildFiles
     {
-        /// <summary>How far the build is: what a killed one is continued from.</summary>
+        /// <summary>The journal of the build, from which a killed one is continued.</summary>
         public const string JournalName = "build.json";
 
-        /// <summary>Points on their way into chunks: plain records.</summary>
+        /// <summary>The folder of points that are not in their nodes yet, as plain records.</summary>
         public const string RecordFolderName = "records";
 
         /// <summary>Chunks' top nodes, which the merge of the upper levels consumes.</summary>

@@ -11,11 +11,13 @@ using Unity.Collections;
 namespace FastPoints.Writing
 {
     /// <summary>
-    /// Writes a cloud's folder under a temporary name, and gives it its own when everything is there. Each file is complete or
-    /// absent: written under another name, flushed, renamed. One thread writes; callers never wait for a disk.
+    /// Writes a cloud's folder under a temporary name, and renames it when it is complete. Each file is complete or absent: it
+    /// is written under another name, flushed, then renamed. One thread writes; callers never wait for a disk.
     /// </summary>
-    /// <remarks>Disposed before <see cref="Complete"/>, it leaves nothing, or what <see cref="Keep"/> keeps. A lock file keeps a
-    /// second build of the same target out.</remarks>
+    /// <remarks>
+    /// If disposed before <see cref="Complete"/>, it leaves nothing except what <see cref="Keep"/> keeps. A lock file keeps out
+    /// a second build of the same target.
+    /// </remarks>
     internal sealed unsafe class CloudFolderWriter : IDisposable
     {
         const string LockName = "build.lock";
@@ -28,8 +30,9 @@ namespace FastPoints.Writing
         bool m_isComplete;
         bool m_isKept;
 
-        /// <param name="target">The folder to be: absent, empty, or a cloud that the new one replaces.</param>
-        /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being built.</exception>
+        /// <param name="target">The final folder: absent, empty, or a cloud that the new one replaces.</param>
+        /// <exception cref="PointCloudException">The target is something else, cannot be written, or is being
+        /// built.</exception>
         public CloudFolderWriter(string target)
         {
             m_target = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
@@ -54,10 +57,10 @@ namespace FastPoints.Writing
         /// <summary>Whether a build of this target was killed before.</summary>
         public bool HasLeftovers { get; }
 
-        /// <summary>What a build that was killed says of itself, or null where there is none.</summary>
+        /// <summary>Reads a text that a killed build left, or returns null if there is none.</summary>
         public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;
 
-        /// <summary>Writes a small file on the calling thread, in place of the one of that name.</summary>
+        /// <summary>Writes a small file on the calling thread, replacing the one of that name.</summary>
         public void WriteText(string name, string text)
         {
             try
@@ -73,7 +76,7 @@ namespace FastPoints.Writing
         }
 
         /// <summary>Cuts a file to a size; 0 deletes it.</summary>
-        /// <returns>Whether it has that size now: false where it was shorter.</returns>
+        /// <returns>Whether it has that size now: false if it was shorter.</returns>
         public bool Truncate(string name, long bytes)
         {
             string path = PathOf(name);
@@ -100,8 +103,8 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Deletes what is in a folder of the build.</summary>
-        /// <param name="kept">Paths that are not deleted.</param>
+        /// <summary>Deletes files in a folder of the build.</summary>
+        /// <param name="kept">Paths to keep.</param>
         public void DeleteOthers(string folder, ICollection<string> kept)
         {
             try
@@ -116,7 +119,7 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Deletes everything that is there: the build begins anew.</summary>
+        /// <summary>Deletes everything in it: the build starts over.</summary>
         public void Clear()
         {
             try
@@ -139,13 +142,15 @@ namespace FastPoints.Writing
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
-        /// <summary>Queues a piece of a file, which is there when <see cref="Seal"/> is done with it. The bytes belong to the
-        /// writer until the ticket is done.</summary>
-        /// <param name="offset">Of the piece in the file.</param>
+        /// <summary>
+        /// Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the writer until
+        /// the ticket is done.
+        /// </summary>
+        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
             m_queue.WritePiece(PathOf(name), bytes, offset);
 
-        /// <summary>Queues the first bytes of a file in pieces, with which it is complete.</summary>
+        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string name, NativeArray<byte> bytes) => m_queue.Seal(PathOf(name), bytes);
 
         /// <summary>Queues records for a temporary file. The pages belong to the writer until the ticket is done.</summary>
@@ -153,14 +158,16 @@ namespace FastPoints.Writing
         public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
             m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
 
-        /// <summary>Queues that what was queued for a temporary file before is on the disk itself, not in the system's memory
-        /// alone, when the ticket is done: a loss of power takes nothing of it.</summary>
+        /// <summary>
+        /// Queues a flush of a temporary file: when the ticket is done, everything queued for it before is on disk and survives
+        /// a loss of power.
+        /// </summary>
         public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
         /// <summary>Path of a file of the folder while it is in the making.</summary>
         public string PathOf(string name) => Path.Combine(m_part, name);
 
-        /// <summary>Deletes a file that the build needs no more; nothing is queued for it.</summary>
+        /// <summary>Deletes a file that the build no longer needs, for which nothing is queued.</summary>
         public void Delete(string name)
         {
             string path = PathOf(name);
@@ -174,7 +181,7 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Deletes the files of one generation of the cloud in the making, where they are.</summary>
+        /// <summary>Deletes the files of one generation of the cloud in the making, if they exist.</summary>
         public void DeleteGeneration(long generation)
         {
             Delete(StoreFormat.GenerationName(StoreFormat.UpperName, generation));
@@ -190,7 +197,7 @@ namespace FastPoints.Writing
             return bytes;
         }
 
-        /// <summary>Bytes that the target's disk has room for; -1 where nobody says.</summary>
+        /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
         public long FreeBytes()
         {
             try
@@ -203,8 +210,8 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Gives the folder its name. Everything is written, cloud.json last of all.</summary>
-        /// <exception cref="PointCloudException">It cannot, or is another writer's by now.</exception>
+        /// <summary>Gives the folder its final name. Everything must be written, cloud.json last of all.</summary>
+        /// <exception cref="PointCloudException">It cannot be renamed, or belongs to another writer by now.</exception>
         public void Complete()
         {
             m_queue.End();
@@ -231,7 +238,7 @@ namespace FastPoints.Writing
                 }
                 Directory.Move(m_part, m_target);
                 m_isComplete = true;
-                // The lock has come along.
+                // The lock was renamed with the folder.
                 File.Delete(Path.Combine(m_target, LockName));
                 File.Delete(Path.Combine(m_target, BuildFiles.JournalName));
                 if (old != null)
@@ -243,7 +250,7 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>What was written stays when the writer is disposed, as if the process had been killed then.</summary>
+        /// <summary>Keeps what was written when the writer is disposed, as if the process had been killed.</summary>
         public void Keep() => m_isKept = true;
 
         public void Dispose()
@@ -257,7 +264,7 @@ namespace FastPoints.Writing
             m_lock.Dispose();
         }
 
-        /// <summary>Deletes what a build that ended early left of a target; nothing where it is being built now.</summary>
+        /// <summary>Deletes what a build that ended early left of a target, unless it is being built now.</summary>
         public static void DeleteUnfinished(string target)
         {
             var part = new DirectoryInfo(target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar) +
@@ -273,7 +280,7 @@ namespace FastPoints.Writing
             }
             catch (PointCloudException)
             {
-                // As where it cannot be deleted.
+                // This is the same as if it could not be deleted.
             }
         }
 
@@ -285,7 +292,7 @@ namespace FastPoints.Writing
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // What is left has the temporary name, and the next build of this target clears it.
+                // The rest has the temporary name, and the next build of this target clears it.
             }
         }
 
@@ -309,16 +316,15 @@ namespace FastPoints.Writing
             return taken ?? throw new PointCloudException(FailureCode.WriteFailed, m_target, -1, "is being built by " + owner);
         }
 
-        /// <summary>On the thread that writes.</summary>
-        /// <returns>Why nothing may be written any more; null where the folder is this writer's.</returns>
+        /// <summary>Renews the lock on the writing thread.</summary>
+        /// <returns>Why nothing may be written any more; null if the folder still belongs to this writer.</returns>
         PointCloudException RenewLock()
         {
             m_isLost |= !m_lock.Renew(DateTime.UtcNow);
             return m_isLost ? TakenOver() : null;
         }
 
-        /// <summary>After a long sleep of the machine another one may have taken this writer for gone: the folder is
-        /// his.</summary>
+        /// <summary>The failure when, after a long sleep of the machine, another writer has taken the folder over.</summary>
         PointCloudException TakenOver() =>
             new PointCloudException(FailureCode.WriteFailed, m_target, -1, "was taken over by another process");
     }

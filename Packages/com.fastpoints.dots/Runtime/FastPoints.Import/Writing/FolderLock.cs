@@ -9,29 +9,33 @@ using FastPoints.Store;
 namespace FastPoints.Writing
 {
     /// <summary>
-    /// Keeps others from writing into the same folder: a file that names its owner. What a crash left is taken over: on the same
-    /// machine when the process is gone, on another when the owner has not renewed it for a while.
+    /// Keeps others from writing into the same folder, with a file that names its owner. A lock that a crash left is taken
+    /// over: on the same machine if the process is gone, on another if the owner has not renewed it for a while.
     /// </summary>
-    /// <remarks>Not the system's own locks on files: these do not hold between processes on every system and runtime that Unity
-    /// runs on (mono/mono#19763). Where a runtime cannot tell processes apart, as IL2CPP, it keeps others out in its own process
-    /// alone.</remarks>
+    /// <remarks>
+    /// It does not use the system's file locks, which do not hold between processes on every system and runtime that Unity runs
+    /// on (mono/mono#19763). If a runtime cannot tell processes apart, as with IL2CPP, it only keeps others out within its own
+    /// process.
+    /// </remarks>
     internal sealed class FolderLock : IDisposable
     {
-        /// <summary>The owner renews it about so often.</summary>
+        /// <summary>The owner renews it about this often.</summary>
         public static readonly TimeSpan RenewAfter = TimeSpan.FromSeconds(20);
 
-        /// <summary>An owner on another machine that has not renewed it for so long is taken to be gone.</summary>
+        /// <summary>An owner on another machine that has not renewed it for this long counts as gone.</summary>
         public static readonly TimeSpan GoneAfter = TimeSpan.FromMinutes(3);
 
         const string Somebody = "another process";
         const string NoNumber = "0";
         const string GuardSuffix = ".taking";
 
-        /// <summary>A process that has another one's number began farther away than runtimes differ in what they
-        /// say.</summary>
+        /// <summary>
+        /// If the start times of two processes with the same number differ by more than this, they are not the same: runtimes
+        /// report times less far apart.
+        /// </summary>
         const long SameBeginTicks = 10 * TimeSpan.TicksPerSecond;
 
-        /// <summary>Of the scripts as they are loaded: one process loads them many times.</summary>
+        /// <summary>Identifies the loaded scripts: one process loads them many times.</summary>
         static readonly string s_load = Guid.NewGuid().ToString("N");
 
         readonly string m_path;
@@ -45,7 +49,7 @@ namespace FastPoints.Writing
             m_renewed = DateTime.UtcNow;
         }
 
-        /// <summary>Whether the lock is still this owner's, by a look into the file.</summary>
+        /// <summary>Whether the lock still belongs to this owner, according to the file.</summary>
         public bool IsHeld
         {
             get
@@ -56,22 +60,22 @@ namespace FastPoints.Writing
                 }
                 catch (PointCloudException e)
                 {
-                    // A disk that cannot be reached for a while takes it from nobody.
+                    // A disk that is unreachable for a while does not end the lock.
                     return e.Code != FailureCode.NotFound;
                 }
             }
         }
 
-        /// <summary>Takes the lock, where nobody has it.</summary>
-        /// <param name="path">Of the file.</param>
+        /// <summary>Takes the lock if it is free.</summary>
+        /// <param name="path">Path of the file.</param>
         /// <param name="taken">The lock, or null.</param>
-        /// <returns>Who has it, for people; null where it was taken.</returns>
+        /// <returns>Who holds it, for people; null if it was taken.</returns>
         /// <exception cref="PointCloudException">The folder cannot be written.</exception>
         public static string TryTake(string path, out FolderLock taken) =>
             TryTake(path, Environment.MachineName, Self(), out taken);
 
-        /// <summary>As for another process or machine.</summary>
-        /// <param name="process">Its number, and when it began: ticks of UTC.</param>
+        /// <summary>The same on behalf of another process or machine.</summary>
+        /// <param name="process">The number of the process, and when it began in ticks of UTC.</param>
         public static string TryTake(string path, string machine, (int Id, long Began) process, out FolderLock taken)
         {
             taken = null;
@@ -94,7 +98,7 @@ namespace FastPoints.Writing
             }
             catch (PointCloudException e) when (e.Code == FailureCode.NotFound || e.Code == FailureCode.ReadFailed)
             {
-                // Given back between two looks, or being written: the next try tells.
+                // It was released between two looks, or is being written: the next try decides.
                 return Somebody;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
@@ -103,9 +107,9 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Tells others that the owner is there; at most every <see cref="RenewAfter"/>.</summary>
-        /// <returns>Whether the lock is still this owner's: false where another one took it, after a long sleep for
-        /// example.</returns>
+        /// <summary>Renews the lock so that others know the owner is alive; at most every <see cref="RenewAfter"/>.</summary>
+        /// <returns>Whether the lock still belongs to this owner: false if another one took it, for example after a long
+        /// sleep.</returns>
         public bool Renew(DateTime nowUtc)
         {
             if (nowUtc - m_renewed < RenewAfter)
@@ -119,12 +123,12 @@ namespace FastPoints.Writing
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
-                // As where it cannot be read.
+                // This is the same as if it could not be read.
             }
             return true;
         }
 
-        /// <summary>Gives it back, where it is still this owner's.</summary>
+        /// <summary>Releases it, if it still belongs to this owner.</summary>
         public void Dispose()
         {
             try
@@ -134,11 +138,11 @@ namespace FastPoints.Writing
             }
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
-                // The process is named in it: who comes next finds it gone.
+                // The file names this process: the next owner finds it gone.
             }
         }
 
-        /// <summary>This process; zeros where the runtime does not say.</summary>
+        /// <summary>This process; zeros if the runtime does not say.</summary>
         public static (int Id, long Began) Self()
         {
             try
@@ -163,19 +167,20 @@ namespace FastPoints.Writing
             }
             catch (IOException e) when (FileFailures.Writing(path, e).Code == FailureCode.WriteFailed)
             {
-                // Somebody has it, or had it a moment ago.
+                // Another owner has it, or had it a moment ago.
                 return false;
             }
         }
 
-        /// <summary>Only one of several who found it stale takes it over: a file beside it keeps the others off
-        /// meanwhile.</summary>
+        /// <summary>
+        /// Lets only one of several that found it stale take it over: a file beside it keeps the others off meanwhile.
+        /// </summary>
         static bool TryTakeOver(string path, string machine, string owner)
         {
             string guard = path + GuardSuffix;
             if (!TryCreate(guard, owner))
             {
-                // Left by a crash in the middle of this.
+                // A crash in the middle of this left it.
                 if (DateTime.UtcNow - File.GetLastWriteTimeUtc(guard) > RenewAfter)
                     File.Delete(guard);
                 return false;
@@ -199,7 +204,7 @@ namespace FastPoints.Writing
             if (lines.Length < 3 || !int.TryParse(lines[1], NumberStyles.None, CultureInfo.InvariantCulture, out int id) ||
                 !long.TryParse(lines[2], NumberStyles.None, CultureInfo.InvariantCulture, out long began))
             {
-                // Half written: whoever writes it does so at once.
+                // It is half-written: its writer completes it at once.
                 return DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > RenewAfter;
             }
             bool isSilent = DateTime.UtcNow - File.GetLastWriteTimeUtc(path) > GoneAfter;
@@ -219,7 +224,7 @@ namespace FastPoints.Writing
             }
             catch (System.ComponentModel.Win32Exception)
             {
-                // There is such a process, of another user.
+                // There is such a process, owned by another user.
                 return false;
             }
             catch (Exception e) when (IsOfTheRuntime(e))

@@ -5,12 +5,12 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Writing
 {
-    /// <summary>Puts hierarchy.bin together: the upper nodes' table and one record a chunk.</summary>
+    /// <summary>Assembles hierarchy.bin: the upper nodes' table and one record for each chunk.</summary>
     internal static unsafe class HierarchyFile
     {
-        /// <summary>The whole file; the caller disposes it. The manifest gets its size and hash.</summary>
+        /// <summary>Makes the whole file; the caller disposes it. The manifest receives its size and hash.</summary>
         /// <param name="table">The upper nodes, then their planes' ranges in upper.bin.</param>
-        /// <param name="chunks">Sorted here by the node they hang on.</param>
+        /// <param name="chunks">The chunks, which are sorted here by the node they are attached to.</param>
         public static NativeArray<byte> Create(NativeArray<byte> table, int nodeCount, int planeCount, List<ChunkRecord> chunks,
             CloudManifest manifest)
         {

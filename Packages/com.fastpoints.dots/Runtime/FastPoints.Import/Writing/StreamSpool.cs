@@ -7,9 +7,11 @@ using FastPoints.Files;
 
 namespace FastPoints.Writing
 {
-    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers
-    /// jump about in a cloud and read many of its pieces at once, which only files allow. The file has its name when it is whole;
-    /// called off or failed, it leaves nothing.</summary>
+    /// <summary>
+    /// Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers jump
+    /// about in a cloud and read many of its pieces together, which only files allow. The file gets its name when it is
+    /// complete; if cancelled or failed, it leaves nothing.
+    /// </summary>
     public sealed class StreamSpool : IDisposable
     {
         const string TemporarySuffix = ".part";
@@ -22,8 +24,8 @@ namespace FastPoints.Writing
         long m_bytes;
 
         /// <param name="open">Called once, on that thread; the stream is disposed there.</param>
-        /// <param name="path">Of the file, whose ending tells readers its format; one of that name is replaced.</param>
-        /// <param name="lengthBytes">That the stream must have; negative where nobody knows.</param>
+        /// <param name="path">Path of the file, whose extension tells readers its format; an existing file is replaced.</param>
+        /// <param name="lengthBytes">The length that the stream must have; negative if unknown.</param>
         public StreamSpool(Func<Stream> open, string path, long lengthBytes = -1)
         {
             m_open = open;
@@ -36,14 +38,14 @@ namespace FastPoints.Writing
         /// cancelled.</summary>
         public Task Work { get; }
 
-        /// <summary>Written so far; any thread may ask.</summary>
+        /// <summary>Bytes written so far; any thread may ask.</summary>
         public long Bytes => Interlocked.Read(ref m_bytes);
 
-        /// <summary>0 to 1; 0 to the end where nobody knows the length.</summary>
+        /// <summary>Progress from 0 to 1; 0 until the end if the length is unknown.</summary>
         public double Share =>
             Work.Status == TaskStatus.RanToCompletion ? 1 : m_lengthBytes > 0 ? (double)Bytes / m_lengthBytes : 0;
 
-        /// <summary>Calls it off; the work ends by itself.</summary>
+        /// <summary>Cancels it; the work ends by itself.</summary>
         public void Dispose() => m_cancellation.Cancel();
 
         void Run()

@@ -11,8 +11,8 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace FastPoints.Writing
 {
     /// <summary>
-    /// One thread that writes files, in the order in which they are queued. Each file is complete or absent: written under
-    /// another name, flushed, renamed. After a failure nothing is written any more.
+    /// One thread that writes files in the order in which they are queued. Each file is complete or absent: it is written under
+    /// another name, flushed, then renamed. After a failure nothing more is written.
     /// </summary>
     sealed unsafe class WriteQueue
     {
@@ -23,13 +23,13 @@ namespace FastPoints.Writing
         {
             /// <summary>A file in one piece.</summary>
             Whole,
-            /// <summary>A piece of a file that has its temporary name still.</summary>
+            /// <summary>A piece of a file that still has its temporary name.</summary>
             Piece,
-            /// <summary>The first bytes of such a file, which is complete then.</summary>
+            /// <summary>The first bytes of such a file, which complete it.</summary>
             Seal,
-            /// <summary>Records at the end of a file that the build alone reads.</summary>
+            /// <summary>Records at the end of a file that only the build reads.</summary>
             Records,
-            /// <summary>What was written to such a file so far is put on the disk itself.</summary>
+            /// <summary>A flush to disk of what was written to such a file so far.</summary>
             Sync,
         }
 
@@ -51,9 +51,9 @@ namespace FastPoints.Writing
         readonly TimeSpan m_checkAfter;
         bool m_isEnding;
 
-        /// <param name="check">Called on the thread, before each file and where it waits for one: why nothing may be written any
-        /// more, or null.</param>
-        /// <param name="checkAfter">The longest time without that.</param>
+        /// <param name="check">Called on the thread before each file and while it waits for one; returns why nothing may be
+        /// written any more, or null.</param>
+        /// <param name="checkAfter">The longest time between two calls.</param>
         public WriteQueue(Func<Exception> check, TimeSpan checkAfter)
         {
             m_check = check;
@@ -62,21 +62,23 @@ namespace FastPoints.Writing
             m_thread.Start();
         }
 
-        /// <summary>What went wrong, to be looked at after <see cref="End"/>; null where nothing did.</summary>
+        /// <summary>The failure, to be read after <see cref="End"/>; null if there was none.</summary>
         public Exception Failure { get; private set; }
 
-        /// <summary>A file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
+        /// <summary>
+        /// Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.
+        /// </summary>
         public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
 
-        /// <summary>A piece of a file, which is there when <see cref="Seal"/> is done with it.</summary>
-        /// <param name="offset">Of the piece in the file.</param>
+        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>
+        /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string path, NativeArray<byte> bytes, long offset) =>
             Enqueue(OrderKind.Piece, path, bytes, offset);
 
-        /// <summary>The first bytes of a file in pieces, with which it is complete.</summary>
+        /// <summary>Queues the first bytes of a file in pieces, which complete it.</summary>
         public WriteTicket Seal(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Seal, path, bytes, 0);
 
-        /// <summary>Records at the end of a file that the build alone reads.</summary>
+        /// <summary>Queues records at the end of a file that only the build reads.</summary>
         /// <param name="offset">The file's size so far.</param>
         public WriteTicket WriteRecords(string path, in RecordPages pages, int strideBytes, long offset) => Enqueue(new Order
         {
@@ -88,7 +90,7 @@ namespace FastPoints.Writing
             Ticket = new WriteTicket(),
         });
 
-        /// <summary>What was queued for such a file before is on the disk itself when the ticket is done.</summary>
+        /// <summary>Queues a flush: everything queued for such a file before is on disk when the ticket is done.</summary>
         public WriteTicket Sync(string path) => Enqueue(new Order
         {
             Kind = OrderKind.Sync,
@@ -96,7 +98,7 @@ namespace FastPoints.Writing
             Ticket = new WriteTicket(),
         });
 
-        /// <summary>Waits for all that is queued. May run twice.</summary>
+        /// <summary>Waits for everything queued. May be called twice.</summary>
         public void End()
         {
             lock (m_orders)
@@ -135,7 +137,7 @@ namespace FastPoints.Writing
                 Failure = m_check() ?? Failure;
                 if (order.Ticket == null)
                     continue;
-                // After a failure nothing is written any more: what follows would rely on what is missing.
+                // After a failure nothing more is written: later writes would rely on what is missing.
                 try
                 {
                     if (Failure == null)
@@ -143,7 +145,7 @@ namespace FastPoints.Writing
                 }
                 catch (Exception e)
                 {
-                    // Whatever it is: who waits for the ticket would wait for ever if it ended the thread.
+                    // Any exception is caught: if it ended the thread, waiting for the ticket would never end.
                     Failure = FileFailures.IsFileFailure(e)
                         ? FileFailures.Writing(order.Path, e) : PointCloudException.Of(order.Path, e);
                 }
@@ -206,7 +208,7 @@ namespace FastPoints.Writing
 
         static FileStream Open(string path, FileMode mode, long offset)
         {
-            // A buffer of one byte: what is written goes straight on.
+            // A buffer of one byte makes writes go straight through.
             var file = new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
             file.Position = offset;
             return file;
@@ -222,7 +224,7 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>In place of what is there, if anything is.</summary>
+        /// <summary>Replaces the existing file, if any.</summary>
         static void Rename(string from, string to)
         {
             if (File.Exists(to))

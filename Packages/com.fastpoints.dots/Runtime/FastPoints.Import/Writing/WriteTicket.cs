@@ -3,14 +3,14 @@ using System.Threading;
 
 namespace FastPoints.Writing
 {
-    /// <summary>One file that is on its way to the disk.</summary>
+    /// <summary>One file that waits to be written to disk.</summary>
     internal sealed class WriteTicket
     {
         readonly object m_lock = new object();
         bool m_isDone;
         Exception m_failure;
 
-        /// <summary>Whether the file is complete on disk; waits at most so long for it.</summary>
+        /// <summary>Whether the file is complete on disk; waits at most this long for it.</summary>
         /// <exception cref="Base.PointCloudException">It could not be written.</exception>
         public bool IsDone(int waitMs)
         {
@@ -24,7 +24,9 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>Until the bytes are no longer needed, written or not. Throws nothing: for clearing up.</summary>
+        /// <summary>
+        /// Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits clean-up.
+        /// </summary>
         public void Wait()
         {
             lock (m_lock)

@@ -59,7 +59,7 @@ namespace FastPoints.Files
         public int BlockPoints => MarkRecords * MarksPerBlock;
         public int BlockCount => (int)((Records + BlockPoints - 1) / BlockPoints);
 
-        /// <summary>Most records that the section can hold.</summary>
+        /// <summary>The most records that the section can hold.</summary>
         public long RecordsPossible =>
             (long)Math.Min(Scan.RecordsClaimed, (ulong)Math.Max(0, End - DataStart) * 8);
 

@@ -7,7 +7,7 @@ namespace FastPoints.Files
 {
     /// <summary>
     /// Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in it
-    /// is a claim and is held against the file's size; a table that contradicts itself is as good as none.
+    /// is a claim and is held against the file's size; a table that contradicts itself counts as missing.
     /// </summary>
     /// <remarks><code>
     /// uint version (0), uint chunks, then range-coded for each chunk: its points (if chunks vary), its bytes
