@@ -142,7 +142,7 @@ namespace FastPoints.HostTests.Editor
             string from = Convert("one", 2000), to = Convert("two", 3000);
 
             Assert.That(() => new CloudCopy(from, to).Work.GetAwaiter().GetResult(),
-                Throws.TypeOf<PointCloudException>().With.Message.Contains("is there already"));
+                Throws.TypeOf<PointCloudException>().With.Message.Contains("already exists"));
             Assert.That(() => new CloudCopy(from + "-none", m_scratch["x"]).Work.GetAwaiter().GetResult(),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.NotFound));
             Assert.That(Directory.GetDirectories(m_paths.Clouds), Has.Length.EqualTo(2));

@@ -32,8 +32,8 @@ namespace FastPoints.Editor
             settings.PlayerVariants =
                 (VariantChoice)EditorGUILayout.EnumPopup("Shader variants in players", settings.PlayerVariants);
             string place = EditorGUILayout.DelayedTextField("Converted clouds in", settings.Place);
-            EditorGUILayout.HelpBox("A folder beside Assets, or anywhere: what is there already stays where it is. " +
-                "Graphics memory holds in the editor where a scene has no Point Cloud Settings, and new ones begin with it; " +
+            EditorGUILayout.HelpBox("A folder beside Assets, or anywhere else; clouds converted earlier stay where they are. " +
+                "Graphics memory applies in the editor if a scene has no Point Cloud Settings, which begin with it when added; " +
                 "in players that component decides, or 512 MiB.", MessageType.None);
             if (!EditorGUI.EndChangeCheck())
                 return;

@@ -73,7 +73,7 @@ namespace FastPoints.Editor
                 if (!File.Exists(Path.Combine(m_from, StoreFormat.ManifestName)))
                     throw new PointCloudException(FailureCode.NotFound, m_from, -1, "wanted a finished cloud");
                 if (Directory.Exists(m_to) || File.Exists(m_to))
-                    throw new PointCloudException(FailureCode.WriteFailed, m_to, -1, "is there already");
+                    throw new PointCloudException(FailureCode.WriteFailed, m_to, -1, "already exists");
                 if (Directory.Exists(temporary))
                     Directory.Delete(temporary, true);
                 Directory.CreateDirectory(temporary);

@@ -87,7 +87,7 @@ namespace FastPoints.Convert
             if (pointsPerChunk <= 0)
             {
                 plan.PointsPerChunk = Math.Max(MinPointsPerChunk, Math.Min(MaxPointsPerChunk, points / 16));
-                // Memory is halved, so that about the same memory gives the very same chunks.
+                // Chunks are halved in size, so that about the same memory gives the very same chunks.
                 long most = MaxPointsPerChunk;
                 while (most > LeastPointsPerChunk && 2 * most * ChunksPlanned * plan.IndexBytesPerPoint > memoryBytes / 4 * 3)
                     most /= 2;

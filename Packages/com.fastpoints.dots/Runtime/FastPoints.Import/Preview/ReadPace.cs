@@ -54,8 +54,8 @@ namespace FastPoints.Preview
         public int RunsPerRequest(int runs, int slots, int least, int most) =>
             Math.Max(IsSlow ? 1 : least, Math.Min(most, runs / (2 * slots)));
 
-        /// <summary>Gaps that are read along.</summary>
-        /// <param name="secondsPerRead">What reads that lie far apart take, several in flight.</param>
+        /// <summary>The largest gap that is read along.</summary>
+        /// <param name="secondsPerRead">The time of reads that lie far apart, with several in flight.</param>
         public int GapBytes(double secondsPerRead) => (int)Math.Max(MinGapBytes,
             Math.Min(IsSlow ? MaxSlowGapBytes : MaxGapBytes, secondsPerRead * BytesPerSecondOfGaps));
     }

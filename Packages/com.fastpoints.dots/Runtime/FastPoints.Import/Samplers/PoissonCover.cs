@@ -58,7 +58,7 @@ namespace FastPoints.Samplers
         public static void Begin(ulong* memory, int spacingLog2)
         {
             var masks = (byte*)(memory + BeginOfMasks);
-            // Squares are in steps, since positions are whole numbers; with cells of many steps they are in parts of cells.
+            // Squares are in steps, since positions are whole numbers; cells of many steps count as 256 steps.
             int shift = ShiftOf(spacingLog2), step = math.min(shift, 8), spacing = spacingLog2 - shift + step;
             for (int z = -Reach; z <= Reach; z++)
             {

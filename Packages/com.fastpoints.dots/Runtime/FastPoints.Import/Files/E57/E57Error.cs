@@ -28,7 +28,7 @@ namespace FastPoints.Files
                 case StreamLengths:
                     return "a packet's bytestreams are longer than it is, or do not fill it";
                 case Restart:
-                    return "a packet starts its bytestreams anew within a value";
+                    return "a packet restarts its bytestreams within a value";
                 case TooWide:
                     return "the fields of its points lie too far apart";
                 default:

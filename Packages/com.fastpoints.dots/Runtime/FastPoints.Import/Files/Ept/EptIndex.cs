@@ -64,7 +64,7 @@ namespace FastPoints.Files
             bool isKnown = info.Version.StartsWith("0.", StringComparison.Ordinal)
                 || info.Version.StartsWith("1.", StringComparison.Ordinal);
             if (!isKnown)
-                info.Warn(-1, "version: wanted 0 or 1, got " + info.Version + ": read all the same");
+                info.Warn(-1, "version: wanted 0 or 1, got " + info.Version + ": read anyway");
             index.ReadCube(json);
             index.ReadSchema(json);
             ReadCrs(json, info);

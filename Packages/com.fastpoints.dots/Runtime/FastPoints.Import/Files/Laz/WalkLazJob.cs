@@ -24,8 +24,10 @@ namespace FastPoints.Files
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        /// <summary>From where the state's stream has been taken up to; with <see cref="RangeCode.PaddingBytes"/> behind
-        /// <see cref="InputEnd"/>.</summary>
+        /// <summary>
+        /// The input from where the state's stream has been consumed up to, with <see cref="RangeCode.PaddingBytes"/> behind
+        /// <see cref="InputEnd"/>.
+        /// </summary>
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;

@@ -301,7 +301,7 @@ namespace FastPoints.Files
             AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : m_layout.RecordBytes);
         }
 
-        /// <param name="points">As claimed; becomes what there can be.</param>
+        /// <param name="points">The claimed number; becomes the possible one.</param>
         string FindProblem(ref long points, long offset, long bytes)
         {
             long claimed = points;

@@ -198,7 +198,7 @@ namespace FastPoints.Tests.Files
             int packet = 80 + BitConverter.ToUInt16(content, 82) + 1;
             var contents = E57Contents.Read(With(file, packet + 1, 1));
             CheckPrefix(contents, 0, 1000);
-            Assert.That(contents.HasWarning("anew within a value"));
+            Assert.That(contents.HasWarning("restarts its bytestreams within a value"));
         }
 
         [TestCase(0UL)]

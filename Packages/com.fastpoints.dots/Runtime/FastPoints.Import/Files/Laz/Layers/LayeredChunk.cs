@@ -78,7 +78,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Lays the layers out in a state of <see cref="StateBytes"/> bytes, aligned to 16.</summary>
-        /// <param name="isWanted">By layer; the first must be, for its contexts.</param>
+        /// <param name="isWanted">Whether each layer is wanted; the first must be, for its contexts.</param>
         public static void Configure(LayeredChunk* chunk, LazLayer[] layers, bool[] isWanted, int recordBytes)
         {
             *chunk = default;
@@ -105,7 +105,7 @@ namespace FastPoints.Files
 
         /// <summary>
         /// Whether what lies there can be the chunk that a table or a hierarchy says it is: its own count is the same, or its
-        /// layers together are as long. Where neither holds it would decode to points that nobody wrote.
+        /// layers together are as long. If neither holds, it would decode to points that were never written.
         /// </summary>
         /// <param name="points">Of the chunk, as told.</param>
         /// <param name="bytes">Of the chunk, as told.</param>

@@ -23,7 +23,7 @@ namespace FastPoints.Files
     }
 
     /// <summary>
-    /// One layer of layered chunks (point formats 6 to 10): a stream of its own, so that a reader skips those that nobody wants.
+    /// One layer of layered chunks (point formats 6 to 10): a stream of its own, so that a reader skips unwanted ones.
     /// All but the first hold some bytes of the record; the first also says what the others' contexts are.
     /// </summary>
     internal struct LazLayer
@@ -33,7 +33,7 @@ namespace FastPoints.Files
 
         public LazLayerKind Kind;
 
-        /// <summary>Of the layer's first byte in a record; the first layer also has the bytes 14 and 15 (in part).</summary>
+        /// <summary>Offset of the layer's first byte in a record; the first layer also has the bytes 14 and 15 (in part).</summary>
         public int RecordOffset;
 
         public int RecordBytes;
@@ -117,8 +117,8 @@ namespace FastPoints.Files
         const int FlagByte = 15;
         const int ScannerChannelShift = 4;
 
-        /// <summary>By layer. The first is always wanted: the others' contexts come from it.</summary>
-        /// <exception cref="ArgumentException">An attribute that the records do not have.</exception>
+        /// <summary>Whether each layer is wanted. The first always is: the others' contexts come from it.</summary>
+        /// <exception cref="ArgumentException">The records lack an attribute.</exception>
         public static bool[] Make(LazLayer[] layers, LasRecordLayout layout, PointSchema wanted)
         {
             var isWanted = new bool[layers.Length];
