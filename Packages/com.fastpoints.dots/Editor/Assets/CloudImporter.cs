@@ -9,10 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The common base of the importers of handles and of point cloud files. They read only headers of the asset's own file and
-    /// use no settings, so that they run in import workers and their results may come from a cache.
-    /// </summary>
+    /// <summary>The common base of the importers of handles and of point cloud files. They read only headers of the asset's own
+    /// file and use no settings, so that they run in import workers and their results may come from a cache.</summary>
     internal abstract class CloudImporter : ScriptedImporter
     {
         /// <summary>Raised when the imported asset changes.</summary>

@@ -9,9 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Copies converted clouds out of the project and into it: on threads of the pool, each with a line in the Progress window.
-    /// </summary>
+    /// <summary>Copies converted clouds out of the project and into it: on threads of the pool, each with a line in the Progress
+    /// window.</summary>
     internal sealed class CloudTransfers : IDisposable
     {
         sealed class Transfer
@@ -29,9 +28,7 @@ namespace FastPoints.Editor
 
         public bool IsCopying => m_transfers.Count > 0;
 
-        /// <summary>
-        /// Copies a finished cloud out to <c>NAME.fastpoints</c> in a folder, with a number if that is taken.
-        /// </summary>
+        /// <summary>Copies a finished cloud out to <c>NAME.fastpoints</c> in a folder, with a number if that is taken.</summary>
         /// <returns>The copy's folder, which exists when the copy is complete.</returns>
         public string Export(string cloud, string folder)
         {

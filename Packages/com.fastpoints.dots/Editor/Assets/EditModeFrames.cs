@@ -4,10 +4,8 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Makes frames in edit mode, where worlds are updated only when something in the scene changes: clouds that are loading
-    /// need frames of their own, and views that are redrawn.
-    /// </summary>
+    /// <summary>Makes frames in edit mode, where worlds are updated only when something in the scene changes: clouds that are
+    /// loading need frames of their own, and views that are redrawn.</summary>
     [InitializeOnLoad]
     internal static class EditModeFrames
     {

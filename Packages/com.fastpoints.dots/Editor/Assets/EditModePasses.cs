@@ -3,9 +3,8 @@ using UnityEditor;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Draws clouds in edit mode too, in all installed pipelines: their assemblies are found by the attribute alone.
-    /// </summary>
+    /// <summary>Draws clouds in edit mode too, in all installed pipelines: their assemblies are found by the attribute
+    /// alone.</summary>
     [InitializeOnLoad]
     internal static class EditModePasses
     {

@@ -11,10 +11,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Connects the assets of a project to its queue of imports: it makes handles, requests conversions, shows their progress,
-    /// and passes results on to assets and scenes.
-    /// </summary>
+    /// <summary>Connects the assets of a project to its queue of imports: it makes handles, requests conversions, shows their
+    /// progress, and passes results on to assets and scenes.</summary>
     public sealed class EditorImports : IDisposable
     {
         static readonly TimeSpan s_reportAfter = TimeSpan.FromSeconds(0.25);
@@ -126,9 +124,8 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>
-        /// Copies a converted cloud into the project's place, and makes a handle for the copy when it is complete.
-        /// </summary>
+        /// <summary>Copies a converted cloud into the project's place, and makes a handle for the copy when it is
+        /// complete.</summary>
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
@@ -157,9 +154,8 @@ namespace FastPoints.Editor
             return null;
         }
 
-        /// <summary>
-        /// Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its files.
-        /// </summary>
+        /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
+        /// files.</summary>
         internal void AddThumbnail(CloudHandle handle)
         {
             string cloud = Paths.Absolute(handle.CloudPath);
@@ -293,9 +289,8 @@ namespace FastPoints.Editor
             }
         }
 
-        /// <summary>
-        /// Unity asks for an asset's picture when it imports the asset, and reimports an unchanged one only by force.
-        /// </summary>
+        /// <summary>Unity asks for an asset's picture when it imports the asset, and reimports an unchanged one only by
+        /// force.</summary>
         void ShowThumbnail(string cloud)
         {
             m_isShowing = true;

@@ -11,15 +11,11 @@ namespace FastPoints.Editor
     {
         public Sampler Sampler = Sampler.Random;
 
-        /// <summary>
-        /// Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there and are
-        /// found where their handles say.
-        /// </summary>
+        /// <summary>Where converted clouds are kept: relative to the project, or an absolute path. Clouds elsewhere stay there
+        /// and are found where their handles say.</summary>
         public string Place = ProjectPaths.DefaultClouds;
 
-        /// <summary>
-        /// Limit for everything in a conversion that grows with the number of points; the rest goes to files.
-        /// </summary>
+        /// <summary>Limit for everything in a conversion that grows with the number of points; the rest goes to files.</summary>
         public int MemoryMiB = 1024;
 
         /// <summary>The most workers of the job system that a conversion keeps busy; 0 for all.</summary>
@@ -28,9 +24,8 @@ namespace FastPoints.Editor
         /// <summary>Main-thread time that a conversion gets in each update of the editor.</summary>
         public int UpdateMs = 4;
 
-        /// <summary>
-        /// Graphics memory for points in the editor if a scene has no <see cref="PointCloudSettings"/>; new ones begin with it.
-        /// </summary>
+        /// <summary>Graphics memory for points in the editor if a scene has no <see cref="PointCloudSettings"/>; new ones begin
+        /// with it.</summary>
         public int GpuMiB = 512;
 
         /// <summary>Larger files are not copied into the project when dropped: they get a handle.</summary>

@@ -7,9 +7,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Shows the picture of a cloud's asset in the Project window, as <see cref="CloudThumbnails"/> has drawn it.
-    /// </summary>
+    /// <summary>Shows the picture of a cloud's asset in the Project window, as <see cref="CloudThumbnails"/> has drawn
+    /// it.</summary>
     [CustomEditor(typeof(PointCloudAsset))]
     internal sealed class PointCloudAssetEditor : UnityEditor.Editor
     {

@@ -6,10 +6,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Handles drops into the Project window, the Scene view and the Hierarchy. Unity copies and hashes any file that is
-    /// dropped into the Project window before an importer sees it, so large ones and folders get a handle instead.
-    /// </summary>
+    /// <summary>Handles drops into the Project window, the Scene view and the Hierarchy. Unity copies and hashes any file that is
+    /// dropped into the Project window before an importer sees it, so large ones and folders get a handle instead.</summary>
     [InitializeOnLoad]
     public static class PointCloudDrops
     {

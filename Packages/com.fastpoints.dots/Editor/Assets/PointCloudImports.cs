@@ -31,10 +31,8 @@ namespace FastPoints.Editor
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
-        /// <summary>
-        /// Changes the place into which clouds are converted from now on. A running conversion is suspended, and continues when
-        /// the place is changed back.
-        /// </summary>
+        /// <summary>Changes the place into which clouds are converted from now on. A running conversion is suspended, and
+        /// continues when the place is changed back.</summary>
         /// <returns>Why this is not possible, in one line; null if it is done.</returns>
         public static string Move(string place)
         {

@@ -5,10 +5,9 @@ using UnityEditor.AssetImporters;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Imports LAS, LAZ and PLY files in <c>Assets</c> by their headers. Unity never chooses it: two importers that claim one
-    /// extension lock each other out, and others claim these. <see cref="PointFilePostprocessor"/> chooses it instead.
-    /// </summary>
+    /// <summary>Imports LAS, LAZ and PLY files in <c>Assets</c> by their headers. Unity never chooses it: two importers that
+    /// claim one extension lock each other out, and others claim these. <see cref="PointFilePostprocessor"/> chooses it
+    /// instead.</summary>
     [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
     internal sealed class PointFileImporter : CloudImporter
     {
@@ -27,10 +26,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>
-    /// Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer handles, and requests
-    /// their conversion.
-    /// </summary>
+    /// <summary>Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer handles, and
+    /// requests their conversion.</summary>
     internal sealed class PointFilePostprocessor : AssetPostprocessor
     {
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,

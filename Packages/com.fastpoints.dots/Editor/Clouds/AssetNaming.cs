@@ -3,10 +3,8 @@ using System.Text;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity, and unique regardless
-    /// of case.
-    /// </summary>
+    /// <summary>Makes names for converted clouds and their handles: allowed on every system, not hidden by Unity, and unique
+    /// regardless of case.</summary>
     internal static class AssetNaming
     {
         /// <summary>Limit in UTF-8, without extension, that keeps paths in a project short.</summary>
@@ -21,10 +19,8 @@ namespace FastPoints.Editor
             "LPT0", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9",
         };
 
-        /// <summary>
-        /// The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end, not the
-        /// name of a device, at most <see cref="MostBytes"/>.
-        /// </summary>
+        /// <summary>The nearest safe name: composed characters, none that a system forbids, no point, blank or tilde at an end,
+        /// not the name of a device, at most <see cref="MostBytes"/>.</summary>
         public static string Safe(string name)
         {
             var text = new StringBuilder(name.Length);
@@ -55,10 +51,8 @@ namespace FastPoints.Editor
             return unique;
         }
 
-        /// <summary>
-        /// Removes what systems dislike: Unity ignores files that begin with a point or end with a tilde; Windows drops points
-        /// and blanks at the end.
-        /// </summary>
+        /// <summary>Removes what systems dislike: Unity ignores files that begin with a point or end with a tilde; Windows drops
+        /// points and blanks at the end.</summary>
         static string Trim(string name) =>
             name.TrimStart(' ', '.', '\u00A0', '\u3000').TrimEnd(' ', '.', '~', '\u00A0', '\u3000');
 

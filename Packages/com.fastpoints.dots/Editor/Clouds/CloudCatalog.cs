@@ -8,10 +8,8 @@ using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id that
-    /// follows from their content.
-    /// </summary>
+    /// <summary>The converted clouds of a project: every <c>.fastpoints</c> folder in their place, found by path and by the id
+    /// that follows from their content.</summary>
     internal sealed class CloudCatalog
     {
         struct Seen
@@ -50,9 +48,8 @@ namespace FastPoints.Editor
             m_clouds.Sort((a, b) => string.CompareOrdinal(a.Path, b.Path));
         }
 
-        /// <summary>
-        /// Finds the cloud of a handle: where the handle says, or else by id among those that <see cref="Refresh"/> found.
-        /// </summary>
+        /// <summary>Finds the cloud of a handle: where the handle says, or else by id among those that <see cref="Refresh"/>
+        /// found.</summary>
         public CatalogMatch Find(CloudHandle handle, out CatalogCloud cloud)
         {
             string path = m_paths.Absolute(handle.CloudPath);
@@ -72,9 +69,8 @@ namespace FastPoints.Editor
             return inPlace == null ? CatalogMatch.None : CatalogMatch.Another;
         }
 
-        /// <summary>
-        /// A new folder for the cloud of a source: its name, with a number if a cloud or a build has that already.
-        /// </summary>
+        /// <summary>A new folder for the cloud of a source: its name, with a number if a cloud or a build has that
+        /// already.</summary>
         /// <param name="source">A file or folder.</param>
         /// <param name="isPromised">Whether a folder that does not exist yet belongs to another cloud.</param>
         public string NewTarget(string source, Predicate<string> isPromised)
@@ -86,9 +82,8 @@ namespace FastPoints.Editor
             return PathOf(name);
         }
 
-        /// <summary>
-        /// Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete one.
-        /// </summary>
+        /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete
+        /// one.</summary>
         /// <exception cref="PointCloudException">It cannot be deleted: its files are open, or access is denied.</exception>
         public static void Delete(string path)
         {

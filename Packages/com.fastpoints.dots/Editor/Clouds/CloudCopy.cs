@@ -9,10 +9,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Copies a converted cloud on a thread of the pool, for use in another project. The copy gets its name when it is
-    /// complete; if cancelled or failed, it leaves nothing.
-    /// </summary>
+    /// <summary>Copies a converted cloud on a thread of the pool, for use in another project. The copy gets its name when it is
+    /// complete; if cancelled or failed, it leaves nothing.</summary>
     internal sealed class CloudCopy : IDisposable
     {
         const string TemporarySuffix = ".copy";
@@ -48,10 +46,8 @@ namespace FastPoints.Editor
 
         public void Cancel() => m_cancellation.Cancel();
 
-        /// <summary>
-        /// Cancels, and waits for the megabyte being copied: a domain reload ends threads without notice and must not find
-        /// anything half copied.
-        /// </summary>
+        /// <summary>Cancels, and waits for the megabyte being copied: a domain reload ends threads without notice and must not
+        /// find anything half copied.</summary>
         public void Dispose()
         {
             m_cancellation.Cancel();

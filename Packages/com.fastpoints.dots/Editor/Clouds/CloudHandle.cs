@@ -10,10 +10,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The content of a <c>.pointcloud</c> file, a small asset that stands for a cloud of any size: where the converted cloud
-    /// and its source are, and what is known of them without opening either. It converts from and to text, without I/O.
-    /// </summary>
+    /// <summary>The content of a <c>.pointcloud</c> file, a small asset that stands for a cloud of any size: where the converted
+    /// cloud and its source are, and what is known of them without opening either. It converts from and to text, without
+    /// I/O.</summary>
     internal sealed class CloudHandle
     {
         public const string Extension = ".pointcloud";
@@ -27,9 +26,8 @@ namespace FastPoints.Editor
         /// <summary>The converted folder, as <see cref="ProjectPaths.Stored"/> writes it. It may not exist yet.</summary>
         public string CloudPath;
 
-        /// <summary>
-        /// Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted form.
-        /// </summary>
+        /// <summary>Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted
+        /// form.</summary>
         public List<string> Sources = new List<string>();
 
         /// <summary>Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.</summary>
@@ -44,9 +42,8 @@ namespace FastPoints.Editor
         /// <summary>Stamp of the sources when they were taken; null without any.</summary>
         public SourceStamp Stamp;
 
-        /// <summary>
-        /// What was wrong with the sources when they were converted, one line each; at most <see cref="MostWarnings"/>.
-        /// </summary>
+        /// <summary>What was wrong with the sources when they were converted, one line each; at most
+        /// <see cref="MostWarnings"/>.</summary>
         public List<string> Warnings = new List<string>();
 
         /// <summary>The name of the format: "LAS", "PLY", ...</summary>

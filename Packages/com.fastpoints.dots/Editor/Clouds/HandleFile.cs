@@ -19,9 +19,8 @@ namespace FastPoints.Editor
         /// <exception cref="PointCloudException">It cannot be written.</exception>
         public static void Write(string path, CloudHandle handle) => TextFile.Write(path, handle.ToJson());
 
-        /// <summary>
-        /// Makes a handle for a source without opening it; a handle for a converted cloud takes over its manifest.
-        /// </summary>
+        /// <summary>Makes a handle for a source without opening it; a handle for a converted cloud takes over its
+        /// manifest.</summary>
         /// <param name="source">A file or folder: one cloud.</param>
         /// <param name="folder">The handle's folder.</param>
         /// <param name="newTarget">Gives the folder that the cloud will be converted into.</param>

@@ -8,10 +8,8 @@ namespace FastPoints.Editor
     /// <summary>Decides where a cloud lies in a player, below its streaming assets.</summary>
     internal static class PlayerPath
     {
-        /// <summary>
-        /// The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its name and
-        /// its asset.
-        /// </summary>
+        /// <summary>The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its
+        /// name and its asset.</summary>
         /// <param name="cloudPath">The path as a handle stores it.</param>
         /// <param name="asset">The asset's number, which keeps clouds with equal names apart.</param>
         public static string Of(string cloudPath, string asset)

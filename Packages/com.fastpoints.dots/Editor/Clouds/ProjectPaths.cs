@@ -5,10 +5,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Where a project and its converted clouds are. Paths in the project are stored relative to it with '/', so that they stay
-    /// valid when the project moves; other paths are stored as absolute.
-    /// </summary>
+    /// <summary>Where a project and its converted clouds are. Paths in the project are stored relative to it with '/', so that
+    /// they stay valid when the project moves; other paths are stored as absolute.</summary>
     internal sealed class ProjectPaths
     {
         public const string DefaultClouds = "PointClouds";
@@ -64,10 +62,8 @@ namespace FastPoints.Editor
             return stored.Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        /// <summary>
-        /// The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which stays the
-        /// same when the file is renamed.
-        /// </summary>
+        /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
+        /// stays the same when the file is renamed.</summary>
         public static string OfAsset(string guid) => PointCloudFile.InPlace + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,

@@ -8,11 +8,9 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Detects changes of a source without reading all of it: it compares bytes and time, and, if the time differs, hashes of
-    /// the first and last 64 KiB. A folder counts as the files directly in it; several files count with all names and sizes,
-    /// the first one's beginning and the last one's end.
-    /// </summary>
+    /// <summary>Detects changes of a source without reading all of it: it compares bytes and time, and, if the time differs,
+    /// hashes of the first and last 64 KiB. A folder counts as the files directly in it; several files count with all names and
+    /// sizes, the first one's beginning and the last one's end.</summary>
     /// <remarks>A change in the middle that keeps the size shows in the time alone, and not at all if that was reset.</remarks>
     internal sealed unsafe class SourceStamp
     {

@@ -14,10 +14,8 @@ namespace FastPoints.Editor
             public double Share;
         }
 
-        /// <summary>
-        /// Each stage's share of the time: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, on two cores. It suits
-        /// a progress bar, no more: points that go to files and other samplers shift it.
-        /// </summary>
+        /// <summary>Each stage's share of the time: the mean of 5 M points of LAZ and 5 M of LAS, both in memory, on two cores.
+        /// It suits a progress bar, no more: points that go to files and other samplers shift it.</summary>
         static readonly Weight[] s_weights =
         {
             new Weight { Stage = BuildStages.Sample, Share = 0.08 },

@@ -8,14 +8,11 @@ using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Runs one conversion while the editor stays usable: opens the sources on a thread of the pool, then steps the work a few
-    /// milliseconds an update. It can be paused, cancelled for good, or suspended for a later session to continue.
-    /// </summary>
-    /// <remarks>
-    /// Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted: a
-    /// header being read, running slices, the writer.
-    /// </remarks>
+    /// <summary>Runs one conversion while the editor stays usable: opens the sources on a thread of the pool, then steps the work
+    /// a few milliseconds an update. It can be paused, cancelled for good, or suspended for a later session to
+    /// continue.</summary>
+    /// <remarks>Main thread. <see cref="Tick"/> never waits; the two ways to end it early wait for what must not be interrupted:
+    /// a header being read, running slices, the writer.</remarks>
     internal sealed class BuildSession : IDisposable
     {
         readonly string m_target;

@@ -6,9 +6,8 @@ using FastPoints.Verify;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Verifies a converted cloud, one slice in each update: every file, table, hash, point and count. Main thread.
-    /// </summary>
+    /// <summary>Verifies a converted cloud, one slice in each update: every file, table, hash, point and count. Main
+    /// thread.</summary>
     internal sealed class CloudCheck : IDisposable
     {
         readonly WorkPump m_work;

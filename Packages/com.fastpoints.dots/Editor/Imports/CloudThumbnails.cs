@@ -8,11 +8,9 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Draws small pictures of clouds with jobs, one slice in each update, and keeps them where the converted clouds are or
-    /// would be. Files are drawn from the first wave of a preview, converted clouds from the top of their octrees. Main thread;
-    /// it draws one at a time while the others wait.
-    /// </summary>
+    /// <summary>Draws small pictures of clouds with jobs, one slice in each update, and keeps them where the converted clouds are
+    /// or would be. Files are drawn from the first wave of a preview, converted clouds from the top of their octrees. Main
+    /// thread; it draws one at a time while the others wait.</summary>
     internal sealed class CloudThumbnails : IDisposable
     {
         /// <summary>Length of each side.</summary>

@@ -9,10 +9,9 @@ using FastPoints.Writing;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The clouds to convert, one after the other, and the one being converted. Every change is on disk before the work
-    /// continues: after a reload of scripts, a crash or a loss of power, the same clouds are converted from where they were.
-    /// </summary>
+    /// <summary>The clouds to convert, one after the other, and the one being converted. Every change is on disk before the work
+    /// continues: after a reload of scripts, a crash or a loss of power, the same clouds are converted from where they
+    /// were.</summary>
     /// <remarks>Main thread. Its file and its lock only exist while there is something to do.</remarks>
     internal sealed class ImportQueue : IDisposable
     {
@@ -50,10 +49,8 @@ namespace FastPoints.Editor
         /// <summary>The request of the running conversion, or null.</summary>
         public ImportRequest Running => m_running;
 
-        /// <summary>
-        /// Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if all is
-        /// well.
-        /// </summary>
+        /// <summary>Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if
+        /// all is well.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Raised when a conversion has ended, with success or without; the session says which.</summary>
@@ -133,10 +130,8 @@ namespace FastPoints.Editor
                 GiveBack();
         }
 
-        /// <summary>
-        /// Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder continues
-        /// it.
-        /// </summary>
+        /// <summary>Ends the running conversion before scripts are reloaded or the editor quits; the next queue of this folder
+        /// continues it.</summary>
         public void Suspend()
         {
             if (m_running != null)
@@ -244,10 +239,8 @@ namespace FastPoints.Editor
             Save();
         }
 
-        /// <summary>
-        /// Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version is left
-        /// alone.
-        /// </summary>
+        /// <summary>Reads the file. A damaged one is put aside: its clouds are imported again on request. One of a later version
+        /// is left alone.</summary>
         List<ImportRequest> Read()
         {
             try

@@ -8,10 +8,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// One small picture of a converted cloud, or of files that are not converted. It is opened on any thread, drawn and
-    /// disposed on the main thread.
-    /// </summary>
+    /// <summary>One small picture of a converted cloud, or of files that are not converted. It is opened on any thread, drawn and
+    /// disposed on the main thread.</summary>
     sealed class ThumbnailDrawing : IDisposable
     {
         /// <summary>The most points in a converted cloud's picture.</summary>

@@ -10,10 +10,9 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Adds the clouds that a player's scenes and resources refer to to its streaming assets, and reports their sizes:
-    /// converted ones, and those that can be streamed directly. Any other cloud fails the build: the player would show nothing.
-    /// </summary>
+    /// <summary>Adds the clouds that a player's scenes and resources refer to to its streaming assets, and reports their sizes:
+    /// converted ones, and those that can be streamed directly. Any other cloud fails the build: the player would show
+    /// nothing.</summary>
     internal sealed class PlayerCloudProcessor : BuildPlayerProcessor
     {
         public override void PrepareForBuild(BuildPlayerContext buildPlayerContext)
@@ -50,10 +49,8 @@ namespace FastPoints.Editor
         }
     }
 
-    /// <summary>
-    /// Makes code stripping keep the readers of point cloud files if a player has clouds that are not converted: nothing else
-    /// in it refers to them.
-    /// </summary>
+    /// <summary>Makes code stripping keep the readers of point cloud files if a player has clouds that are not converted: nothing
+    /// else in it refers to them.</summary>
     internal sealed class PlayerReaders : IUnityLinkerProcessor
     {
         const string Kept = "<linker>\n" +

@@ -21,10 +21,8 @@ namespace FastPoints.Editor
 
         public static bool HasHeadsets => Array.Exists(All, a => a.name == Headsets);
 
-        /// <summary>
-        /// Finds an assembly of the project that may change how points look. It only checks whether the code refers to an
-        /// assembly in which that can be done.
-        /// </summary>
+        /// <summary>Finds an assembly of the project that may change how points look. It only checks whether the code refers to
+        /// an assembly in which that can be done.</summary>
         /// <returns>Its name; null if there is none.</returns>
         public static string FindChanger()
         {

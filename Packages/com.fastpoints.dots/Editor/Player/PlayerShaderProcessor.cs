@@ -9,10 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// Strips those variants of the package's shaders that nothing in a player needs. Unity asks about shaders when it builds
-    /// them, not when it takes them from an earlier build: if that one lacks a variant, the build reports it.
-    /// </summary>
+    /// <summary>Strips those variants of the package's shaders that nothing in a player needs. Unity asks about shaders when it
+    /// builds them, not when it takes them from an earlier build: if that one lacks a variant, the build reports it.</summary>
     internal sealed class PlayerShaderProcessor : BuildPlayerProcessor, IPreprocessShaders, IPostprocessBuildWithReport
     {
         // The state is static because Unity makes an instance for each of the interfaces.
@@ -83,9 +81,8 @@ namespace FastPoints.Editor
                     "need by now: points may be drawn as single pixels. Build with Clean Build.");
         }
 
-        /// <summary>
-        /// The variants of the build in which Unity built the shaders: one file a platform, like Unity's own cache.
-        /// </summary>
+        /// <summary>The variants of the build in which Unity built the shaders: one file a platform, like Unity's own
+        /// cache.</summary>
         static string EarlierPath => Path.Combine(PointCloudImports.Paths.Absolute("Library/FastPoints"),
             "ShaderVariants-" + EditorUserBuildSettings.activeBuildTarget + ".txt");
 
@@ -107,9 +104,8 @@ namespace FastPoints.Editor
     /// <summary>Which variants of the package's shaders go into players.</summary>
     internal enum VariantChoice
     {
-        /// <summary>
-        /// Those that the built scenes need; all of them if scripts, asset bundles or Addressables may need others.
-        /// </summary>
+        /// <summary>Those that the built scenes need; all of them if scripts, asset bundles or Addressables may need
+        /// others.</summary>
         Automatic,
 
         /// <summary>Those that the built scenes need, whatever scripts may request.</summary>

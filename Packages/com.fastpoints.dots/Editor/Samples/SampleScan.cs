@@ -9,10 +9,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The menu item <em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples and for users without
-    /// a scan at hand. It is made in slices beside other work, then imported like any other file.
-    /// </summary>
+    /// <summary>The menu item <em>Assets > Import sample point cloud</em>: a seeded scan of a street, for samples and for users
+    /// without a scan at hand. It is made in slices beside other work, then imported like any other file.</summary>
     internal static class SampleScan
     {
         public const string AssetPath = "Assets/street.pointcloud";

@@ -8,10 +8,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The common start of the package's samples: a scene with Unity's camera and light, settings of point clouds, and the
-    /// sample's street.
-    /// </summary>
+    /// <summary>The common start of the package's samples: a scene with Unity's camera and light, settings of point clouds, and
+    /// the sample's street.</summary>
     public static class SampleScene
     {
         /// <summary>A position in the street, which runs along X, looking along it.</summary>

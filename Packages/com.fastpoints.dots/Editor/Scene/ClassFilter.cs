@@ -8,10 +8,8 @@ namespace FastPoints.Editor
     /// <summary>The list of classes in an inspector, and the effect of switching one.</summary>
     internal static class ClassFilter
     {
-        /// <summary>
-        /// The classes that a cloud may have: all defined ones from its smallest to its largest, and those that are hidden
-        /// already.
-        /// </summary>
+        /// <summary>The classes that a cloud may have: all defined ones from its smallest to its largest, and those that are
+        /// hidden already.</summary>
         /// <param name="min">Minimum of its classification; NaN if unknown, as is <paramref name="max"/>.</param>
         public static List<int> ClassesOf(double min, double max, int[] hidden)
         {

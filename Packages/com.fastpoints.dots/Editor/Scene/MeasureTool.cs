@@ -6,10 +6,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The Scene view's tool <em>Measure points</em>: a click picks a point and shows its coordinates and attributes, a second
-    /// one the distance; Escape starts over.
-    /// </summary>
+    /// <summary>The Scene view's tool <em>Measure points</em>: a click picks a point and shows its coordinates and attributes, a
+    /// second one the distance; Escape starts over.</summary>
     [EditorTool("Measure points")]
     internal sealed class MeasureTool : EditorTool
     {

@@ -11,10 +11,8 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>
-    /// The inspector of a cloud in a scene: what it is coloured by, which classes it shows, the limits and look of all clouds,
-    /// and what the last frame did. F frames it.
-    /// </summary>
+    /// <summary>The inspector of a cloud in a scene: what it is coloured by, which classes it shows, the limits and look of all
+    /// clouds, and what the last frame did. F frames it.</summary>
     [CustomEditor(typeof(PointCloud))]
     [CanEditMultipleObjects]
     internal sealed class PointCloudEditor : UnityEditor.Editor

@@ -2,10 +2,9 @@ using System;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// Marks a static method without parameters that begins to draw clouds in a pipeline; calling it again changes nothing. The
-    /// editor calls it after loading scripts. In players it is called through an attribute of Unity's that edit mode ignores.
-    /// </summary>
+    /// <summary>Marks a static method without parameters that begins to draw clouds in a pipeline; calling it again changes
+    /// nothing. The editor calls it after loading scripts. In players it is called through an attribute of Unity's that edit mode
+    /// ignores.</summary>
     [AttributeUsage(AttributeTargets.Method)]
     internal sealed class BeginsPassAttribute : Attribute
     {

@@ -6,10 +6,8 @@ namespace FastPoints.Rendering
     /// <summary>Where a pipeline's pass draws one camera's picture, and from which viewpoint.</summary>
     public struct CameraTarget
     {
-        /// <summary>
-        /// The pass has set it already, with all slices if there are several. A style that needs a layer of its own sets it
-        /// again, with the whole picture as the viewport.
-        /// </summary>
+        /// <summary>The pass has set it already, with all slices if there are several. A style that needs a layer of its own sets
+        /// it again, with the whole picture as the viewport.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
 
@@ -22,10 +20,8 @@ namespace FastPoints.Rendering
 
         public EyeMatrices Eye;
 
-        /// <summary>
-        /// Whether both of a headset's eyes are drawn at once: <see cref="Eye"/> is the left one, in the target's first slice;
-        /// the right one is in the second.
-        /// </summary>
+        /// <summary>Whether both of a headset's eyes are drawn at once: <see cref="Eye"/> is the left one, in the target's first
+        /// slice; the right one is in the second.</summary>
         public bool HasBothEyes;
         public EyeMatrices RightEye;
 

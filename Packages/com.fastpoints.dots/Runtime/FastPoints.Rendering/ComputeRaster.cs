@@ -7,10 +7,8 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// Draws points of one pixel with a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one camera. It
-    /// replaces point primitives wherever <see cref="CanDraw"/> allows it.
-    /// </summary>
+    /// <summary>Draws points of one pixel with a compute shader (RasterPoints.hlsl) into a buffer of 8 bytes a pixel, for one
+    /// camera. It replaces point primitives wherever <see cref="CanDraw"/> allows it.</summary>
     sealed class ComputeRaster : IDisposable
     {
         const int BytesPerPixel = 8, ClearThreads = 64;
@@ -36,10 +34,8 @@ namespace FastPoints.Rendering
         /// <summary>Depth and colour of each pixel.</summary>
         public GraphicsBuffer Pixels { get; private set; }
 
-        /// <summary>
-        /// Whether it can draw this view: the device counts rows from the top, has buffers as large as the picture needs, and
-        /// depth follows from the distance along the view alone, which only oblique projections violate.
-        /// </summary>
+        /// <summary>Whether it can draw this view: the device counts rows from the top, has buffers as large as the picture
+        /// needs, and depth follows from the distance along the view alone, which only oblique projections violate.</summary>
         public static bool CanDraw(in RenderView view)
         {
             var depth = (Vector3)view.ViewProjection.GetRow(2);

@@ -11,9 +11,8 @@ namespace FastPoints.Rendering
         public Matrix4x4 Projection;
         public double3 PlaceWorld;
 
-        /// <summary>
-        /// The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that eye.
-        /// </summary>
+        /// <summary>The eye that is being drawn: the camera itself, or, if a headset's eyes are drawn one after the other, that
+        /// eye.</summary>
         public static EyeMatrices Of(Camera camera)
         {
             if (camera.stereoEnabled && camera.stereoActiveEye != Camera.MonoOrStereoscopicEye.Mono)

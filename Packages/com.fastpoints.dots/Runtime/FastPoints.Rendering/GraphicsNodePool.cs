@@ -6,15 +6,11 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// A pool in graphics memory: one buffer for each bank, which shaders read in place. Uploads go through mapped staging
-    /// buffers; a compute shader copies them into their pages.
-    /// </summary>
+    /// <summary>A pool in graphics memory: one buffer for each bank, which shaders read in place. Uploads go through mapped
+    /// staging buffers; a compute shader copies them into their pages.</summary>
     public sealed unsafe class GraphicsNodePool : NodePool
     {
-        /// <summary>
-        /// Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.
-        /// </summary>
+        /// <summary>Half a bank is empty on average: clouds of a million points and more take at most 10 bytes a point.</summary>
         public const int DefaultBankBytes = 8 << 20;
 
         readonly PoolUpload m_upload;

@@ -4,16 +4,13 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// A layer that holds points alone, for styles that look at a point's neighbours: points are drawn into it first, then
-    /// composed into the camera's picture with their depth. It therefore needs nothing from the picture's own targets.
-    /// </summary>
+    /// <summary>A layer that holds points alone, for styles that look at a point's neighbours: points are drawn into it first,
+    /// then composed into the camera's picture with their depth. It therefore needs nothing from the picture's own
+    /// targets.</summary>
     sealed class PointLayer
     {
-        /// <summary>
-        /// Uses floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact to a few
-        /// 255ths for some 20 points.
-        /// </summary>
+        /// <summary>Uses floats where the device can blend them: exact for 2,000 points a pixel. With halves, colours are exact
+        /// to a few 255ths for some 20 points.</summary>
         static GraphicsFormat Sums =>
             SystemInfo.IsFormatSupported(GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Blend)
                 ? GraphicsFormat.R32G32B32A32_SFloat : GraphicsFormat.R16G16B16A16_SFloat;

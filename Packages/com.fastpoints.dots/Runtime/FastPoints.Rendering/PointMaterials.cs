@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// Keeps one material for each variant in use. Unity reads keywords when it executes commands, not when they are recorded,
-    /// so one material could not draw two looks in a frame. Materials are made on first use.
-    /// </summary>
+    /// <summary>Keeps one material for each variant in use. Unity reads keywords when it executes commands, not when they are
+    /// recorded, so one material could not draw two looks in a frame. Materials are made on first use.</summary>
     public sealed class PointMaterials : IDisposable
     {
         readonly Shader m_points;

@@ -9,11 +9,9 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// Draws the resident nodes for one camera: call <see cref="Prepare"/> after the stream's frame, then <see cref="Record"/>
-    /// into any pipeline's command buffer. It records one indirect draw for each bank of the pool; an instance is a block. Main
-    /// thread, no garbage.
-    /// </summary>
+    /// <summary>Draws the resident nodes for one camera: call <see cref="Prepare"/> after the stream's frame, then
+    /// <see cref="Record"/> into any pipeline's command buffer. It records one indirect draw for each bank of the pool; an
+    /// instance is a block. Main thread, no garbage.</summary>
     public sealed class PointRenderer : IDisposable
     {
         /// <summary>Vertices of a point that is drawn as two triangles; a point primitive has one.</summary>
@@ -78,11 +76,9 @@ namespace FastPoints.Rendering
             RecordEye(commands, view);
         }
 
-        /// <summary>
-        /// Records the draws for both eyes of a headset into the two slices of the target, all of which is set. Both are drawn
-        /// at once (single-pass instanced: each block is two instances), or one eye after the other if the style draws through
-        /// a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.
-        /// </summary>
+        /// <summary>Records the draws for both eyes of a headset into the two slices of the target, all of which is set. Both are
+        /// drawn at once (single-pass instanced: each block is two instances), or one eye after the other if the style draws
+        /// through a layer or a compute shader, or if the device's vertex shaders cannot choose a slice.</summary>
         /// <param name="right">Of the scale and style that <paramref name="left"/> has.</param>
         public void RecordBothEyes(CommandBuffer commands, in RenderView left, in RenderView right)
         {

@@ -8,10 +8,9 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// All clouds of a world, for every camera that draws them: the link between streaming and a pipeline's pass. A pass
-    /// announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main thread.
-    /// </summary>
+    /// <summary>All clouds of a world, for every camera that draws them: the link between streaming and a pipeline's pass. A pass
+    /// announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main
+    /// thread.</summary>
     internal sealed class PointScene : IDisposable
     {
         /// <summary>A camera that was not drawn for so many frames releases its buffers.</summary>
@@ -90,11 +89,9 @@ namespace FastPoints.Rendering
         public static bool IsDrawn(Camera camera) =>
             camera.cameraType != CameraType.Preview && camera.cameraType != CameraType.Reflection;
 
-        /// <summary>
-        /// Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even if they
-        /// are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes at
-        /// all.
-        /// </summary>
+        /// <summary>Makes the next frame select for this camera, too, as it was last announced: for both eyes of a headset, even
+        /// if they are drawn one after the other. A camera may be drawn any number of times before that frame comes, if it comes
+        /// at all.</summary>
         public void Announce(Camera camera)
         {
             var seen = Seen(camera);

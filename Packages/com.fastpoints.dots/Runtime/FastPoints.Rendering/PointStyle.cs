@@ -10,15 +10,12 @@ namespace FastPoints.Rendering
         /// <summary>Size of points of every shape except pixels.</summary>
         public PointSize Size;
 
-        /// <summary>
-        /// Strength of eye-dome lighting: 0 turns it off at no cost; 0.25 is usual. It takes two more textures of the picture's
-        /// size, 12 bytes a pixel and their depth, and one pass over them.
-        /// </summary>
+        /// <summary>Strength of eye-dome lighting: 0 turns it off at no cost; 0.25 is usual. It takes two more textures of the
+        /// picture's size, 12 bytes a pixel and their depth, and one pass over them.</summary>
         public float EdlStrength;
 
-        /// <summary>
-        /// Fills a pixel without a point, most of whose neighbours have one, with their mean. It uses the same layer.
-        /// </summary>
+        /// <summary>Fills a pixel without a point, most of whose neighbours have one, with their mean. It uses the same
+        /// layer.</summary>
         public bool FillsHoles;
 
         /// <summary>Whether points are drawn into a layer of their own first.</summary>
@@ -36,10 +33,8 @@ namespace FastPoints.Rendering
     /// <summary>The shape that a point is drawn as.</summary>
     public enum PointShape
     {
-        /// <summary>
-        /// The pixel that the point lies in: the fastest shape for dense points. A compute shader draws it where the device
-        /// supports that.
-        /// </summary>
+        /// <summary>The pixel that the point lies in: the fastest shape for dense points. A compute shader draws it where the
+        /// device supports that.</summary>
         Pixel,
 
         /// <summary>A square that faces the camera.</summary>
@@ -48,17 +43,13 @@ namespace FastPoints.Rendering
         /// <summary>A disc that faces the camera.</summary>
         Disc,
 
-        /// <summary>
-        /// A disc that bulges towards the camera. Each pixel of overlapping points goes to the nearest centre, which keeps
-        /// detail that flat discs hide. Writing the fragment's own depth disables the GPU's early depth test.
-        /// </summary>
+        /// <summary>A disc that bulges towards the camera. Each pixel of overlapping points goes to the nearest centre, which
+        /// keeps detail that flat discs hide. Writing the fragment's own depth disables the GPU's early depth test.</summary>
         Paraboloid,
 
-        /// <summary>
-        /// A disc that is blended with those at most its diameter behind it, with weights that fall towards the rim: the
-        /// smoothest shape, without the noise of points that overlap by chance. Points are drawn twice, into a layer of 32
-        /// bytes a pixel.
-        /// </summary>
+        /// <summary>A disc that is blended with those at most its diameter behind it, with weights that fall towards the rim: the
+        /// smoothest shape, without the noise of points that overlap by chance. Points are drawn twice, into a layer of 32 bytes
+        /// a pixel.</summary>
         Splat,
     }
 }

@@ -65,10 +65,8 @@ namespace FastPoints.Rendering
             }
         }
 
-        /// <summary>
-        /// The keyword of the package's Compose.shader that a style needs; null for its plain variant, and for styles that
-        /// compose nothing.
-        /// </summary>
+        /// <summary>The keyword of the package's Compose.shader that a style needs; null for its plain variant, and for styles
+        /// that compose nothing.</summary>
         public static string ComposeKeyword(in PointStyle style) => style.IsBlended ? ShaderNames.BlendedKeyword
             : style.Shape == PointShape.Pixel && !style.IsLayered ? ShaderNames.FromPixelsKeyword
             : null;

@@ -6,15 +6,12 @@ namespace FastPoints.Rendering
     /// <summary>One camera, or one eye of a headset, as drawing sees it.</summary>
     public struct RenderView
     {
-        /// <summary>
-        /// Maps positions relative to the eye, along the world's axes, to the clip space of the graphics API (<see
-        /// cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.
-        /// </summary>
+        /// <summary>Maps positions relative to the eye, along the world's axes, to the clip space of the graphics API
+        /// (<see cref="GL.GetGPUProjectionMatrix(Matrix4x4, bool)"/>). It does not contain the eye's own position.</summary>
         public Matrix4x4 ViewProjection;
 
-        /// <summary>
-        /// Offset from the eye that the draws were listed for, along the world's axes: from the left eye to the right one.
-        /// </summary>
+        /// <summary>Offset from the eye that the draws were listed for, along the world's axes: from the left eye to the right
+        /// one.</summary>
         public Vector3 EyeOffset;
         public int WidthPx;
         public int HeightPx;
@@ -29,10 +26,8 @@ namespace FastPoints.Rendering
         /// <summary>Whether colours are written as linear light (a project in linear colour space) instead of sRGB.</summary>
         public bool IsLinear;
 
-        /// <summary>
-        /// The target, which is set already. A style that needs a layer of its own sets it again, with the whole picture as the
-        /// viewport.
-        /// </summary>
+        /// <summary>The target, which is set already. A style that needs a layer of its own sets it again, with the whole picture
+        /// as the viewport.</summary>
         public RenderTargetIdentifier Color;
         public RenderTargetIdentifier Depth;
         internal TargetEye Eye;

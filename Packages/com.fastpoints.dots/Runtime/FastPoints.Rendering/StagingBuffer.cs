@@ -7,10 +7,8 @@ using UnityEngine;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages that
-    /// they go to. Mapped memory may be uncached: it is written front to back and never read.
-    /// </summary>
+    /// <summary>One upload in flight: mapped memory into which jobs write nodes, each starting on a page, and a list of the pages
+    /// that they go to. Mapped memory may be uncached: it is written front to back and never read.</summary>
     internal sealed unsafe class StagingBuffer : IDisposable
     {
         /// <summary>The most groups of one dispatch on any GPU.</summary>

@@ -5,16 +5,12 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering
 {
-    /// <summary>
-    /// Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU has
-    /// certainly read it.
-    /// </summary>
+    /// <summary>Uploads through mapped buffers in turn, from which a compute shader copies. A buffer is reused only when the GPU
+    /// has certainly read it.</summary>
     internal sealed unsafe class StagingRing : PoolUpload
     {
-        /// <summary>
-        /// The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where the
-        /// GPU reports its progress, it may lag further.
-        /// </summary>
+        /// <summary>The most frames that the GPU usually lags behind: an editor or player queues two, or three if asked to. Where
+        /// the GPU reports its progress, it may lag further.</summary>
         public const int FramesInFlight = 3;
 
         readonly ComputeShader m_copyPages;
@@ -80,10 +76,8 @@ namespace FastPoints.Rendering
             m_endOfBank.Dispose();
         }
 
-        /// <summary>
-        /// Frames can be drawn without updates, and updates can come without frames: counting them is only for GPUs without
-        /// fences.
-        /// </summary>
+        /// <summary>Frames can be drawn without updates, and updates can come without frames: counting them is only for GPUs
+        /// without fences.</summary>
         bool HasBeenRead(long frame) => m_hasFences ? m_fences[m_next].passed : m_freeAtFrame[m_next] <= frame;
     }
 }

@@ -8,9 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// Writes a scan as a LAS 1.4 file of point format 7. If disposed before <see cref="Complete"/>, it leaves no file.
-    /// </summary>
+    /// <summary>Writes a scan as a LAS 1.4 file of point format 7. If disposed before <see cref="Complete"/>, it leaves no
+    /// file.</summary>
     internal sealed class LasReturnSink : IReturnSink, IDisposable
     {
         const int PointsAtOnce = 65_536;
@@ -79,10 +78,8 @@ namespace FastPoints.Scenes
     /// <summary>The seeded scan as a LAS file: 36 bytes a point.</summary>
     public static class LasScan
     {
-        /// <summary>
-        /// Writes the file as work for a pump. It exists, complete, when the work has ended, and not at all if the work was
-        /// cancelled or failed.
-        /// </summary>
+        /// <summary>Writes the file as work for a pump. It exists, complete, when the work has ended, and not at all if the work
+        /// was cancelled or failed.</summary>
         public static IEnumerator<Work> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
             StageProgress progress = null)
         {

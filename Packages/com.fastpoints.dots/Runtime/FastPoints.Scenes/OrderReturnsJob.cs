@@ -5,9 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// Finds the order in which returns are to be written: a stable counting sort by tile or class, or a shuffle.
-    /// </summary>
+    /// <summary>Finds the order in which returns are to be written: a stable counting sort by tile or class, or a
+    /// shuffle.</summary>
     [BurstCompile]
     internal struct OrderReturnsJob : IJob
     {

@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// A <see cref="TerrestrialScan"/> in any order. All orders except <see cref="ScanOrder.Strip"/> keep the whole scan in
-    /// memory.
-    /// </summary>
+    /// <summary>A <see cref="TerrestrialScan"/> in any order. All orders except <see cref="ScanOrder.Strip"/> keep the whole scan
+    /// in memory.</summary>
     internal static class OrderedScan
     {
         /// <summary>The limit for orders other than as acquired, which keep 44 bytes for each point.</summary>
@@ -76,9 +74,8 @@ namespace FastPoints.Scenes
         Random,
     }
 
-    /// <summary>
-    /// Receives the returns of a scan. It is called on the main thread; its arguments are valid only during the call.
-    /// </summary>
+    /// <summary>Receives the returns of a scan. It is called on the main thread; its arguments are valid only during the
+    /// call.</summary>
     internal interface IReturnSink
     {
         void Append(NativeArray<ScanReturn> returns);

@@ -2,9 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// The ground of the scene: a street along x through gentle grassland. Heights are in metres over the scene's zero.
-    /// </summary>
+    /// <summary>The ground of the scene: a street along x through gentle grassland. Heights are in metres over the scene's
+    /// zero.</summary>
     internal static class SceneGround
     {
         /// <summary>Half the width of the carriageway, and where the pavement beside it ends.</summary>

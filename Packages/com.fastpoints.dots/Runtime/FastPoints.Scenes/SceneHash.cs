@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// Counter-based random numbers: a value depends only on its purpose (seed, line, ray, use), never on the order in which
-    /// threads ask. The mixer is the 32-bit finaliser of MurmurHash3.
-    /// </summary>
+    /// <summary>Counter-based random numbers: a value depends only on its purpose (seed, line, ray, use), never on the order in
+    /// which threads ask. The mixer is the 32-bit finaliser of MurmurHash3.</summary>
     internal static class SceneHash
     {
         public static uint Mix(uint x)
@@ -27,9 +25,7 @@ namespace FastPoints.Scenes
             return (Mix(state) >> 8) * (1f / (1 << 24));
         }
 
-        /// <summary>
-        /// A number of mean 0 and deviation 1: the sum of four uniform numbers, which never strays beyond 3.5.
-        /// </summary>
+        /// <summary>A number of mean 0 and deviation 1: the sum of four uniform numbers, which never strays beyond 3.5.</summary>
         public static float NextNormal(ref uint state) =>
             (Next(ref state) + Next(ref state) + Next(ref state) + Next(ref state) - 2) * 1.7320508f;
 

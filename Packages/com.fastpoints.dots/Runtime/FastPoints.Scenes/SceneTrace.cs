@@ -217,9 +217,7 @@ namespace FastPoints.Scenes
             return span.y > span.x;
         }
 
-        /// <summary>
-        /// Density of leaves at a position, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the hull.
-        /// </summary>
+        /// <summary>Density of leaves at a position, 0 to 1: clumps of 0.45 m, sparse at the heart, ragged at the hull.</summary>
         public static float LeafDensity(in SceneObject o, float3 at)
         {
             var fromCenter = (at - o.Center) / o.Half;

@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// The scene before the scanner: a street of houses with trees, lamps and parked cars, and open land behind them. All of it
-    /// follows from the seed.
-    /// </summary>
+    /// <summary>The scene before the scanner: a street of houses with trees, lamps and parked cars, and open land behind them.
+    /// All of it follows from the seed.</summary>
     internal sealed class StreetScene : IDisposable
     {
         /// <summary>Half the length of the street, metres.</summary>

@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// The regions without sunlight: for each cell of the ground plane z = 0, the height at which the ray from the sun to that
-    /// cell first met an object. Any point on that ray below this height lies in the shade.
-    /// </summary>
+    /// <summary>The regions without sunlight: for each cell of the ground plane z = 0, the height at which the ray from the sun
+    /// to that cell first met an object. Any point on that ray below this height lies in the shade.</summary>
     internal struct SunShadow
     {
         const float CellSize = 0.25f;

@@ -9,10 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// A seeded terrestrial laser scan of a <see cref="StreetScene"/> from its three stations: exactly the requested number of
-    /// points, the same bytes for a seed on any number of threads, in bounded memory.
-    /// </summary>
+    /// <summary>A seeded terrestrial laser scan of a <see cref="StreetScene"/> from its three stations: exactly the requested
+    /// number of points, the same bytes for a seed on any number of threads, in bounded memory.</summary>
     internal static class TerrestrialScan
     {
         /// <summary>Metres of one grid step.</summary>

@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Scenes
 {
-    /// <summary>
-    /// Traces scan lines of one station: the mirror sweeps upwards while the head turns, with equal angle steps both ways, so
-    /// that the density falls with the square of the distance.
-    /// </summary>
+    /// <summary>Traces scan lines of one station: the mirror sweeps upwards while the head turns, with equal angle steps both
+    /// ways, so that the density falls with the square of the distance.</summary>
     [BurstCompile]
     internal struct TraceLinesJob : IJobFor
     {
@@ -116,10 +114,8 @@ namespace FastPoints.Scenes
             hit.Classification = isRoad ? SceneTrace.RoadSurface : SceneTrace.Ground;
         }
 
-        /// <summary>
-        /// Samples free paths between leaves by delta tracking (Woodcock): steps for the densest place, accepted with the
-        /// density at hand.
-        /// </summary>
+        /// <summary>Samples free paths between leaves by delta tracking (Woodcock): steps for the densest place, accepted with
+        /// the density at hand.</summary>
         unsafe void Leaves(int index, float3 origin, float3 direction, float limit, float* leaf, int* crown, ref int leaves,
             ref uint random)
         {

@@ -2,10 +2,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// The entity that belongs to a GameObject's component in the default world, in edit mode too. It is destroyed with the
-    /// component or with the world.
-    /// </summary>
+    /// <summary>The entity that belongs to a GameObject's component in the default world, in edit mode too. It is destroyed with
+    /// the component or with the world.</summary>
     struct OwnedEntity
     {
         World m_world;

@@ -11,10 +11,8 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A cloud in a scene of GameObjects: it makes the entity that streams the cloud at the GameObject's transform, in edit
-    /// mode too.
-    /// </summary>
+    /// <summary>A cloud in a scene of GameObjects: it makes the entity that streams the cloud at the GameObject's transform, in
+    /// edit mode too.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud")]
@@ -59,11 +57,9 @@ namespace FastPoints.Entities
             set => Set(ref m_cloud, value);
         }
 
-        /// <summary>
-        /// Used if <see cref="Cloud"/> is null: the <c>.fastpoints</c> folder, absolute or below StreamingAssets. If readers
-        /// are loaded (FastPoints.Import), it may be any point cloud: COPC, Potree and EPT are streamed directly, of others a
-        /// preview is shown.
-        /// </summary>
+        /// <summary>Used if <see cref="Cloud"/> is null: the <c>.fastpoints</c> folder, absolute or below StreamingAssets. If
+        /// readers are loaded (FastPoints.Import), it may be any point cloud: COPC, Potree and EPT are streamed directly, of
+        /// others a preview is shown.</summary>
         public string Path
         {
             get => m_path;

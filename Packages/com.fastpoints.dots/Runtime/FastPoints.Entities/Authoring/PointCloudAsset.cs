@@ -5,29 +5,23 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. It contains no
-    /// points. The editor makes it from a <c>.pointcloud</c> handle or from a file in <c>Assets</c>.
-    /// </summary>
+    /// <summary>A cloud that scenes refer to: where its files and its converted folder are, and what is known of it. It contains
+    /// no points. The editor makes it from a <c>.pointcloud</c> handle or from a file in <c>Assets</c>.</summary>
     public sealed class PointCloudAsset : ScriptableObject
     {
-        /// <summary>
-        /// The folder in an editor: relative to the project with '/', absolute, or <see cref="PointCloudFile.InPlace"/>.
-        /// </summary>
+        /// <summary>The folder in an editor: relative to the project with '/', absolute, or
+        /// <see cref="PointCloudFile.InPlace"/>.</summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
 
-        /// <summary>
-        /// Files and folders that the cloud is made of, in an editor: relative to the project with '/', or absolute. They are
-        /// shown until there is a converted folder.
-        /// </summary>
+        /// <summary>Files and folders that the cloud is made of, in an editor: relative to the project with '/', or absolute.
+        /// They are shown until there is a converted folder.</summary>
         public string[] ProjectSources = new string[0];
 
-        /// <summary>
-        /// The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise empty.
-        /// </summary>
+        /// <summary>The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise
+        /// empty.</summary>
         public string PlayerSource;
 
         /// <summary>Number of points; -1 if unknown.</summary>
@@ -49,9 +43,8 @@ namespace FastPoints.Entities
         /// <summary>The axis that points up.</summary>
         public UpAxis Up = UpAxis.Z;
 
-        /// <summary>
-        /// Whether <see cref="Origin"/> is known: where the cloud was first shown, so that another conversion moves nothing.
-        /// </summary>
+        /// <summary>Whether <see cref="Origin"/> is known: where the cloud was first shown, so that another conversion moves
+        /// nothing.</summary>
         public bool HasOrigin;
 
         /// <summary>The place that transforms move, georeferenced, in CRS units.</summary>

@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, with the GameObject's position,
-    /// rotation and scale.
-    /// </summary>
+    /// <summary>A box that all clouds are clipped by: the cube of edge 1 around the GameObject's origin, with the GameObject's
+    /// position, rotation and scale.</summary>
     [ExecuteAlways]
     [DisallowMultipleComponent]
     [AddComponentMenu("FastPoints/Point Cloud Clip Box")]

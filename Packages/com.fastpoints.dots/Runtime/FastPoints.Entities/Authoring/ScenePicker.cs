@@ -9,11 +9,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Picks points of all clouds that a world shows, as it shows them: it ignores points that are clipped or of a hidden
-    /// class. Call <see cref="Begin"/>, then <see cref="Update"/> once a frame until it returns true. It works in players and
-    /// in edit mode.
-    /// </summary>
+    /// <summary>Picks points of all clouds that a world shows, as it shows them: it ignores points that are clipped or of a
+    /// hidden class. Call <see cref="Begin"/>, then <see cref="Update"/> once a frame until it returns true. It works in players
+    /// and in edit mode.</summary>
     public sealed class ScenePicker : IDisposable
     {
         readonly World m_world;

@@ -2,10 +2,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Limits of streaming for all clouds and cameras together, on one entity of the world. Without it the defaults of <see
-    /// cref="Streaming.StreamSettings"/> apply.
-    /// </summary>
+    /// <summary>Limits of streaming for all clouds and cameras together, on one entity of the world. Without it the defaults of
+    /// <see cref="Streaming.StreamSettings"/> apply.</summary>
     public struct PointCloudBudget : IComponentData
     {
         /// <summary>The most points that are drawn.</summary>

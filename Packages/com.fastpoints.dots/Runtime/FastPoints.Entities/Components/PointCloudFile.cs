@@ -8,48 +8,36 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A cloud on disk: an entity with this and a transform is opened and streamed. It is a converted cloud, with the files
-    /// that it is made of if these are known, which are shown until the folder exists. If readers are loaded (<see
-    /// cref="Feeds.CloudFeeds"/>), it may be any point cloud.
-    /// </summary>
+    /// <summary>A cloud on disk: an entity with this and a transform is opened and streamed. It is a converted cloud, with the
+    /// files that it is made of if these are known, which are shown until the folder exists. If readers are loaded
+    /// (<see cref="Feeds.CloudFeeds"/>), it may be any point cloud.</summary>
     public sealed class PointCloudFile : IComponentData
     {
-        /// <summary>
-        /// Prefix of a path in an editor if the folder is in the project's <see cref="Place"/>. Importers write it because they
-        /// run in a process without the settings, and perhaps on another machine.
-        /// </summary>
+        /// <summary>Prefix of a path in an editor if the folder is in the project's <see cref="Place"/>. Importers write it
+        /// because they run in a process without the settings, and perhaps on another machine.</summary>
         public const string InPlace = "<place>/";
 
         /// <summary>Where an editor keeps converted clouds: absolute, or relative to the project.</summary>
         public static string Place { get; set; } = "PointClouds";
 
-        /// <summary>
-        /// Path of the <c>.fastpoints</c> folder or of another point cloud: absolute, or below the application's streaming
-        /// assets.
-        /// </summary>
+        /// <summary>Path of the <c>.fastpoints</c> folder or of another point cloud: absolute, or below the application's
+        /// streaming assets.</summary>
         public string Path;
 
-        /// <summary>
-        /// The folder in an editor, which has no player's data: absolute, relative to the project, or <see cref="InPlace"/>. If
-        /// null, <see cref="Path"/> applies.
-        /// </summary>
+        /// <summary>The folder in an editor, which has no player's data: absolute, relative to the project, or
+        /// <see cref="InPlace"/>. If null, <see cref="Path"/> applies.</summary>
         public string ProjectPath;
 
-        /// <summary>
-        /// Files and folders that the cloud is made of, in an editor: absolute, or relative to the project. May be null.
-        /// </summary>
+        /// <summary>Files and folders that the cloud is made of, in an editor: absolute, or relative to the project. May be
+        /// null.</summary>
         public string[] ProjectSources;
 
-        /// <summary>
-        /// The file or folder that a player streams directly if <see cref="Path"/> does not exist: absolute, or below the
-        /// streaming assets. May be null.
-        /// </summary>
+        /// <summary>The file or folder that a player streams directly if <see cref="Path"/> does not exist: absolute, or below
+        /// the streaming assets. May be null.</summary>
         public string PlayerSource;
 
-        /// <summary>
-        /// Whether <see cref="OriginGeo"/> is the place that the transform moves; otherwise the first shown state decides.
-        /// </summary>
+        /// <summary>Whether <see cref="OriginGeo"/> is the place that the transform moves; otherwise the first shown state
+        /// decides.</summary>
         public bool HasOrigin;
 
         /// <summary>The origin, georeferenced, in CRS units.</summary>
@@ -61,10 +49,8 @@ namespace FastPoints.Entities
         /// <summary>Metres of a unit, if the file does not say or is wrong; 0 to use what it says.</summary>
         public double UnitMetres;
 
-        /// <summary>
-        /// What points are coloured by; a cloud without these values chooses another mode. This and the other fields take
-        /// effect when the cloud is opened: only what they need is streamed.
-        /// </summary>
+        /// <summary>What points are coloured by; a cloud without these values chooses another mode. This and the other fields
+        /// take effect when the cloud is opened: only what they need is streamed.</summary>
         public ColorMode Color;
         public Gradient Gradient;
 
@@ -74,10 +60,8 @@ namespace FastPoints.Entities
         /// <summary>The error of opening the cloud; null if there was none.</summary>
         public string Error;
 
-        /// <summary>
-        /// Set it if there may be newer data on disk: this is looked for, and what is shown stays until it is ready. It resets
-        /// to false.
-        /// </summary>
+        /// <summary>Set it if there may be newer data on disk: this is looked for, and what is shown stays until it is ready. It
+        /// resets to false.</summary>
         public bool LooksAgain;
 
         /// <summary>The folder's absolute path.</summary>

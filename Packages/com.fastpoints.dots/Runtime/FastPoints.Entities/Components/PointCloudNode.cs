@@ -3,11 +3,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A node of a cloud's octree that is in flight or in memory: its entity lives as long. It comes with <see
-    /// cref="PointCloudNodeBounds"/>; with <see cref="Requested"/>, <see cref="Resident"/> and <see cref="Drawn"/>, which show
-    /// its state; and with <see cref="Hidden"/>, <see cref="Pinned"/> and <see cref="Tint"/>, which users may enable.
-    /// </summary>
+    /// <summary>A node of a cloud's octree that is in flight or in memory: its entity lives as long. It comes with
+    /// <see cref="PointCloudNodeBounds"/>; with <see cref="Requested"/>, <see cref="Resident"/> and <see cref="Drawn"/>, which
+    /// show its state; and with <see cref="Hidden"/>, <see cref="Pinned"/> and <see cref="Tint"/>, which users may
+    /// enable.</summary>
     public struct PointCloudNode : IComponentData
     {
         public Entity Cloud;
@@ -24,10 +23,8 @@ namespace FastPoints.Entities
         public int SlotVersion;
     }
 
-    /// <summary>
-    /// A box along the cloud's axes around the points of a node and all below it: from the corner of the cloud's root cube, in
-    /// CRS units.
-    /// </summary>
+    /// <summary>A box along the cloud's axes around the points of a node and all below it: from the corner of the cloud's root
+    /// cube, in CRS units.</summary>
     public struct PointCloudNodeBounds : IComponentData
     {
         public double3 Center;

@@ -9,10 +9,8 @@ namespace FastPoints.Entities
     {
         public CloudSuccession Succession;
 
-        /// <summary>
-        /// How <see cref="StreamedPointCloud.Beside"/> and <see cref="StreamedPointCloud.Next"/> are coloured, by their number
-        /// in the stream. The entity's own look is that of the shown state.
-        /// </summary>
+        /// <summary>How <see cref="StreamedPointCloud.Beside"/> and <see cref="StreamedPointCloud.Next"/> are coloured, by their
+        /// number in the stream. The entity's own look is that of the shown state.</summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
     }
 }

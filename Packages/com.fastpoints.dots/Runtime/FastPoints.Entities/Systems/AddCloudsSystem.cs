@@ -4,10 +4,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Adds clouds of new entities to the stream and removes those whose entities are gone, follows placements, and replaces
-    /// older states by newer ones.
-    /// </summary>
+    /// <summary>Adds clouds of new entities to the stream and removes those whose entities are gone, follows placements, and
+    /// replaces older states by newer ones.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     internal partial class AddCloudsSystem : StreamSystem

@@ -3,10 +3,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Applies the world's <see cref="PointCloudBudget"/> from this frame on. Without one, it applies <see
-    /// cref="PointCloudSystemGroup.DefaultPoolBytes"/> to memory that the world itself has made.
-    /// </summary>
+    /// <summary>Applies the world's <see cref="PointCloudBudget"/> from this frame on. Without one, it applies
+    /// <see cref="PointCloudSystemGroup.DefaultPoolBytes"/> to memory that the world itself has made.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(OpenCloudsSystem))]

@@ -8,10 +8,8 @@ using Unity.Entities;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Opens clouds that only exist as files, and brings each of their states into the stream: waves of a preview, generations
-    /// of a build, the finished cloud.
-    /// </summary>
+    /// <summary>Opens clouds that only exist as files, and brings each of their states into the stream: waves of a preview,
+    /// generations of a build, the finished cloud.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderFirst = true)]
     [UpdateBefore(typeof(AddCloudsSystem))]

@@ -6,10 +6,8 @@ using FastPoints.Rendering;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// A cloud's states while its entity exists: opened on a thread of the pool, so that a slow disk blocks nothing, then
-    /// stepped on the main thread.
-    /// </summary>
+    /// <summary>A cloud's states while its entity exists: opened on a thread of the pool, so that a slow disk blocks nothing,
+    /// then stepped on the main thread.</summary>
     sealed class OpenedCloud : IDisposable
     {
         PoolWork<CloudFeed> m_opening;

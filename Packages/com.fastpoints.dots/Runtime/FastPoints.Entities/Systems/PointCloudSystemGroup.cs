@@ -32,15 +32,12 @@ namespace FastPoints.Entities
     [UpdateInGroup(typeof(PresentationSystemGroup))]
     public partial class PointCloudSystemGroup : ComponentSystemGroup
     {
-        /// <summary>
-        /// The group rests after this many frames without reads and uploads: a dropped node is requested again within them.
-        /// </summary>
+        /// <summary>The group rests after this many frames without reads and uploads: a dropped node is requested again within
+        /// them.</summary>
         const int FramesToRest = 40;
 
-        /// <summary>
-        /// Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An editor
-        /// sets it from the project's settings.
-        /// </summary>
+        /// <summary>Bytes of graphics memory without a <see cref="PointCloudBudget"/>; changes apply from the next frame on. An
+        /// editor sets it from the project's settings.</summary>
         public static long DefaultPoolBytes = 512 << 20;
 
         NativeList<StreamView> m_views;
@@ -51,10 +48,8 @@ namespace FastPoints.Entities
         bool m_isWarned;
         FrameStats m_stats;
 
-        /// <summary>
-        /// Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are streamed
-        /// to the graphics card and drawn.
-        /// </summary>
+        /// <summary>Null until <see cref="Begin"/>, or until there is a <see cref="PointCloudFile"/>: from then on, clouds are
+        /// streamed to the graphics card and drawn.</summary>
         public StreamContext Stream { get; private set; }
 
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
@@ -66,10 +61,8 @@ namespace FastPoints.Entities
         /// <summary>The cameras of the next frame: code that draws adds its own, and the frame takes them all.</summary>
         public NativeList<StreamView> Views => m_views;
 
-        /// <summary>
-        /// Whether another frame would change something: clouds are being opened, nodes are in flight, or a camera has moved.
-        /// In edit mode, frames only come on request.
-        /// </summary>
+        /// <summary>Whether another frame would change something: clouds are being opened, nodes are in flight, or a camera has
+        /// moved. In edit mode, frames only come on request.</summary>
         public bool WantsFrame
         {
             get

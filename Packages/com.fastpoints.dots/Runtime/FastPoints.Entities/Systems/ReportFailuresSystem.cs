@@ -3,9 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Reports files and nodes that could not be read: each once, since permanent failures are not requested again.
-    /// </summary>
+    /// <summary>Reports files and nodes that could not be read: each once, since permanent failures are not requested
+    /// again.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     [UpdateAfter(typeof(TrackNodesSystem))]

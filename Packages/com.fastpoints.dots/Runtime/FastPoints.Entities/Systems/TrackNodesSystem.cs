@@ -5,9 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Entities
 {
-    /// <summary>
-    /// Makes and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing at rest.
-    /// </summary>
+    /// <summary>Makes and destroys the entities of nodes, some in each frame, and updates their nodes' state. It does nothing at
+    /// rest.</summary>
     [WorldSystemFilter(WorldSystemFilterFlags.Default | WorldSystemFilterFlags.Editor)]
     [UpdateInGroup(typeof(PointCloudSystemGroup), OrderLast = true)]
     internal unsafe partial class TrackNodesSystem : StreamSystem

@@ -71,10 +71,8 @@ namespace FastPoints.Convert
             return checkpoints;
         }
 
-        /// <summary>
-        /// Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before the
-        /// journal does. Does nothing if points are in memory.
-        /// </summary>
+        /// <summary>Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before
+        /// the journal does. Does nothing if points are in memory.</summary>
         /// <param name="attributes">The statistics of each attribute so far.</param>
         /// <param name="chunks">The current chunks, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public IEnumerator<Work> Begin()

@@ -11,10 +11,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Makes a build that is under way a cloud that can be opened, again and again: the finished chunks, and for the others
-    /// what a sample shows of them, as chunks' tops that the same sampler made. A reader follows the generations of cloud.json.
-    /// </summary>
+    /// <summary>Makes a build that is under way a cloud that can be opened, again and again: the finished chunks, and for the
+    /// others what a sample shows of them, as chunks' tops that the same sampler made. A reader follows the generations of
+    /// cloud.json.</summary>
     internal sealed class BuildGenerations : IDisposable
     {
         readonly BuildContext m_build;

@@ -6,10 +6,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// The progress of a build as far as it lies on disk, from which a killed build is continued. It converts from and to text,
-    /// without I/O.
-    /// </summary>
+    /// <summary>The progress of a build as far as it lies on disk, from which a killed build is continued. It converts from and
+    /// to text, without I/O.</summary>
     internal sealed class BuildJournal
     {
         /// <summary>The stages in which a build can be resumed.</summary>

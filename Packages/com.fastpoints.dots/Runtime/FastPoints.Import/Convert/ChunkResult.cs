@@ -7,10 +7,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// What remains of a chunk when its nodes are written: its top node's points, and what the merge and the hierarchy need to
-    /// know. Until the merge it is kept in memory, or in a file that also shows, after a kill, that the chunk is done.
-    /// </summary>
+    /// <summary>What remains of a chunk when its nodes are written: its top node's points, and what the merge and the hierarchy
+    /// need to know. Until the merge it is kept in memory, or in a file that also shows, after a kill, that the chunk is
+    /// done.</summary>
     internal sealed unsafe class ChunkResult
     {
         struct Header

@@ -58,10 +58,8 @@ namespace FastPoints.Convert
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
 
-        /// <summary>
-        /// Makes the work to run after each completed change, when every record is where the chunks say. Files that are no
-        /// longer needed exist until it has ended.
-        /// </summary>
+        /// <summary>Makes the work to run after each completed change, when every record is where the chunks say. Files that are
+        /// no longer needed exist until it has ended.</summary>
         public Func<IEnumerator<Work>> Settled { get; set; }
 
         /// <summary>Takes over a chunk's records.</summary>

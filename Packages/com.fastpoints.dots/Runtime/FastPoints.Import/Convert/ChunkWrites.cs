@@ -6,10 +6,8 @@ using Unity.Collections;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Files of finished chunks that wait to be written, so that the next chunks need not wait for the disk. There are as many
-    /// as memory allows: the writing code gets an empty list in exchange.
-    /// </summary>
+    /// <summary>Files of finished chunks that wait to be written, so that the next chunks need not wait for the disk. There are
+    /// as many as memory allows: the writing code gets an empty list in exchange.</summary>
     sealed class ChunkWrites : IDisposable
     {
         struct Pending

@@ -11,9 +11,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Writes what a build has learned about its points into the cloud's manifest, and anomalies into the sources' warnings.
-    /// </summary>
+    /// <summary>Writes what a build has learned about its points into the cloud's manifest, and anomalies into the sources'
+    /// warnings.</summary>
     internal static class CloudDescription
     {
         /// <summary>The manifest of the whole cloud, as far as its points say; what is known of its nodes comes later. Sources

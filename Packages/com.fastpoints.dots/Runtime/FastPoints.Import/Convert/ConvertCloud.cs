@@ -13,11 +13,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
-    /// chunks; chunks that became too large are split, small ones merged; each is turned into nodes; their tops become the
-    /// upper levels.
-    /// </summary>
+    /// <summary>Converts files to a stored octree. A sample estimates the density; one pass over the points distributes them over
+    /// chunks; chunks that became too large are split, small ones merged; each is turned into nodes; their tops become the upper
+    /// levels.</summary>
     public sealed class ConvertCloud : IDisposable
     {
         readonly BuildContext m_build;
@@ -34,10 +32,8 @@ namespace FastPoints.Convert
             m_build = build;
         }
 
-        /// <summary>
-        /// Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was cancelled or
-        /// failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.
-        /// </summary>
+        /// <summary>Work for a pump: converts. When the work has ended, the target exists and is complete. If the work was
+        /// cancelled or failed, nothing exists except what <see cref="ConvertSettings.KeepUnfinished"/> keeps.</summary>
         /// <param name="readers">The open sources, with the same attributes. They make one cloud.</param>
         /// <param name="target">The folder to make.</param>
         /// <param name="done">Receives the result.</param>
@@ -119,9 +115,7 @@ namespace FastPoints.Convert
             m_samples.Clear();
         }
 
-        /// <summary>
-        /// Resumes the killed build if there is one of the same sources and settings with its points on disk.
-        /// </summary>
+        /// <summary>Resumes the killed build if there is one of the same sources and settings with its points on disk.</summary>
         void Resume()
         {
             m_scatter = new ScatterPoints(m_build);

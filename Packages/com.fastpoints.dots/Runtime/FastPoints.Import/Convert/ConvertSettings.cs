@@ -10,53 +10,41 @@ namespace FastPoints.Convert
 
         public Sampler Sampler;
 
-        /// <summary>
-        /// log2 of the number of sampling cells along a node's edge, 4 to 8: the spacing is the node's edge divided by it; 0
-        /// for the default of <see cref="NodeSizes"/>.
-        /// </summary>
+        /// <summary>log2 of the number of sampling cells along a node's edge, 4 to 8: the spacing is the node's edge divided by
+        /// it; 0 for the default of <see cref="NodeSizes"/>.</summary>
         public int CellsLog2;
 
-        /// <summary>
-        /// A cube with at most this many remaining points is a leaf; 0 for the default of <see cref="NodeSizes"/>.
-        /// </summary>
+        /// <summary>A cube with at most this many remaining points is a leaf; 0 for the default of
+        /// <see cref="NodeSizes"/>.</summary>
         public int MaxPointsPerLeaf;
 
-        /// <summary>
-        /// Chunks have about this many points at most, and are no smaller than needed; 0 for a number that suits the cloud. The
-        /// stored bytes depend on it, but not on anything about the machine.
-        /// </summary>
+        /// <summary>Chunks have about this many points at most, and are no smaller than needed; 0 for a number that suits the
+        /// cloud. The stored bytes depend on it, but not on anything about the machine.</summary>
         public long PointsPerChunk;
 
-        /// <summary>
-        /// Limit for everything that grows with the number of points: records, blocks being read, chunks in progress. Points
-        /// that do not fit go to temporary files in the target's folder. With little memory chunks become smaller, by halves,
-        /// and so other bytes are stored.
-        /// </summary>
+        /// <summary>Limit for everything that grows with the number of points: records, blocks being read, chunks in progress.
+        /// Points that do not fit go to temporary files in the target's folder. With little memory chunks become smaller, by
+        /// halves, and so other bytes are stored.</summary>
         public long MemoryBytes = 928L << 20;
 
         /// <summary>A build that uses files can be resumed after each so many points.</summary>
         public long PointsPerCheckpoint = 8000000;
 
-        /// <summary>
-        /// While chunks become nodes, finished ones are published as a cloud that can be opened, at most once in this time.
-        /// </summary>
+        /// <summary>While chunks become nodes, finished ones are published as a cloud that can be opened, at most once in this
+        /// time.</summary>
         public double SecondsPerGeneration = 5;
 
-        /// <summary>
-        /// If reading the sources takes longer than this, a sample of them is published as a cloud that can be opened.
-        /// </summary>
+        /// <summary>If reading the sources takes longer than this, a sample of them is published as a cloud that can be
+        /// opened.</summary>
         public double SecondsToFirstGeneration = 1;
 
-        /// <summary>
-        /// The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this many
-        /// chunks are sorted, at the same time. 0 for all. The stored bytes are the same.
-        /// </summary>
+        /// <summary>The most workers of the job system that this work keeps busy: this many blocks are read and decoded, and this
+        /// many chunks are sorted, at the same time. 0 for all. The stored bytes are the same.</summary>
         public int Workers;
 
-        /// <summary>
-        /// Whether the files on disk stay there when the work is disposed early: the next build of the target with the same
-        /// sources and settings continues from them, if points were in files. May be set while the work is running.
-        /// </summary>
+        /// <summary>Whether the files on disk stay there when the work is disposed early: the next build of the target with the
+        /// same sources and settings continues from them, if points were in files. May be set while the work is
+        /// running.</summary>
         public bool KeepUnfinished;
     }
 }

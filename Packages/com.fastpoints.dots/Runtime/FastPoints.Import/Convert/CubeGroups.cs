@@ -4,10 +4,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest cubes
-    /// that have no more than some number of points.
-    /// </summary>
+    /// <summary>Groups neighbours that are small enough to be one: cubes of the octree in Morton order, grouped by the largest
+    /// cubes that have no more than some number of points.</summary>
     internal static class CubeGroups
     {
         /// <summary>Consecutive items. A group of one keeps its own cube.</summary>

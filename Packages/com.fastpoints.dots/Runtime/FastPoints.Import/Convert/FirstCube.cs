@@ -13,9 +13,8 @@ namespace FastPoints.Convert
         /// <summary>Claims of an extent more than this many times that of the sample are ignored.</summary>
         const double Believed = 4;
 
-        /// <summary>
-        /// The cube around the sample, and around what the headers claim unless that is far larger: claims may be anything.
-        /// </summary>
+        /// <summary>The cube around the sample, and around what the headers claim unless that is far larger: claims may be
+        /// anything.</summary>
         /// <param name="found">Statistics of each reader's sample.</param>
         public static GridCube Of(IReadOnlyList<PointReader> readers, IReadOnlyList<SampleStatistics> found, GridChoice grid)
         {

@@ -4,10 +4,8 @@ using FastPoints.Samplers;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Divides up a build's memory. Chunks, and with them the stored bytes, depend on the number of points, the bytes of a
-    /// record and the memory limit, not on the number of threads.
-    /// </summary>
+    /// <summary>Divides up a build's memory. Chunks, and with them the stored bytes, depend on the number of points, the bytes of
+    /// a record and the memory limit, not on the number of threads.</summary>
     internal sealed class MemoryPlan
     {
         const long MaxPointsPerChunk = 1000000;
@@ -20,20 +18,16 @@ namespace FastPoints.Convert
 
         const int ChunksPlanned = 2;
 
-        /// <summary>
-        /// More points show no more in a picture of everything; there are fewer if these took more than this share of the
-        /// memory.
-        /// </summary>
+        /// <summary>More points show no more in a picture of everything; there are fewer if these took more than this share of
+        /// the memory.</summary>
         const long MaxProvisionalPoints = 1 << 17;
         const long ProvisionalShare = 16;
 
         /// <summary>Memory for darts, samples and their grid.</summary>
         const int PoissonBytesPerPoint = 40;
 
-        /// <summary>
-        /// Memory for the sum that a point adds to; for the sums of a third of the points, in a list that grows by doubling;
-        /// and for the plane of colours and intensities written from them.
-        /// </summary>
+        /// <summary>Memory for the sum that a point adds to; for the sums of a third of the points, in a list that grows by
+        /// doubling; and for the plane of colours and intensities written from them.</summary>
         const int AverageBytesPerPoint = 4 + 28 + 8;
 
         MemoryPlan()
@@ -56,15 +50,12 @@ namespace FastPoints.Convert
         /// <summary>Bytes for chunks in progress, and for the merge of the upper levels.</summary>
         public long IndexBytes { get; private set; }
 
-        /// <summary>
-        /// Points that the first partition plans chunks for: more if there would be too many to have a page each.
-        /// </summary>
+        /// <summary>Points that the first partition plans chunks for: more if there would be too many to have a page
+        /// each.</summary>
         public long PointsPerPartition { get; private set; }
 
-        /// <summary>
-        /// Bytes that a point takes while its chunk is indexed: keys twice, order, node, cube, priority and number, its record
-        /// in both orders, and what is written of it.
-        /// </summary>
+        /// <summary>Bytes that a point takes while its chunk is indexed: keys twice, order, node, cube, priority and number, its
+        /// record in both orders, and what is written of it.</summary>
         public long IndexBytesPerPoint { get; private set; }
 
         /// <summary>Points of the sample that represents what is not built yet.</summary>

@@ -14,10 +14,8 @@ namespace FastPoints.Convert
     /// <summary>The first partition of a cloud, by the density that samples of its sources show.</summary>
     internal static class PartitionPlan
     {
-        /// <summary>
-        /// Pages for each planned chunk: its last one, which is not full, others of it, and those of chunks that no sample knew
-        /// of.
-        /// </summary>
+        /// <summary>Pages for each planned chunk: its last one, which is not full, others of it, and those of chunks that no
+        /// sample knew of.</summary>
         const int PagesPerChunk = 4;
 
         /// <summary>Makes the partition as work for a pump.</summary>
@@ -73,9 +71,8 @@ namespace FastPoints.Convert
             }
         }
 
-        /// <summary>
-        /// Plans chunks of their final size if they are so few that each can have its pages, otherwise larger ones.
-        /// </summary>
+        /// <summary>Plans chunks of their final size if they are so few that each can have its pages, otherwise larger
+        /// ones.</summary>
         static PartitionMap Partition(GridCube cube, DensityTree density, MemoryPlan plan)
         {
             using (density)

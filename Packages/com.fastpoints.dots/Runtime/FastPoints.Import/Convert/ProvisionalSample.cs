@@ -10,15 +10,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Some points of all sources, spread evenly over their records, with all attributes: they represent what is not built yet.
-    /// Owns its records.
-    /// </summary>
+    /// <summary>Some points of all sources, spread evenly over their records, with all attributes: they represent what is not
+    /// built yet. Owns its records.</summary>
     internal sealed class ProvisionalSample : IDisposable
     {
-        /// <summary>
-        /// Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16 cover.
-        /// </summary>
+        /// <summary>Records that lie together are neighbours in space: runs of 128 left most of a tile bare that runs of 16
+        /// cover.</summary>
         const int RunPoints = 16;
         const int SlotsInFlight = 8;
 

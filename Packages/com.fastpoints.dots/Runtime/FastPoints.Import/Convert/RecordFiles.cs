@@ -5,10 +5,8 @@ using FastPoints.Writing;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// The records that do not fit in memory: one file for each chunk in the target's folder, only appended to, by the one
-    /// writer thread, with one file open at a time. Written pages can be reused.
-    /// </summary>
+    /// <summary>The records that do not fit in memory: one file for each chunk in the target's folder, only appended to, by the
+    /// one writer thread, with one file open at a time. Written pages can be reused.</summary>
     internal sealed class RecordFiles : IDisposable
     {
         struct Handed
@@ -52,9 +50,8 @@ namespace FastPoints.Convert
             return m_recordsOfFile.Count - 1;
         }
 
-        /// <summary>
-        /// Takes over the files of a killed build, cut to the lengths that its journal knows; other files are deleted.
-        /// </summary>
+        /// <summary>Takes over the files of a killed build, cut to the lengths that its journal knows; other files are
+        /// deleted.</summary>
         /// <returns>Whether they all exist, except those of chunks that may be done; otherwise nothing was taken
         /// over.</returns>
         public bool TakeOver(BuildJournal journal)

@@ -11,10 +11,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// From the chunks' tops to the upper levels. Where there are more tops than one go should take, those of neighbours become
-    /// regions with tops of their own, and so on: memory is that of one region, whatever the number of chunks.
-    /// </summary>
+    /// <summary>From the chunks' tops to the upper levels. Where there are more tops than one go should take, those of neighbours
+    /// become regions with tops of their own, and so on: memory is that of one region, whatever the number of chunks.</summary>
     internal sealed unsafe class UpperMerge : IDisposable
     {
         /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>

@@ -4,10 +4,8 @@ using Unity.Collections;
 
 namespace FastPoints.Convert
 {
-    /// <summary>
-    /// Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a region,
-    /// like a chunk's, belongs to the region above; the root's has none above. Owns its table.
-    /// </summary>
+    /// <summary>Some upper nodes that were made in one go: those above a few chunks, or above other regions. The top node of a
+    /// region, like a chunk's, belongs to the region above; the root's has none above. Owns its table.</summary>
     internal sealed class UpperRegion : IDisposable
     {
         /// <summary>Records and planes of the nodes, as the writer made them.</summary>
@@ -20,9 +18,8 @@ namespace FastPoints.Convert
         /// <summary>Added to the planes' offsets.</summary>
         public long PlaneShift;
 
-        /// <summary>
-        /// The region above, and the draft there that this region's parentless nodes are attached to. Null for the root.
-        /// </summary>
+        /// <summary>The region above, and the draft there that this region's parentless nodes are attached to. Null for the
+        /// root.</summary>
         public UpperRegion Above;
         public int AttachDraft;
 

@@ -7,9 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Density
 {
-    /// <summary>
-    /// Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain some points of a sample.
-    /// </summary>
+    /// <summary>Finds the Morton codes of the cells of a <see cref="DensityTree"/> that contain some points of a
+    /// sample.</summary>
     [BurstCompile]
     unsafe struct CodePositionsJob : IJob
     {

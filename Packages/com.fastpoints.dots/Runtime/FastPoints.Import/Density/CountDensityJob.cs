@@ -12,9 +12,8 @@ namespace FastPoints.Density
     {
         [ReadOnly] public NativeArray<uint> CodeOfPoint;
 
-        /// <summary>
-        /// The brick that each point was counted in at the previous depth; becomes that of this depth, or -1 if there is none.
-        /// </summary>
+        /// <summary>The brick that each point was counted in at the previous depth; becomes that of this depth, or -1 if there is
+        /// none.</summary>
         public NativeArray<int> BrickOfPoint;
 
         /// <summary>Empty if each point is a stretch of its own and stands for <see cref="WeightOfEach"/>.</summary>

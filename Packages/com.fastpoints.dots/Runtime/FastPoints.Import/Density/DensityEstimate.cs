@@ -9,15 +9,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Density
 {
-    /// <summary>
-    /// Estimates the distribution of a cloud's points from a sample: the cells of an adaptive grid, each with its standard
-    /// error, and the empty cells, of which nothing is known.
-    /// </summary>
-    /// <remarks>
-    /// The error is that of choosing stretches. It is valid if these lie at random places in their parts of the file, as runs
-    /// and text do. Prefixes of blocks (LAZ) are not random: if a block begins in one place and ends in another, no sample of
-    /// prefixes shows it.
-    /// </remarks>
+    /// <summary>Estimates the distribution of a cloud's points from a sample: the cells of an adaptive grid, each with its
+    /// standard error, and the empty cells, of which nothing is known.</summary>
+    /// <remarks>The error is that of choosing stretches. It is valid if these lie at random places in their parts of the file, as
+    /// runs and text do. Prefixes of blocks (LAZ) are not random: if a block begins in one place and ends in another, no sample
+    /// of prefixes shows it.</remarks>
     internal sealed class DensityEstimate : IDisposable
     {
         /// <summary>A cell with points of fewer stretches is not divided: half of its parts would have two or three.</summary>
@@ -118,11 +114,9 @@ namespace FastPoints.Density
             }
         }
 
-        /// <summary>
-        /// Estimates how many points of the cloud lie in empty cells: as many as lie in cells with points of a single stretch
-        /// (I. J. Good, "The population frequencies of species", 1953). NaN for prefixes of blocks, which say nothing about the
-        /// blocks' ends.
-        /// </summary>
+        /// <summary>Estimates how many points of the cloud lie in empty cells: as many as lie in cells with points of a single
+        /// stretch (I. J. Good, "The population frequencies of species", 1953). NaN for prefixes of blocks, which say nothing
+        /// about the blocks' ends.</summary>
         public double EstimateUnseen()
         {
             if (m_isOfBlockPrefixes)

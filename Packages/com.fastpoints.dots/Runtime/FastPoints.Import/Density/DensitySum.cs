@@ -2,9 +2,7 @@ using System;
 
 namespace FastPoints.Density
 {
-    /// <summary>
-    /// Sums over the stretches of a sample, one after the other in the file's order, for one cell. Blittable.
-    /// </summary>
+    /// <summary>Sums over the stretches of a sample, one after the other in the file's order, for one cell. Blittable.</summary>
     internal struct DensitySum
     {
         public double Points;
@@ -18,9 +16,8 @@ namespace FastPoints.Density
         public int LastStretch;
         public int Stretches;
 
-        /// <summary>
-        /// Adds <see cref="InStretch"/> when its stretch is counted; stretches without points in the cell may be skipped.
-        /// </summary>
+        /// <summary>Adds <see cref="InStretch"/> when its stretch is counted; stretches without points in the cell may be
+        /// skipped.</summary>
         public void Close(int stretch)
         {
             if (Stretches > 0 && LastStretch == stretch - 1)
@@ -42,12 +39,10 @@ namespace FastPoints.Density
         /// <summary>The estimate after all are counted.</summary>
         /// <param name="stretches">Number of stretches in the sample, with or without points here.</param>
         /// <param name="share">The sampled share of the file's points.</param>
-        /// <remarks>
-        /// Points of one stretch are neighbours in space as well: they say hardly more than one of them would, and a binomial
-        /// error would be far too small. Each part of the file has one stretch, so the variance is estimated by the differences
-        /// of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a finite
-        /// population.
-        /// </remarks>
+        /// <remarks>Points of one stretch are neighbours in space as well: they say hardly more than one of them would, and a
+        /// binomial error would be far too small. Each part of the file has one stretch, so the variance is estimated by the
+        /// differences of neighbouring ones (Wolter, "Introduction to variance estimation", 2007, 8.2), with the correction for a
+        /// finite population.</remarks>
         public DensityCell ToCell(int stretches, double share)
         {
             if (Stretches == 0)

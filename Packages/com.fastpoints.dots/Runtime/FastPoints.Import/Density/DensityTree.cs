@@ -8,14 +8,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Density
 {
-    /// <summary>
-    /// Estimated points in the cells of an adaptive grid: a cube whose cells are divided in eight where a sample says enough
-    /// about their parts. It knows only the cells' Morton codes, no coordinates.
-    /// </summary>
-    /// <remarks>
-    /// Levels come in pairs: a brick has the 8 cells of one level and the 64 of the next; divided ones have a brick of their
-    /// own. The result is the same for any number of threads.
-    /// </remarks>
+    /// <summary>Estimated points in the cells of an adaptive grid: a cube whose cells are divided in eight where a sample says
+    /// enough about their parts. It knows only the cells' Morton codes, no coordinates.</summary>
+    /// <remarks>Levels come in pairs: a brick has the 8 cells of one level and the 64 of the next; divided ones have a brick of
+    /// their own. The result is the same for any number of threads.</remarks>
     internal sealed class DensityTree : IDisposable
     {
         /// <summary>Numbers of the first cells: the whole cube and the space outside it; then come the bricks.</summary>

@@ -6,17 +6,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Enlarges the points of a thin sample where they do not close the surface in front: points drawn through its gaps make a
-    /// tile's pixels look denser than that surface is.
-    /// </summary>
+    /// <summary>Enlarges the points of a thin sample where they do not close the surface in front: points drawn through its gaps
+    /// make a tile's pixels look denser than that surface is.</summary>
     [BurstCompile]
     internal struct CloseSurfacesJob : IJob
     {
-        /// <summary>
-        /// Share of the face of its cube that the points of a cell cover: a surface crosses few cells as a whole. Found by
-        /// trial on ca13_d and lion: larger values leave fewer pixels bare and blur more.
-        /// </summary>
+        /// <summary>Share of the face of its cube that the points of a cell cover: a surface crosses few cells as a whole. Found
+        /// by trial on ca13_d and lion: larger values leave fewer pixels bare and blur more.</summary>
         const double ShareOfFace = 0.35;
 
         [ReadOnly] public NativeArray<ThinCell> Cells;

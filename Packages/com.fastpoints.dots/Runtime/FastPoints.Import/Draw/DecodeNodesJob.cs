@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Unpacks chosen nodes into a batch: positions as doubles in grid steps from the batch's corner, attributes as they are.
-    /// Planes are checked before they are read; a damaged node is marked and not unpacked.
-    /// </summary>
+    /// <summary>Unpacks chosen nodes into a batch: positions as doubles in grid steps from the batch's corner, attributes as they
+    /// are. Planes are checked before they are read; a damaged node is marked and not unpacked.</summary>
     [BurstCompile]
     internal unsafe struct DecodeNodesJob : IJobParallelFor
     {

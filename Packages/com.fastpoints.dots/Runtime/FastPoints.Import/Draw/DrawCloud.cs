@@ -13,10 +13,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Draws a picture of every point of a source, block by block in bounded memory: a small sample decides on camera, colours
-    /// and size, then each block is drawn as it is decoded. With a point budget, it draws a sample instead.
-    /// </summary>
+    /// <summary>Draws a picture of every point of a source, block by block in bounded memory: a small sample decides on camera,
+    /// colours and size, then each block is drawn as it is decoded. With a point budget, it draws a sample instead.</summary>
     internal sealed class DrawCloud : IBlockConsumer
     {
         /// <summary>Points that the choices are made from.</summary>

@@ -7,10 +7,8 @@ using Unity.Collections;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and size, then
-    /// the nodes that the camera needs most are drawn.
-    /// </summary>
+    /// <summary>Draws a picture of a stored cloud within a point budget: the top of the octree decides on camera, colours and
+    /// size, then the nodes that the camera needs most are drawn.</summary>
     public sealed class DrawStored
     {
         public const long DefaultBudget = 2000000;
@@ -30,11 +28,9 @@ namespace FastPoints.Draw
             m_budget = budget > 0 ? budget : DefaultBudget;
         }
 
-        /// <summary>
-        /// Whether camera and colours follow from the ranges in the manifest, without examining points, so that nothing
-        /// occupies the main thread for long. Degrees are then drawn as they are, and if the manifest does not say what to
-        /// show, outlying points make the rest small.
-        /// </summary>
+        /// <summary>Whether camera and colours follow from the ranges in the manifest, without examining points, so that nothing
+        /// occupies the main thread for long. Degrees are then drawn as they are, and if the manifest does not say what to show,
+        /// outlying points make the rest small.</summary>
         public bool PlansByManifest { get; set; }
 
         /// <summary>Points that were drawn, including those outside the picture.</summary>

@@ -11,10 +11,8 @@ namespace FastPoints.Draw
     /// <summary>Reads chosen nodes of a stored cloud into one batch.</summary>
     internal static class LoadNodes
     {
-        /// <summary>
-        /// The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be scattered
-        /// over upper.bin, which grows with the cloud.
-        /// </summary>
+        /// <summary>The most bytes of a file that are read at once, unless one node has more. The nodes of a few points may be
+        /// scattered over upper.bin, which grows with the cloud.</summary>
         public const long MostBytesARead = 4 << 20;
 
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
@@ -30,10 +28,8 @@ namespace FastPoints.Draw
             return new PointSchema(attributes);
         }
 
-        /// <summary>
-        /// Reads the nodes as work for a pump. Positions come as grid steps from the root's corner: see <see
-        /// cref="CloudGrid.FromCorner"/>.
-        /// </summary>
+        /// <summary>Reads the nodes as work for a pump. Positions come as grid steps from the root's corner: see
+        /// <see cref="CloudGrid.FromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and room for all points of the
         /// selection.</param>
         /// <param name="mostBytes">The most bytes that are read at once.</param>

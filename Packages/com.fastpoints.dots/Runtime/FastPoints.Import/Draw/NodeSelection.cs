@@ -9,19 +9,15 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Chooses the nodes of a stored cloud that a picture is drawn from: those that streaming would choose (<see
-    /// cref="SelectNodesJob"/>), but completely: chunks' tables are loaded as the selection reaches them.
-    /// </summary>
+    /// <summary>Chooses the nodes of a stored cloud that a picture is drawn from: those that streaming would choose
+    /// (<see cref="SelectNodesJob"/>), but completely: chunks' tables are loaded as the selection reaches them.</summary>
     internal sealed unsafe class NodeSelection : IDisposable
     {
         /// <summary>The file of the upper levels.</summary>
         public const int UpperFile = -1;
 
-        /// <summary>
-        /// The selection restarts when it lacks this many chunks: a smaller number would cost more turns, a larger one would
-        /// load what the budget does not reach.
-        /// </summary>
+        /// <summary>The selection restarts when it lacks this many chunks: a smaller number would cost more turns, a larger one
+        /// would load what the budget does not reach.</summary>
         const int ChunksATurn = 16;
 
         readonly CloudFolder m_folder;
@@ -72,10 +68,8 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>
-        /// Whether everything below a chosen node that the picture could show is also chosen, so that the node's points
-        /// represent only themselves. Ask after <see cref="Choose"/>.
-        /// </summary>
+        /// <summary>Whether everything below a chosen node that the picture could show is also chosen, so that the node's points
+        /// represent only themselves. Ask after <see cref="Choose"/>.</summary>
         public bool IsRefined(int file, int node)
         {
             var record = TableOf(file).Nodes[node];

@@ -13,18 +13,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Draw
 {
-    /// <summary>
-    /// Makes a first picture of an open source: it finds the blocks if necessary, takes a sample, measures it, and draws it.
-    /// Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.
-    /// </summary>
+    /// <summary>Makes a first picture of an open source: it finds the blocks if necessary, takes a sample, measures it, and draws
+    /// it. Owns the sample. If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
     public sealed class PreviewCloud : IDisposable
     {
         /// <summary>Stages that read all of a source: anything else that would read it may as well go first.</summary>
         public const string FindBlocksStage = "find blocks", RefineStage = "refine";
 
-        /// <summary>
-        /// From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they gain.
-        /// </summary>
+        /// <summary>From this point size on, the density closes surfaces: samples with smaller points lose more to blur than they
+        /// gain.</summary>
         const float LeastThinPx = 2;
 
         readonly PointReader m_reader;
@@ -40,10 +37,8 @@ namespace FastPoints.Draw
             m_fileBefore = FileNow();
         }
 
-        /// <summary>
-        /// Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it belongs to
-        /// the wave only until the work's next step.
-        /// </summary>
+        /// <summary>Raised on the pump's thread when there is a sample to draw, coarse to fine. This object owns it, and it
+        /// belongs to the wave only until the work's next step.</summary>
         public event Action<PreviewSample, SampleWave> WaveReady;
 
         public PreviewSample Sample { get; private set; }
@@ -53,10 +48,8 @@ namespace FastPoints.Draw
 
         public DisplayRanges Ranges { get; private set; }
 
-        /// <summary>
-        /// The estimated density with its error, as of the sample at that time; null before <see cref="EstimateDensity"/>, and
-        /// for sources whose sample does not show it.
-        /// </summary>
+        /// <summary>The estimated density with its error, as of the sample at that time; null before
+        /// <see cref="EstimateDensity"/>, and for sources whose sample does not show it.</summary>
         internal DensityEstimate Density { get; private set; }
 
         /// <summary>The chosen camera, colours and size, and what was assumed.</summary>
@@ -152,10 +145,8 @@ namespace FastPoints.Draw
                 + " now): the sample may be of neither state");
         }
 
-        /// <summary>
-        /// Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud bare:
-        /// whole blocks replace them.
-        /// </summary>
+        /// <summary>Whether a first sample consists of prefixes of blocks alone, which are ready soon and leave most of the cloud
+        /// bare: whole blocks replace them.</summary>
         public static bool Refines(PointReader reader) => !reader.HasRunReads && reader.Tree == null;
 
         IEnumerator<Work> MeasureSample()
@@ -218,10 +209,8 @@ namespace FastPoints.Draw
             WaveReady?.Invoke(sample, wave);
         }
 
-        /// <summary>
-        /// Takes a sample of what can be read before the blocks are found, which takes a pass over the whole file: of its
-        /// beginning, or spread all over it.
-        /// </summary>
+        /// <summary>Takes a sample of what can be read before the blocks are found, which takes a pass over the whole file: of
+        /// its beginning, or spread all over it.</summary>
         IEnumerator<Work> TakePrefixes(StageProgress progress)
         {
             progress?.Begin("sample");
@@ -283,9 +272,8 @@ namespace FastPoints.Draw
         /// <summary>Whether to choose from a scan of all points instead of short runs.</summary>
         public bool Exact;
 
-        /// <summary>
-        /// Whether to stop at the sample that reads little, even if it consists of prefixes of blocks, or of the file's prefix.
-        /// </summary>
+        /// <summary>Whether to stop at the sample that reads little, even if it consists of prefixes of blocks, or of the file's
+        /// prefix.</summary>
         public bool Quick;
 
         public PictureOptions Picture = new PictureOptions();

@@ -36,10 +36,8 @@ namespace FastPoints.Draw
             }
         }
 
-        /// <summary>
-        /// Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single pixels;
-        /// leaves the canvas empty.
-        /// </summary>
+        /// <summary>Work for a pump: chooses the point size if the options leave it open, from the sample drawn with single
+        /// pixels; leaves the canvas empty.</summary>
         /// <param name="pointsToDraw">Points that the picture will have.</param>
         public static IEnumerator<Work> ChooseSize(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             long pointsToDraw)

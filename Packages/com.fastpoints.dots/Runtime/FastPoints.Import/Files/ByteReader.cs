@@ -4,10 +4,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads little-endian fields of a piece of a file, addressed by their offset in the piece. A field outside the piece is a
-    /// failure that names the byte in the file.
-    /// </summary>
+    /// <summary>Reads little-endian fields of a piece of a file, addressed by their offset in the piece. A field outside the
+    /// piece is a failure that names the byte in the file.</summary>
     internal readonly struct ByteReader
     {
         public readonly byte[] Bytes;

@@ -2,9 +2,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The coordinate reference system as far as the file names it. It is kept and shown, but never used to move points.
-    /// </summary>
+    /// <summary>The coordinate reference system as far as the file names it. It is kept and shown, but never used to move
+    /// points.</summary>
     public sealed class CoordinateSystem
     {
         /// <summary>OGC well-known text, or null.</summary>

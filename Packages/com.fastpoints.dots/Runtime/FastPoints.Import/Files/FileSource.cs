@@ -4,14 +4,10 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
-    /// AsyncReadManager reads the points into native memory instead.
-    /// </summary>
-    /// <remarks>
-    /// The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a later
-    /// read opens it again.
-    /// </remarks>
+    /// <summary>A file whose header is being read: with small managed reads at any offset, never beyond the file's real size.
+    /// AsyncReadManager reads the points into native memory instead.</summary>
+    /// <remarks>The stream is open between the first read and <see cref="Dispose"/>; path and length stay valid after that, and a
+    /// later read opens it again.</remarks>
     internal sealed class FileSource : IDisposable
     {
         const int StreamBufferBytes = 16 * 1024;

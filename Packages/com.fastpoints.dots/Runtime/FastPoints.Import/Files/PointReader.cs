@@ -7,78 +7,58 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// An open source of points: its description, and its natural blocks (LAZ chunks, COPC and Potree nodes, ranges of a
-    /// fixed-stride file), which can be read in any order, several at once.
-    /// </summary>
-    /// <remarks>
-    /// All members belong to the main thread, but any thread may open a reader (<see cref="PointReaders"/>). Reading happens
-    /// through <see cref="BlockRead"/> slots: the reader makes as many as the caller wants in flight, and these slots hold all
-    /// of its memory, whatever the file's size. Dispose the slots before the reader.
-    /// </remarks>
+    /// <summary>An open source of points: its description, and its natural blocks (LAZ chunks, COPC and Potree nodes, ranges of a
+    /// fixed-stride file), which can be read in any order, several at once.</summary>
+    /// <remarks>All members belong to the main thread, but any thread may open a reader (<see cref="PointReaders"/>). Reading
+    /// happens through <see cref="BlockRead"/> slots: the reader makes as many as the caller wants in flight, and these slots
+    /// hold all of its memory, whatever the file's size. Dispose the slots before the reader.</remarks>
     public abstract class PointReader : IDisposable
     {
         public SourceInfo Info { get; protected set; }
 
-        /// <summary>
-        /// Whether the blocks and their point counts are known from the header. If not, call <see cref="FindBlocks"/> before
-        /// using any of the following members.
-        /// </summary>
+        /// <summary>Whether the blocks and their point counts are known from the header. If not, call <see cref="FindBlocks"/>
+        /// before using any of the following members.</summary>
         public virtual bool BlocksAreKnown => true;
 
-        /// <summary>
-        /// The most jobs that <see cref="FindBlocks"/> has in flight; 0 for as many as keep all workers busy.
-        /// </summary>
+        /// <summary>The most jobs that <see cref="FindBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
         public int MostJobs { get; set; }
 
-        /// <summary>
-        /// Work for a pump that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk table.
-        /// </summary>
+        /// <summary>Work for a pump that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
+        /// table.</summary>
         public virtual IEnumerator<Work> FindBlocks()
         {
             yield break;
         }
 
-        /// <summary>
-        /// Whether <see cref="FindPrefixes()"/> finds something to read long before <see cref="FindBlocks"/> does.
-        /// </summary>
+        /// <summary>Whether <see cref="FindPrefixes()"/> finds something to read long before <see cref="FindBlocks"/>
+        /// does.</summary>
         public virtual bool HasPrefixes => false;
 
-        /// <summary>
-        /// Work for a pump, of bounded time, that finds what can be read without a pass over the file. Afterwards these are the
-        /// blocks, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> replaces them with all blocks
-        /// while there are no slots.
-        /// </summary>
+        /// <summary>Work for a pump, of bounded time, that finds what can be read without a pass over the file. Afterwards these
+        /// are the blocks, although <see cref="BlocksAreKnown"/> is false, until <see cref="FindBlocks"/> replaces them with all
+        /// blocks while there are no slots.</summary>
         public virtual IEnumerator<Work> FindPrefixes() => FindBlocks();
 
-        /// <summary>
-        /// Whether <see cref="FindPrefixes()"/> finds points spread over the whole source, each as likely as any other, instead
-        /// of its beginning.
-        /// </summary>
+        /// <summary>Whether <see cref="FindPrefixes()"/> finds points spread over the whole source, each as likely as any other,
+        /// instead of its beginning.</summary>
         public virtual bool PrefixesAreSpread => false;
 
         /// <summary>If they are spread, the number of places to examine.</summary>
         public virtual int MaxPrefixes => 0;
 
-        /// <summary>
-        /// Like <see cref="FindPrefixes()"/>, up to a number of examined places; call it again for more. The blocks come in an
-        /// order of which every beginning is spread over the source, and earlier ones keep their numbers.
-        /// </summary>
+        /// <summary>Like <see cref="FindPrefixes()"/>, up to a number of examined places; call it again for more. The blocks come
+        /// in an order of which every beginning is spread over the source, and earlier ones keep their numbers.</summary>
         public virtual IEnumerator<Work> FindPrefixes(int places) => FindPrefixes();
 
         /// <summary>Points of the whole source, after <see cref="FindPrefixes()"/>.</summary>
         internal virtual PointEstimate EstimatedPoints => new PointEstimate(Info.PointsClaimed, 0);
 
-        /// <summary>
-        /// The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy; <see
-        /// cref="FindBlocks"/> reads all pages.
-        /// </summary>
+        /// <summary>The octree that the source contains, or null. Its blocks come level by level within each page of the
+        /// hierarchy; <see cref="FindBlocks"/> reads all pages.</summary>
         internal virtual SourceTree Tree => null;
 
-        /// <summary>
-        /// Work for a pump that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the blocks
-        /// of these levels can be read although <see cref="BlocksAreKnown"/> is false.
-        /// </summary>
+        /// <summary>Work for a pump that reads only those pages of <see cref="Tree"/> that its first levels need: afterwards the
+        /// blocks of these levels can be read although <see cref="BlocksAreKnown"/> is false.</summary>
         public IEnumerator<Work> FindLevels(int levels) => FindBelow(default, levels);
 
         /// <summary>The same for one node and what is below it. Never opens or reads a file on the main thread.</summary>
@@ -113,27 +93,22 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file that reading a range takes (an estimate if the format does not say).</summary>
         public abstract long BytesOfRange(BlockRange range);
 
-        /// <summary>
-        /// Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are cheap.
-        /// </summary>
+        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
+        /// cheap.</summary>
         public virtual bool HasFixedStride => false;
 
         /// <summary>Points of all blocks together.</summary>
         public long PointCount => BlockCount == 0 ? 0 : FirstPointOfBlock(BlockCount - 1) + PointsInBlock(BlockCount - 1);
 
-        /// <summary>
-        /// Creates a reusable slot that decodes these attributes (a selection of <see cref="SourceInfo.Schema"/>) and no
-        /// others.
-        /// </summary>
+        /// <summary>Creates a reusable slot that decodes these attributes (a selection of <see cref="SourceInfo.Schema"/>) and no
+        /// others.</summary>
         /// <param name="wanted">The batch's columns; each must be in the source's schema.</param>
         /// <param name="capacity">Points of the largest range that the slot will read.</param>
         /// <param name="allocator">The allocator of the slot's memory.</param>
         public abstract BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator);
 
-        /// <summary>
-        /// Closes the file's handle if possible, and keeps everything that was found; the next slot opens it again. There must
-        /// be no slots at this time.
-        /// </summary>
+        /// <summary>Closes the file's handle if possible, and keeps everything that was found; the next slot opens it again.
+        /// There must be no slots at this time.</summary>
         public virtual void CloseFile()
         {
         }
@@ -154,10 +129,8 @@ namespace FastPoints.Files
             DisposeUnread();
         }
 
-        /// <summary>
-        /// Disposes a reader without slots or work on any thread, as it may be opened on any: it has no file handle yet, and
-        /// these belong to the main thread.
-        /// </summary>
+        /// <summary>Disposes a reader without slots or work on any thread, as it may be opened on any: it has no file handle yet,
+        /// and these belong to the main thread.</summary>
         public virtual void DisposeUnread()
         {
         }

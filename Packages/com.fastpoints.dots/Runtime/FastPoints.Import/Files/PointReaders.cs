@@ -65,10 +65,8 @@ namespace FastPoints.Files
         public static PointReader Open(IReadOnlyList<string> paths, ReadOptions options = null) =>
             paths.Count == 1 ? Open(paths[0], options) : TiledReader.Open(paths, options);
 
-        /// <summary>
-        /// Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that lie in
-        /// a folder as one. Dispose the reader.
-        /// </summary>
+        /// <summary>Opens a LAS, LAZ, PLY, E57 or text file, a Potree octree by its folder or its index in it, or all clouds that
+        /// lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
         /// or the header is broken; one line.</exception>
         public static PointReader Open(string path, ReadOptions options = null)
@@ -155,10 +153,8 @@ namespace FastPoints.Files
     /// <summary>What a caller knows about files better than the files themselves. All of it is optional.</summary>
     public sealed class ReadOptions
     {
-        /// <summary>
-        /// Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other; "-" leaves a
-        /// column out. If null, the file's own names apply, or they are guessed.
-        /// </summary>
+        /// <summary>Names of the columns of a text file, in their order: x, y, z, i, r, g, b, nx, ny, nz or any other; "-" leaves
+        /// a column out. If null, the file's own names apply, or they are guessed.</summary>
         public string[] TextColumns;
     }
 }

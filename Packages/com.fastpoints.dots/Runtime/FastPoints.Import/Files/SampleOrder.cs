@@ -1,14 +1,10 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput sequence,
-    /// Owen scrambled. Blittable, for jobs.
-    /// </summary>
-    /// <remarks>
-    /// The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011, with the
-    /// constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order, one lies in
-    /// each 2^-k of the strata (give or take the places beyond the last stratum, which are skipped).
-    /// </remarks>
+    /// <summary>An order of visiting strata of which every beginning is spread evenly over them: the base-2 van der Corput
+    /// sequence, Owen scrambled. Blittable, for jobs.</summary>
+    /// <remarks>The scrambling is the hash of S. Laine and T. Karras, "Stratified sampling for stochastic transparency", 2011,
+    /// with the constants of B. Burley, "Practical hash-based Owen scrambling", 2020. Of the first 2^k places of the order, one
+    /// lies in each 2^-k of the strata (give or take the places beyond the last stratum, which are skipped).</remarks>
     internal readonly struct SampleOrder
     {
         readonly int m_bits;

@@ -29,10 +29,8 @@ namespace FastPoints.Files
     /// <summary>Names a source in the names of files made from it.</summary>
     public static class CloudName
     {
-        /// <summary>
-        /// A file's name without its extension; for an octree its folder's name, whether the path names the folder or the index
-        /// in it.
-        /// </summary>
+        /// <summary>A file's name without its extension; for an octree its folder's name, whether the path names the folder or
+        /// the index in it.</summary>
         public static string Of(string path)
         {
             string full = Path.GetFullPath(path).TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);

@@ -4,9 +4,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A file's description of itself, read from its header without touching the points. These are claims, not statistics.
-    /// </summary>
+    /// <summary>A file's description of itself, read from its header without touching the points. These are claims, not
+    /// statistics.</summary>
     public sealed class SourceInfo
     {
         public string Path;
@@ -30,9 +29,8 @@ namespace FastPoints.Files
         /// <summary>Whether there is such a claim: text files mostly have none.</summary>
         public bool HasPointsClaimed = true;
 
-        /// <summary>
-        /// Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 if only a scan can tell.
-        /// </summary>
+        /// <summary>Points that the file's real size has room for, at most <see cref="PointsClaimed"/>; -1 if only a scan can
+        /// tell.</summary>
         public long PointsReadable = -1;
 
         public bool HasBoundsClaimed;

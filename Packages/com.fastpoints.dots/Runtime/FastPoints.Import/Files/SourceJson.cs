@@ -3,10 +3,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The JSON index of a source (Potree's cloud.js and metadata.json, ept.json), whose members are requested by name. A
-    /// missing member, or one of another type, is a failure that names the file and the member.
-    /// </summary>
+    /// <summary>The JSON index of a source (Potree's cloud.js and metadata.json, ept.json), whose members are requested by name.
+    /// A missing member, or one of another type, is a failure that names the file and the member.</summary>
     internal static class SourceJson
     {
         /// <summary>Larger texts are not parsed: the objects would take some 50 times the bytes.</summary>

@@ -7,24 +7,18 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Visits every point of a source once, block by block, with several blocks in flight, in bounded memory.
-    /// </summary>
+    /// <summary>Visits every point of a source once, block by block, with several blocks in flight, in bounded memory.</summary>
     internal static class SourceScan
     {
         /// <summary>Blocks in flight: one decoding on each worker and one being read for it.</summary>
         public static int DefaultSlots => 2 * Math.Max(1, Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount + 1);
 
-        /// <summary>
-        /// Limit of the memory of one scan's slots: it bounds a scan's resident set, whatever the number of cores and the size
-        /// of blocks.
-        /// </summary>
+        /// <summary>Limit of the memory of one scan's slots: it bounds a scan's resident set, whatever the number of cores and
+        /// the size of blocks.</summary>
         public const long MaxSlotBytes = 96L << 20;
 
-        /// <summary>
-        /// Number of slots: <see cref="DefaultSlots"/>, or as many as fit into <see cref="MaxSlotBytes"/> with a block's
-        /// columns and its bytes in the file.
-        /// </summary>
+        /// <summary>Number of slots: <see cref="DefaultSlots"/>, or as many as fit into <see cref="MaxSlotBytes"/> with a block's
+        /// columns and its bytes in the file.</summary>
         public static int SlotsFor(PointReader reader, PointSchema wanted) => SlotsFor(reader, wanted, 0, MaxSlotBytes);
 
         /// <param name="extraBytesPerPoint">Bytes that the consumer keeps for each point of a slot.</param>

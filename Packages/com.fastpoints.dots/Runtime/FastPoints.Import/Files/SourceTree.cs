@@ -5,14 +5,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The octree that a source contains (COPC, Potree, EPT), as far as its hierarchy has been read: additive levels, each
-    /// node's points in a block of their own.
-    /// </summary>
-    /// <remarks>
-    /// Nodes are only ever added, a parent before its children, so indices stay valid while pages are read. A node takes 24
-    /// bytes.
-    /// </remarks>
+    /// <summary>The octree that a source contains (COPC, Potree, EPT), as far as its hierarchy has been read: additive levels,
+    /// each node's points in a block of their own.</summary>
+    /// <remarks>Nodes are only ever added, a parent before its children, so indices stay valid while pages are read. A node takes
+    /// 24 bytes.</remarks>
     internal sealed class SourceTree : IDisposable
     {
         NativeList<SourceNode> m_nodes;
@@ -72,9 +68,8 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>
-    /// A node of a source's own octree. One with more points than a block exists several times, once for each block.
-    /// </summary>
+    /// <summary>A node of a source's own octree. One with more points than a block exists several times, once for each
+    /// block.</summary>
     internal struct SourceNode
     {
         /// <summary>0 for the root; a node of level L has the cube's edge divided by 2^L.</summary>

@@ -3,9 +3,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and 2.
-    /// </summary>
+    /// <summary>Extracts from a CRS in well-known text what is shown: name, EPSG codes, length of the unit. WKT 1 and
+    /// 2.</summary>
     internal static class WktCoordinateSystem
     {
         static readonly string[] s_authority = { "AUTHORITY", "ID" };

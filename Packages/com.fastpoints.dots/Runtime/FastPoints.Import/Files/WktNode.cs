@@ -2,10 +2,8 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// One <c>KEYWORD[...]</c> of well-known text (OGC 01-009, ISO 19162), with its quoted and plain values and the nodes
-    /// inside it.
-    /// </summary>
+    /// <summary>One <c>KEYWORD[...]</c> of well-known text (OGC 01-009, ISO 19162), with its quoted and plain values and the
+    /// nodes inside it.</summary>
     internal sealed class WktNode
     {
         /// <summary>Text that is nested deeper than any CRS is not followed.</summary>

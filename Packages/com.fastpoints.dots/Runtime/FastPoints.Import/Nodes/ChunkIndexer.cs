@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>
-    /// Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. Its memory is
-    /// as large as its largest chunk needs and is reused for the next.
-    /// </summary>
+    /// <summary>Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. Its
+    /// memory is as large as its largest chunk needs and is reused for the next.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
         // The samplers visit a point this often in most clouds.
@@ -75,10 +73,8 @@ namespace FastPoints.Nodes
         public int Number { get; private set; }
         public JobHandle Job { get; private set; }
 
-        /// <summary>
-        /// The chunk's file after the job, empty if all points are in the top. Code that takes it gives another list for the
-        /// next one.
-        /// </summary>
+        /// <summary>The chunk's file after the job, empty if all points are in the top. Code that takes it gives another list for
+        /// the next one.</summary>
         public NativeList<byte> File { get; set; }
 
         /// <summary>The upper nodes' table, after an upper job.</summary>

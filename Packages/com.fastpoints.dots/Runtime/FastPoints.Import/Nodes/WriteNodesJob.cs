@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>
-    /// Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top node is
-    /// not written: its points go to the merge of the upper levels.
-    /// </summary>
+    /// <summary>Writes the file of a chunk or of the upper levels in memory: every node's planes, then the table. A chunk's top
+    /// node is not written: its points go to the merge of the upper levels.</summary>
     /// <remarks>One run of the job is a slice; the job runs again until it is done. A node is written in one slice.</remarks>
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
@@ -166,9 +164,8 @@ namespace FastPoints.Nodes
             m_now.Stage = Stage.Plan;
         }
 
-        /// <summary>
-        /// Plans everything except the points: which nodes there are, and the table without what is only known after writing.
-        /// </summary>
+        /// <summary>Plans everything except the points: which nodes there are, and the table without what is only known after
+        /// writing.</summary>
         void Plan()
         {
             NodeOfDraft.ResizeUninitialized(Drafts.Length);

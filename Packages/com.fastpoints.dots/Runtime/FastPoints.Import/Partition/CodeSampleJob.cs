@@ -34,9 +34,8 @@ namespace FastPoints.Partition
             }
         }
 
-        /// <summary>
-        /// The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of them.
-        /// </summary>
+        /// <summary>The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of
+        /// them.</summary>
         uint CellOf(long offset)
         {
             int below = Cube.SideLog2 - DensityTree.Levels;

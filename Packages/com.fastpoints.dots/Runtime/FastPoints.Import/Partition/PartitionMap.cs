@@ -7,11 +7,9 @@ using Unity.Collections;
 
 namespace FastPoints.Partition
 {
-    /// <summary>
-    /// Maps positions to chunks: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of each of
-    /// its parts if many points lie in one cell. Chunks are cubes of the octree; positions outside the cube have a chunk of
-    /// their own, the last one.
-    /// </summary>
+    /// <summary>Maps positions to chunks: a cube in 8^<see cref="Levels"/> cells in Morton order, and the chunk of each, or of
+    /// each of its parts if many points lie in one cell. Chunks are cubes of the octree; positions outside the cube have a chunk
+    /// of their own, the last one.</summary>
     internal sealed class PartitionMap : IDisposable
     {
         /// <summary>8^6 cells are 1 MB: they stay in a core's cache while points are sorted into them.</summary>
@@ -44,9 +42,7 @@ namespace FastPoints.Partition
         /// <summary>The number of the chunk for all positions outside.</summary>
         public int Outside => Chunks.Length;
 
-        /// <summary>
-        /// Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.
-        /// </summary>
+        /// <summary>Indexed by Morton number of the cell; ~i means that its parts' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
         /// <summary>Finds the chunk of a position in <see cref="ChunkOfCell"/>.</summary>

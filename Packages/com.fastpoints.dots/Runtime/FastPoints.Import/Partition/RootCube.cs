@@ -4,14 +4,12 @@ using FastPoints.Points;
 
 namespace FastPoints.Partition
 {
-    /// <summary>
-    /// Chooses the cube of the whole octree: first a guess, for the partition; then grown and shrunk to the actual points.
-    /// </summary>
+    /// <summary>Chooses the cube of the whole octree: first a guess, for the partition; then grown and shrunk to the actual
+    /// points.</summary>
     internal static class RootCube
     {
-        /// <summary>
-        /// The smallest cube with a box in its middle, so that points a little outside the box are still inside.
-        /// </summary>
+        /// <summary>The smallest cube with a box in its middle, so that points a little outside the box are still
+        /// inside.</summary>
         public static GridCube Around(Grid3 min, Grid3 max)
         {
             var extent = max - min;

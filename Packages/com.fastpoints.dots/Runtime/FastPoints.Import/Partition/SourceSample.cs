@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Partition
 {
-    /// <summary>
-    /// Stored positions of some points of one source, spread evenly over its records: enough to estimate the density, read in
-    /// milliseconds. It is only an estimate: correctness never depends on it.
-    /// </summary>
+    /// <summary>Stored positions of some points of one source, spread evenly over its records: enough to estimate the density,
+    /// read in milliseconds. It is only an estimate: correctness never depends on it.</summary>
     internal sealed class SourceSample : IDisposable
     {
         // A thousand runs of a thousand records: on a 20 M point tile the largest chunk then missed its target by a tenth.
@@ -99,9 +97,8 @@ namespace FastPoints.Partition
             }
         }
 
-        /// <summary>
-        /// Number of points from a run's first point to the next run's; the first run also stands for those before it.
-        /// </summary>
+        /// <summary>Number of points from a run's first point to the next run's; the first run also stands for those before
+        /// it.</summary>
         static long PointsUpToNext(PointReader reader, List<BlockRange> runs, int run)
         {
             long first = run == 0 ? 0 : reader.FirstPointOfBlock(runs[run].Block) + runs[run].First;

@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Appends, from decoded points, the first one of each empty cell: a cell with neither a point that stands for a stratum,
-    /// nor one that was appended. These jobs must run one after the other.
-    /// </summary>
+    /// <summary>Appends, from decoded points, the first one of each empty cell: a cell with neither a point that stands for a
+    /// stratum, nor one that was appended. These jobs must run one after the other.</summary>
     [BurstCompile]
     struct AppendEmptyCellsJob : IJob
     {

@@ -10,9 +10,8 @@ namespace FastPoints.Preview
     /// <summary>Finds out which points of a sample belong to which block, while the sample is still being collected.</summary>
     static class BlockRunListing
     {
-        /// <summary>
-        /// Number of blocks whose first points are requested at a time: requesting millions would take long, and memory.
-        /// </summary>
+        /// <summary>Number of blocks whose first points are requested at a time: requesting millions would take long, and
+        /// memory.</summary>
         const int BlocksAtOnce = 1 << 14;
 
         /// <summary>Lists the runs as work for a pump.</summary>

@@ -16,10 +16,8 @@ namespace FastPoints.Preview
         public PositionBounds Found;
     }
 
-    /// <summary>
-    /// Closes the gaps in a sample, one slice of places after the other: places without a point, and points whose position is
-    /// not finite, which are counted. It measures the bounds on the way.
-    /// </summary>
+    /// <summary>Closes the gaps in a sample, one slice of places after the other: places without a point, and points whose
+    /// position is not finite, which are counted. It measures the bounds on the way.</summary>
     [BurstCompile]
     internal struct CompactSampleJob : IJob
     {

@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so any
-    /// number of these may run at the same time.
-    /// </summary>
+    /// <summary>Copies the first points of a decoded range to consecutive places of the sample. Ranges go to disjoint places, so
+    /// any number of these may run at the same time.</summary>
     [BurstCompile]
     struct CopyPrefixJob : IJob
     {

@@ -4,17 +4,13 @@ using FastPoints.Files;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Plans the order in which all points of a source are read, in waves. If blocks are few enough to keep a decoder state for
-    /// each, all blocks are read to the same share of their points, then all of them deeper. Otherwise whole blocks are read,
-    /// spread over the source.
-    /// </summary>
-    /// <remarks>
-    /// Ranges come in rounds, whatever the number of slots and threads. Continuing with the blocks that found most empty cells
-    /// was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th cells
-    /// bare, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on lion
-    /// they are longer for as many empty cells. Its many slices took twice the time.
-    /// </remarks>
+    /// <summary>Plans the order in which all points of a source are read, in waves. If blocks are few enough to keep a decoder
+    /// state for each, all blocks are read to the same share of their points, then all of them deeper. Otherwise whole blocks are
+    /// read, spread over the source.</summary>
+    /// <remarks>Ranges come in rounds, whatever the number of slots and threads. Continuing with the blocks that found most empty
+    /// cells was tried: at half of ca13_d's points, which are in the order of an octree, its sample leaves 39 % of the 512th
+    /// cells bare, that of equal depths 49 %, but its distances are longer (RMS 0.0092 of the diagonal against 0.0078), and on
+    /// lion they are longer for as many empty cells. Its many slices took twice the time.</remarks>
     internal sealed class DepthPlan
     {
         /// <summary>A LAZ decoder's state takes about 0.3 MB.</summary>

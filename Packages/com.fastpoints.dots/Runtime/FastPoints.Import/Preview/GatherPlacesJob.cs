@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Copies the existing points of a sample that is still being collected to the beginning of one to draw, one slice of
-    /// places after the other.
-    /// </summary>
+    /// <summary>Copies the existing points of a sample that is still being collected to the beginning of one to draw, one slice
+    /// of places after the other.</summary>
     [BurstCompile]
     struct GatherPlacesJob : IJob
     {

@@ -6,9 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Keeps the first point of each empty cell, in one slice of points after the other, and moves these together.
-    /// </summary>
+    /// <summary>Keeps the first point of each empty cell, in one slice of points after the other, and moves these
+    /// together.</summary>
     [BurstCompile]
     struct KeepEmptyCellsJob : IJob
     {

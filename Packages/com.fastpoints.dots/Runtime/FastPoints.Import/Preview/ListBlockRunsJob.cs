@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Lists which points of a sample that is still being collected belong to which block, with places counted among the
-    /// existing points. Each call continues where the one before ended.
-    /// </summary>
+    /// <summary>Lists which points of a sample that is still being collected belong to which block, with places counted among the
+    /// existing points. Each call continues where the one before ended.</summary>
     [BurstCompile]
     struct ListBlockRunsJob : IJob
     {

@@ -4,16 +4,13 @@ using FastPoints.Files;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Plans how many points a sample of prefixes takes from which blocks, wave by wave: first some blocks spread over the
-    /// source, then all of them, then more of each, in proportion to their points. For a source with an octree it takes levels
-    /// from the top, all of them whole except the last.
-    /// </summary>
+    /// <summary>Plans how many points a sample of prefixes takes from which blocks, wave by wave: first some blocks spread over
+    /// the source, then all of them, then more of each, in proportion to their points. For a source with an octree it takes
+    /// levels from the top, all of them whole except the last.</summary>
     sealed class PrefixPlan
     {
-        /// <summary>
-        /// Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are chosen.
-        /// </summary>
+        /// <summary>Points that make starting a block worthwhile: if all blocks would get fewer, fewer blocks are
+        /// chosen.</summary>
         public const int LeastPoints = 50;
 
         readonly PointReader m_reader;
@@ -104,10 +101,8 @@ namespace FastPoints.Preview
         static long Share(long part, long whole, int wanted) =>
             whole == 0 ? 0 : part / whole * wanted + part % whole * (wanted / whole) + part % whole * (wanted % whole) / whole;
 
-        /// <summary>
-        /// Chooses blocks spread over the source: so many that each gets <see cref="LeastPoints"/>, and more if they do not
-        /// have as many.
-        /// </summary>
+        /// <summary>Chooses blocks spread over the source: so many that each gets <see cref="LeastPoints"/>, and more if they do
+        /// not have as many.</summary>
         List<int> Choose(int wanted)
         {
             var blocks = new List<int>();

@@ -8,20 +8,15 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Samples prefixes of blocks from all over a source where nothing else is cheap (LAZ chunks): see <see cref="PrefixPlan"/>
-    /// for how many of which.
-    /// </summary>
-    /// <remarks>
-    /// A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten times as
-    /// large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many points.
-    /// </remarks>
+    /// <summary>Samples prefixes of blocks from all over a source where nothing else is cheap (LAZ chunks): see
+    /// <see cref="PrefixPlan"/> for how many of which.</summary>
+    /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
+    /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
+    /// points.</remarks>
     sealed class PrefixSampler : PreviewSampler
     {
-        /// <summary>
-        /// Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a slow
-        /// disk needs as well. A LAZ slot takes 1.5 MB.
-        /// </summary>
+        /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
+        /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>
         const int ShortPrefix = 1024, SlotsForShortPrefixes = 12;
 
         readonly PrefixPlan m_plan;

@@ -4,15 +4,12 @@ using Unity.Collections;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Some points of a source in file order: their positions and what they can be coloured by. Owns its memory.
-    /// </summary>
+    /// <summary>Some points of a source in file order: their positions and what they can be coloured by. Owns its
+    /// memory.</summary>
     public sealed class PreviewSample : IDisposable
     {
-        /// <summary>
-        /// Memory of the largest sample. With the slots of a scan, a picture of 4 megapixels and the runtime it stays below 300
-        /// MB resident, whatever the size of the file.
-        /// </summary>
+        /// <summary>Memory of the largest sample. With the slots of a scan, a picture of 4 megapixels and the runtime it stays
+        /// below 300 MB resident, whatever the size of the file.</summary>
         public const long MaxBytes = 80L << 20;
 
         NativeList<SampleRun> m_runs;
@@ -44,36 +41,27 @@ namespace FastPoints.Preview
         /// <summary>Whether each point was chosen from a scan of all points.</summary>
         public bool IsFullScan { get; internal set; }
 
-        /// <summary>
-        /// Number of points among them that were only taken because no other point is near; each of the others stands for an
-        /// equal number of the source's points.
-        /// </summary>
+        /// <summary>Number of points among them that were only taken because no other point is near; each of the others stands
+        /// for an equal number of the source's points.</summary>
         public int Substitutes { get; internal set; }
 
-        /// <summary>
-        /// Whether they come from the source's beginning alone, because reading the rest takes a pass over all of it.
-        /// </summary>
+        /// <summary>Whether they come from the source's beginning alone, because reading the rest takes a pass over all of
+        /// it.</summary>
         public bool IsOfPrefix { get; internal set; }
 
         /// <summary>How the points were chosen, and why not otherwise: a line for people.</summary>
         public string Method { get; internal set; }
 
-        /// <summary>
-        /// Whether it is known what each point stands for: not for an octree's upper levels, a file's prefix, or points that
-        /// were chosen without regard to the file's order.
-        /// </summary>
+        /// <summary>Whether it is known what each point stands for: not for an octree's upper levels, a file's prefix, or points
+        /// that were chosen without regard to the file's order.</summary>
         public bool StandsForStretches { get; internal set; }
 
-        /// <summary>
-        /// Whether the points of its stretches are prefixes of blocks that were not read to their ends (LAZ): they say nothing
-        /// about the ends.
-        /// </summary>
+        /// <summary>Whether the points of its stretches are prefixes of blocks that were not read to their ends (LAZ): they say
+        /// nothing about the ends.</summary>
         public bool IsOfBlockPrefixes { get; internal set; }
 
-        /// <summary>
-        /// The points that lie together in the file, in its order, without substitutes; empty if each stands for a stretch of
-        /// its own.
-        /// </summary>
+        /// <summary>The points that lie together in the file, in its order, without substitutes; empty if each stands for a
+        /// stretch of its own.</summary>
         internal NativeArray<SampleRun> Runs => RunList.AsArray();
 
         /// <summary>The list for code that fills it.</summary>

@@ -8,23 +8,17 @@ using Unity.Collections;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Takes a sample of a source by reading little of it, in waves, coarse to fine, each a prefix of the next one and spread
-    /// over all of the source. The time it takes depends on the points wanted, hardly on the source's size.
-    /// </summary>
-    /// <remarks>
-    /// The sample is the same for the same source, seed and number of points, on any number of threads and slots and any disk.
-    /// All members belong to the thread of the pump.
-    /// </remarks>
+    /// <summary>Takes a sample of a source by reading little of it, in waves, coarse to fine, each a prefix of the next one and
+    /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.</summary>
+    /// <remarks>The sample is the same for the same source, seed and number of points, on any number of threads and slots and any
+    /// disk. All members belong to the thread of the pump.</remarks>
     internal abstract class PreviewSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
 
-        /// <summary>
-        /// A wave that comes this near to the end continues to it: another one would show hardly more, and may decode all
-        /// prefixes again.
-        /// </summary>
+        /// <summary>A wave that comes this near to the end continues to it: another one would show hardly more, and may decode
+        /// all prefixes again.</summary>
         const double LeastShareOfLast = 0.75;
 
         readonly List<SampleWave> m_waves = new List<SampleWave>();
@@ -40,10 +34,8 @@ namespace FastPoints.Preview
             m_sample.StandsForStretches = reader.Tree == null;
         }
 
-        /// <summary>
-        /// Raised on the pump's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn from then
-        /// on.
-        /// </summary>
+        /// <summary>Raised on the pump's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn from
+        /// then on.</summary>
         public event Action<SampleWave> WaveReady;
 
         /// <summary>The waves so far.</summary>
@@ -109,9 +101,8 @@ namespace FastPoints.Preview
             }
         }
 
-        /// <summary>
-        /// Work for a pump: reads more points into the following places, and moves <see cref="EndPlace"/> behind them.
-        /// </summary>
+        /// <summary>Work for a pump: reads more points into the following places, and moves <see cref="EndPlace"/> behind
+        /// them.</summary>
         /// <param name="wanted">The approximate number of places to reach; all of them for the last wave.</param>
         private protected abstract IEnumerator<Work> Read(int wanted, int slots, StageProgress progress);
 

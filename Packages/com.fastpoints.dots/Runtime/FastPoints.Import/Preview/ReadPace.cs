@@ -3,10 +3,9 @@ using System;
 namespace FastPoints.Preview
 {
     /// <summary>Chooses how a sample of short runs is read, by the time of a source's first reads.</summary>
-    /// <remarks>
-    /// If reads take long, as from a network or a disk that has to seek, fewer and longer runs make another, coarser sample of
-    /// as many points. There are only these two plans, so that the sample is the same wherever the same plan was chosen.
-    /// </remarks>
+    /// <remarks>If reads take long, as from a network or a disk that has to seek, fewer and longer runs make another, coarser
+    /// sample of as many points. There are only these two plans, so that the sample is the same wherever the same plan was
+    /// chosen.</remarks>
     internal readonly struct ReadPace
     {
         /// <summary>Number of trial reads, of which the quickest counts: anything may delay the others.</summary>
@@ -20,14 +19,12 @@ namespace FastPoints.Preview
 
         const int PointsPerShortRun = 16, PointsPerLongRun = 128;
 
-        /// <summary>
-        /// Requests in flight: enough to keep a solid state disk busy, and so that slow ones take as long as one.
-        /// </summary>
+        /// <summary>Requests in flight: enough to keep a solid state disk busy, and so that slow ones take as long as
+        /// one.</summary>
         const int UsualSlots = 8, SlowSlots = 16;
 
-        /// <summary>
-        /// Bytes that a slow disk reads in a second after seeking: a gap that takes less time than another read is read along.
-        /// </summary>
+        /// <summary>Bytes that a slow disk reads in a second after seeking: a gap that takes less time than another read is read
+        /// along.</summary>
         const double BytesPerSecondOfGaps = 200e6;
 
         const int MinGapBytes = 512, MaxGapBytes = 256 << 10, MaxSlowGapBytes = 1 << 20;
@@ -48,9 +45,8 @@ namespace FastPoints.Preview
 
         public int Slots => IsSlow ? SlowSlots : UsualSlots;
 
-        /// <summary>
-        /// Number of runs in one request, if there are so many in all: slow requests must not wait for each other.
-        /// </summary>
+        /// <summary>Number of runs in one request, if there are so many in all: slow requests must not wait for each
+        /// other.</summary>
         public int RunsPerRequest(int runs, int slots, int least, int most) =>
             Math.Max(IsSlow ? 1 : least, Math.Min(most, runs / (2 * slots)));
 

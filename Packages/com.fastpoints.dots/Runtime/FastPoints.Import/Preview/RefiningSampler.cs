@@ -9,34 +9,26 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and offers a sample
-    /// to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for point.
-    /// </summary>
-    /// <remarks>
-    /// Until then the sample has those of its points that were reached, and instead of the others the first point of each cell
-    /// that would be empty although points in it were read (spatial thinning). It is the same for any number of threads and
-    /// slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's sample.
-    /// </remarks>
+    /// <summary>Reads every block of a source once, all of them deeper from wave to wave (<see cref="DepthPlan"/>), and offers a
+    /// sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for
+    /// point.</summary>
+    /// <remarks>Until then the sample has those of its points that were reached, and instead of the others the first point of
+    /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
+    /// and slots. All members belong to the pump's thread; disposing the work stops at once and leaves the last wave's
+    /// sample.</remarks>
     internal sealed class RefiningSampler : IDisposable
     {
-        /// <summary>
-        /// Shares of the points at which a wave ends. Each costs as much as a twentieth of decoding some million points, for
-        /// keeping states and composing the sample: one more, at a fifteenth, delayed all others.
-        /// </summary>
+        /// <summary>Shares of the points at which a wave ends. Each costs as much as a twentieth of decoding some million points,
+        /// for keeping states and composing the sample: one more, at a fifteenth, delayed all others.</summary>
         static readonly double[] s_shares = { 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1 };
 
-        /// <summary>
-        /// From this share on, waves come at any cost; before it, only if this many points are decoded for one, which takes
-        /// half a second.
-        /// </summary>
+        /// <summary>From this share on, waves come at any cost; before it, only if this many points are decoded for one, which
+        /// takes half a second.</summary>
         const double FirstShareOfAny = 0.2;
         const long LeastPointsBeforeFifth = 2_000_000;
 
-        /// <summary>
-        /// A first sample of this many points is always worth its time; one in so many if there are too many blocks to reach
-        /// together.
-        /// </summary>
+        /// <summary>A first sample of this many points is always worth its time; one in so many if there are too many blocks to
+        /// reach together.</summary>
         const int LeastPointsBefore = 20_000, PointsPerPointBefore = 25;
 
         readonly PointReader m_reader;

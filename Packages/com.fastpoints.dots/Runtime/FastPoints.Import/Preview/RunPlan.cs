@@ -3,27 +3,20 @@ using FastPoints.Files;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Plans which points a sample takes from a source of fixed stride, and in which order: a run of evenly spaced points at a
-    /// hashed place in each of equal strata of the file, the strata in an order of which every beginning is spread over all of
-    /// the file. Blittable, for jobs.
-    /// </summary>
-    /// <remarks>
-    /// Within a stratum each point is taken with the same probability, its share of taken points: runs that leave it continue
-    /// at its start. Strata differ by one point in length, runs by one point in count; so a sample of nearly all points may
-    /// lack one point in each run, and the places of a sample of all points have gaps.
-    /// </remarks>
+    /// <summary>Plans which points a sample takes from a source of fixed stride, and in which order: a run of evenly spaced
+    /// points at a hashed place in each of equal strata of the file, the strata in an order of which every beginning is spread
+    /// over all of the file. Blittable, for jobs.</summary>
+    /// <remarks>Within a stratum each point is taken with the same probability, its share of taken points: runs that leave it
+    /// continue at its start. Strata differ by one point in length, runs by one point in count; so a sample of nearly all points
+    /// may lack one point in each run, and the places of a sample of all points have gaps.</remarks>
     internal readonly struct RunPlan
     {
-        /// <summary>
-        /// Points of a usual run: reading a page of the file costs the same for one wanted point as for sixteen.
-        /// </summary>
+        /// <summary>Points of a usual run: reading a page of the file costs the same for one wanted point as for
+        /// sixteen.</summary>
         const int PointsPerUsualRun = 16;
 
-        /// <summary>
-        /// Bytes of the file that a usual run spans, if its stratum has as many: about two pages. Longer runs span
-        /// proportionally more.
-        /// </summary>
+        /// <summary>Bytes of the file that a usual run spans, if its stratum has as many: about two pages. Longer runs span
+        /// proportionally more.</summary>
         const int SpanBytes = 4096;
 
         const int MaxSpanPoints = 256;
@@ -57,10 +50,8 @@ namespace FastPoints.Preview
         /// <summary>Points of the longest run's stretch of the file.</summary>
         public int MaxStretchPoints => RunCount == 0 ? 0 : (int)Math.Min(2 * m_spanPoints, m_strata.Points);
 
-        /// <summary>
-        /// First place in the sample of the run with this rank in the order; <see cref="PlaceCount"/> for the one after the
-        /// last.
-        /// </summary>
+        /// <summary>First place in the sample of the run with this rank in the order; <see cref="PlaceCount"/> for the one after
+        /// the last.</summary>
         public int PlaceOf(int rank) => (int)m_places.FirstOf(rank);
 
         /// <summary>Number of runs, from the first in the order, that give this many points.</summary>
@@ -70,9 +61,8 @@ namespace FastPoints.Preview
         public int PointsOf(int stratum, int rank) => (int)Math.Min(PlaceOf(rank + 1) - PlaceOf(rank),
             m_strata.FirstOf(stratum + 1) - m_strata.FirstOf(stratum));
 
-        /// <summary>
-        /// The run of a stratum in the file's order: one stretch, or two if it wraps around at its stratum's end.
-        /// </summary>
+        /// <summary>The run of a stratum in the file's order: one stretch, or two if it wraps around at its stratum's
+        /// end.</summary>
         /// <param name="rank">The stratum's place among the runs.</param>
         /// <returns>Whether there is a second one.</returns>
         public bool RunOf(int stratum, int rank, out PointRun run, out PointRun second)

@@ -8,13 +8,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Samples short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for which.
-    /// </summary>
-    /// <remarks>
-    /// The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's reads
-    /// decides which gaps between runs are read along.
-    /// </remarks>
+    /// <summary>Samples short runs of evenly spaced points from all over a source of fixed stride: see <see cref="RunPlan"/> for
+    /// which.</summary>
+    /// <remarks>The time of the first reads decides between two plans (<see cref="ReadPace"/>), and the time of the first wave's
+    /// reads decides which gaps between runs are read along.</remarks>
     sealed class RunSampler : PreviewSampler
     {
         /// <summary>The most runs in one request: about a millisecond.</summary>
@@ -69,9 +66,8 @@ namespace FastPoints.Preview
             EndPlace = m_plan.PlaceOf(end);
         }
 
-        /// <summary>
-        /// Work for a pump: reads the first runs of the usual plan, and changes to the other one if that is slow.
-        /// </summary>
+        /// <summary>Work for a pump: reads the first runs of the usual plan, and changes to the other one if that is
+        /// slow.</summary>
         IEnumerator<Work> Try()
         {
             m_gapBytes = m_pace.GapBytes(0);

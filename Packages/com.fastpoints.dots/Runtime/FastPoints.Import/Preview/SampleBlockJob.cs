@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write to disjoint
-    /// places, so any number of these may run at the same time.
-    /// </summary>
+    /// <summary>Copies the chosen points of a decoded block to the sample: stratum i's point to place i. Blocks write to disjoint
+    /// places, so any number of these may run at the same time.</summary>
     [BurstCompile]
     internal struct SampleBlockJob : IJob
     {

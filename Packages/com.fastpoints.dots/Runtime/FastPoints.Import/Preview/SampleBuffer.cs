@@ -99,9 +99,8 @@ namespace FastPoints.Preview
             Points.Count = m_state.Value.Kept;
         }
 
-        /// <summary>
-        /// Work for a pump: runs of places become runs of points; after <see cref="Close(PositionTransform)"/>.
-        /// </summary>
+        /// <summary>Work for a pump: runs of places become runs of points; after
+        /// <see cref="Close(PositionTransform)"/>.</summary>
         /// <param name="runs">Runs within the closed places.</param>
         /// <param name="end">The end of these places.</param>
         public IEnumerator<Work> MoveRuns(NativeList<SampleRun> runs, int end)
@@ -151,9 +150,8 @@ namespace FastPoints.Preview
             return sample;
         }
 
-        /// <summary>
-        /// A sample of what is closed so far, for <see cref="Measure"/>; the sample owns the points from now on.
-        /// </summary>
+        /// <summary>A sample of what is closed so far, for <see cref="Measure"/>; the sample owns the points from now
+        /// on.</summary>
         public PreviewSample ShareSample(PositionTransform transform)
         {
             m_isShared = true;

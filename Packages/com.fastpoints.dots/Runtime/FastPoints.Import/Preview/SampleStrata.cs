@@ -1,9 +1,7 @@
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Points in file order, cut into equal strata (their lengths differ by at most one), with one place chosen in each by a
-    /// seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.
-    /// </summary>
+    /// <summary>Points in file order, cut into equal strata (their lengths differ by at most one), with one place chosen in each
+    /// by a seeded hash: a sample that is even over the file and the same wherever it is computed. Blittable, for jobs.</summary>
     internal readonly struct SampleStrata
     {
         public readonly long Points;

@@ -9,16 +9,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// What an unfinished sample shows where it has no point yet: the first point read in each cell that would be empty
-    /// (spatial thinning). When there are too many, the cells become larger.
-    /// </summary>
+    /// <summary>What an unfinished sample shows where it has no point yet: the first point read in each cell that would be empty
+    /// (spatial thinning). When there are too many, the cells become larger.</summary>
     sealed class SubstitutePoints : IDisposable
     {
-        /// <summary>
-        /// Cells along the longest edge, divided by the root of the wanted points: a surface then has about as many cells as
-        /// there are points, or a few more.
-        /// </summary>
+        /// <summary>Cells along the longest edge, divided by the root of the wanted points: a surface then has about as many
+        /// cells as there are points, or a few more.</summary>
         const double CellsPerRootOfPoints = 1.05;
 
         /// <summary>When this share of their places is taken, they are thinned with cells larger by this factor.</summary>
@@ -121,9 +117,8 @@ namespace FastPoints.Preview
             return Thin(own);
         }
 
-        /// <summary>
-        /// Work for a pump: marks the sample's own points again, and keeps the substitutes in cells without any of these.
-        /// </summary>
+        /// <summary>Work for a pump: marks the sample's own points again, and keeps the substitutes in cells without any of
+        /// these.</summary>
         public IEnumerator<Work> Thin(SampleBuffer own)
         {
             int count = m_count.Value, places = own.Places;

@@ -8,14 +8,11 @@ using Unity.Jobs;
 
 namespace FastPoints.Preview
 {
-    /// <summary>
-    /// Takes a uniform sample by scanning all points, stratified in file order: the reference for quicker samplers. It has
-    /// exactly min(wanted, all) points, the same ones for any number of threads and slots.
-    /// </summary>
-    /// <remarks>
-    /// After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without hierarchical
-    /// acceleration structures", 2020, whose shuffled order this replaces with a hashed place in each stratum.
-    /// </remarks>
+    /// <summary>Takes a uniform sample by scanning all points, stratified in file order: the reference for quicker samplers. It
+    /// has exactly min(wanted, all) points, the same ones for any number of threads and slots.</summary>
+    /// <remarks>After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without
+    /// hierarchical acceleration structures", 2020, whose shuffled order this replaces with a hashed place in each
+    /// stratum.</remarks>
     internal sealed class UniformSampler : IBlockConsumer, IDisposable
     {
         readonly PointReader m_reader;

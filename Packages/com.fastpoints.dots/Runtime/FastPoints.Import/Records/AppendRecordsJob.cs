@@ -5,11 +5,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source: since
-    /// they only copy, neither locks nor the order of completion matter. If the chunks hold more pages than allowed, the
-    /// largest ones give theirs up.
-    /// </summary>
+    /// <summary>Copies one batch's grouped records to their chunks. These jobs run one after another, in the order of the source:
+    /// since they only copy, neither locks nor the order of completion matter. If the chunks hold more pages than allowed, the
+    /// largest ones give theirs up.</summary>
     [BurstCompile]
     internal unsafe struct AppendRecordsJob : IJob
     {

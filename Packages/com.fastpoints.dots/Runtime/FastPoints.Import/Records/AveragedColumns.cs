@@ -12,10 +12,8 @@ namespace FastPoints.Records
         /// <summary>Empty if nothing is averaged.</summary>
         [ReadOnly] public NativeArray<StoredColumn> Columns;
 
-        /// <summary>
-        /// For each point, its index in <see cref="Averages"/>; -1 for a point that represents what its record says, or only
-        /// itself. Empty if nothing is averaged.
-        /// </summary>
+        /// <summary>For each point, its index in <see cref="Averages"/>; -1 for a point that represents what its record says, or
+        /// only itself. Empty if nothing is averaged.</summary>
         public NativeArray<int> AverageOfPoint;
         public NativeList<PointAverage> Averages;
 

@@ -7,10 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Copies some of a chunk's records in order and prepares the sampling: where cubes end in the order, and each record's
-    /// priority. The slices of a chunk follow one another.
-    /// </summary>
+    /// <summary>Copies some of a chunk's records in order and prepares the sampling: where cubes end in the order, and each
+    /// record's priority. The slices of a chunk follow one another.</summary>
     [BurstCompile]
     internal unsafe struct GatherRecordsJob : IJob
     {
@@ -31,9 +29,8 @@ namespace FastPoints.Records
         [ReadOnly] public NativeArray<uint> Order;
         public NativeArray<byte> Records;
 
-        /// <summary>
-        /// For each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first one.
-        /// </summary>
+        /// <summary>For each point, log2 of the side of the smallest cube with it and the previous point; 255 for the first
+        /// one.</summary>
         public NativeArray<byte> CommonCubeLog2;
 
         /// <summary>For each point, the upper half of its hash.</summary>

@@ -8,10 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Chooses the one grid of a cloud and how each source's numbers map to it. Whole numbers keep every digit if their scales
-    /// and offsets have a common step; floats get a step that is a power of two.
-    /// </summary>
+    /// <summary>Chooses the one grid of a cloud and how each source's numbers map to it. Whole numbers keep every digit if their
+    /// scales and offsets have a common step; floats get a step that is a power of two.</summary>
     internal sealed class GridChoice
     {
         /// <summary>A float source's extent takes at most 2^31 steps, so that offsets in the octree fit 32 bits.</summary>
@@ -22,9 +20,8 @@ namespace FastPoints.Records
         /// <summary>One for each source.</summary>
         public SourceGrid[] Sources;
 
-        /// <summary>
-        /// The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32 bits.
-        /// </summary>
+        /// <summary>The layout for the most that the sources' numbers can be on the grid: wide if they do not fit 32
+        /// bits.</summary>
         public RecordLayout Records;
 
         /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>

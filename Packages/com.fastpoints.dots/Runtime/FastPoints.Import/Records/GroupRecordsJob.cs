@@ -9,10 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Turns one batch of columns into records, grouped by chunk, and collects statistics of the points: bounds, attribute
-    /// ranges, checksum, and how many have no position.
-    /// </summary>
+    /// <summary>Turns one batch of columns into records, grouped by chunk, and collects statistics of the points: bounds,
+    /// attribute ranges, checksum, and how many have no position.</summary>
     [BurstCompile]
     internal unsafe struct GroupRecordsJob : IJob
     {
@@ -32,9 +30,8 @@ namespace FastPoints.Records
         /// <summary>Has room for the batch's records.</summary>
         public NativeArray<byte> Records;
 
-        /// <summary>
-        /// Start of each chunk's records, with one more entry. The chunk for points outside comes before the last entry.
-        /// </summary>
+        /// <summary>Start of each chunk's records, with one more entry. The chunk for points outside comes before the last
+        /// entry.</summary>
         public NativeArray<int> FirstOfChunk;
 
         /// <summary>Scratch, indexed by point.</summary>

@@ -4,9 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Compares positions of any size along the Morton curve without making their codes. Coordinates must not be negative.
-    /// </summary>
+    /// <summary>Compares positions of any size along the Morton curve without making their codes. Coordinates must not be
+    /// negative.</summary>
     internal static class MortonOrder
     {
         /// <summary>Negative if a comes first, 0 for equal positions.</summary>

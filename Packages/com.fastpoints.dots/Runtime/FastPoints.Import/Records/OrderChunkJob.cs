@@ -7,10 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Orders a chunk's records along the Morton curve, those at one place by their content, so that the order is the same
-    /// however they came.
-    /// </summary>
+    /// <summary>Orders a chunk's records along the Morton curve, those at one place by their content, so that the order is the
+    /// same however they came.</summary>
     /// <remarks>
     /// The first digit takes the top three octree levels; its buckets fit a core's cache and are sorted least significant digit
     /// first, as one number each:

@@ -22,10 +22,8 @@ namespace FastPoints.Records
         /// <summary>Bytes of the attributes, padded.</summary>
         public int AttributeBytes;
 
-        /// <summary>
-        /// Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
-        /// averaged. It is not part of the point.
-        /// </summary>
+        /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
+        /// averaged. It is not part of the point.</summary>
         public int AverageBytes;
 
         public RecordLayout(bool isWide, Grid3 origin, int attributeBytes)

@@ -3,10 +3,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// The memory of record pages: slabs that are reused and freed all at once. The resident memory is thus the peak in use,
-    /// however the allocator below handles many small blocks. Blittable; one job at a time may use it.
-    /// </summary>
+    /// <summary>The memory of record pages: slabs that are reused and freed all at once. The resident memory is thus the peak in
+    /// use, however the allocator below handles many small blocks. Blittable; one job at a time may use it.</summary>
     internal unsafe struct RecordPagePool
     {
         struct Slab

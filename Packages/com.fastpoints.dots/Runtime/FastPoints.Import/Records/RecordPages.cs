@@ -3,11 +3,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// The records of one chunk in arrival order: a list of pages with a fixed number of records, so that lists grow, are
-    /// joined and returned without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a
-    /// time may change a list.
-    /// </summary>
+    /// <summary>The records of one chunk in arrival order: a list of pages with a fixed number of records, so that lists grow,
+    /// are joined and returned without moving a record. Pages come from a <see cref="RecordPagePool"/>. Blittable; one job at a
+    /// time may change a list.</summary>
     internal unsafe struct RecordPages
     {
         /// <summary>Records of one page; a power of two, so that a record's number splits into page and place.</summary>

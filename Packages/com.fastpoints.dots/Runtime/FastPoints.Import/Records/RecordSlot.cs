@@ -7,9 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// The memory that one block in flight needs to become records, grouped by chunk, and the statistics of its points so far.
-    /// </summary>
+    /// <summary>The memory that one block in flight needs to become records, grouped by chunk, and the statistics of its points
+    /// so far.</summary>
     internal sealed class RecordSlot : IDisposable
     {
         readonly RecordLayout m_layout;

@@ -18,10 +18,8 @@ namespace FastPoints.Records
             RecordPages.RecordsOf(Pages[number >> RecordPages.RecordsPerPageLog2]) +
             (long)(number & (RecordPages.RecordsPerPage - 1)) * Layout.StrideBytes;
 
-        /// <summary>
-        /// Compares records independently of when they came: along the Morton curve, and at equal positions by their
-        /// attributes' bytes. 0 for equal records.
-        /// </summary>
+        /// <summary>Compares records independently of when they came: along the Morton curve, and at equal positions by their
+        /// attributes' bytes. 0 for equal records.</summary>
         public int Compare(uint a, uint b)
         {
             byte* first = At(a), second = At(b);

@@ -6,9 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Distributes one chunk's records over the chunks that it is split into, and returns its pages as they are done.
-    /// </summary>
+    /// <summary>Distributes one chunk's records over the chunks that it is split into, and returns its pages as they are
+    /// done.</summary>
     [BurstCompile]
     internal unsafe struct RegroupRecordsJob : IJob
     {

@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first
-    /// doubled cube that contains it, and there to one of the seven octants other than the previous cube.
-    /// </summary>
+    /// <summary>Distributes the records outside the first cube. The root grew from it by doublings; a record belongs to the first
+    /// doubled cube that contains it, and there to one of the seven octants other than the previous cube.</summary>
     [BurstCompile]
     internal unsafe struct RegroupShellsJob : IJob
     {

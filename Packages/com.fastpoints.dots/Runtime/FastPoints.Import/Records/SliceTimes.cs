@@ -5,10 +5,8 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Records
 {
-    /// <summary>
-    /// Measures how long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for everything
-    /// else in the frame. Jobs that follow one another share one; each adds its run.
-    /// </summary>
+    /// <summary>Measures how long single runs of jobs took: Unity's queue has no priorities, so a run blocks its worker for
+    /// everything else in the frame. Jobs that follow one another share one; each adds its run.</summary>
     internal struct SliceTimes : IDisposable
     {
         /// <summary>One bucket is 0.1 ms; the last one has all longer runs.</summary>

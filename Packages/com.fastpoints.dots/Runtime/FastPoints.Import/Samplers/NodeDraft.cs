@@ -20,9 +20,8 @@ namespace FastPoints.Samplers
         public bool IsTop;
     }
 
-    /// <summary>
-    /// A chunk's part in the merge: its top node's points in order, and whether anything is below them. Blittable.
-    /// </summary>
+    /// <summary>A chunk's part in the merge: its top node's points in order, and whether anything is below them.
+    /// Blittable.</summary>
     internal struct ChunkTop
     {
         /// <summary>Range of the merged points.</summary>

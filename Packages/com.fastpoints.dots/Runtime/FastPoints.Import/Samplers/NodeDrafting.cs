@@ -4,10 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// What all samplers share: which cubes become leaves, chains or chunks' tops, how fine cells may be, and how a cube's
-    /// points are divided. Points that belong to no node yet have a negative number.
-    /// </summary>
+    /// <summary>What all samplers share: which cubes become leaves, chains or chunks' tops, how fine cells may be, and how a
+    /// cube's points are divided. Points that belong to no node yet have a negative number.</summary>
     internal unsafe struct NodeDrafting
     {
         [NativeDisableUnsafePtrRestriction] public byte* CommonCubeLog2;

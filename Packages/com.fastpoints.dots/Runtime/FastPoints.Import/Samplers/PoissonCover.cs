@@ -5,10 +5,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// The parts of one tile in which no point can be taken any more, as cells of a quarter of the spacing, a bit each: most
-    /// darts need one look and no distance. A bit says "nowhere in this cell"; where it is not set, distances decide.
-    /// </summary>
+    /// <summary>The parts of one tile in which no point can be taken any more, as cells of a quarter of the spacing, a bit each:
+    /// most darts need one look and no distance. A bit says "nowhere in this cell"; where it is not set, distances
+    /// decide.</summary>
     /// <remarks>
     /// A sample covers a cell where the farthest two places of its own cell and that one are nearer than the spacing: about two
     /// fifths of what it really keeps off, and after a tile four fifths of its darts. A row of a tile is one word:

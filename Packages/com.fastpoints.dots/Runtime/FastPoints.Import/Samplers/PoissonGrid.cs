@@ -28,9 +28,8 @@ namespace FastPoints.Samplers
             m_nearSq = 1L << 2 * (cellLog2 - m_dropped);
         }
 
-        /// <summary>
-        /// The slot of a position: cells form bars of two by two along x, so that neighbours share cache lines.
-        /// </summary>
+        /// <summary>The slot of a position: cells form bars of two by two along x, so that neighbours share cache
+        /// lines.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int SlotOf(Grid3 place)
         {
@@ -111,10 +110,8 @@ namespace FastPoints.Samplers
             return distance * distance;
         }
 
-        /// <summary>
-        /// The nearest of the samples that are nearer to a point than the spacing, the first on the curve in a tie; -1 for
-        /// none.
-        /// </summary>
+        /// <summary>The nearest of the samples that are nearer to a point than the spacing, the first on the curve in a tie; -1
+        /// for none.</summary>
         public int Nearest(PoissonSample* samples, in Grid3 point)
         {
             long x = point.X >> m_cell + 1, y = point.Y >> m_cell + 1, z = point.Z >> m_cell + 1;

@@ -3,11 +3,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// The order in which points are tried. Only the share of points with a higher priority matters, so priorities are classed
-    /// by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the hash
-    /// grid's neighbourhood in the cache; by chance alone, at least four times as many points come before each class.
-    /// </summary>
+    /// <summary>The order in which points are tried. Only the share of points with a higher priority matters, so priorities are
+    /// classed by its magnitude: the exponent and two bits below it. Points of one class follow the Morton curve, which keeps the
+    /// hash grid's neighbourhood in the cache; by chance alone, at least four times as many points come before each
+    /// class.</summary>
     internal static class PoissonPriority
     {
         const int Octaves = 16;

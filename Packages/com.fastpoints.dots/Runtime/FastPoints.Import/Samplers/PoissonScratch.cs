@@ -3,9 +3,8 @@ using Unity.Collections;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// The progress of a Poisson sampler between two slices, and its working memory, which is reused for the next chunk.
-    /// </summary>
+    /// <summary>The progress of a Poisson sampler between two slices, and its working memory, which is reused for the next
+    /// chunk.</summary>
     internal struct PoissonScratch : IDisposable
     {
         /// <summary>The progress of the sampler.</summary>
@@ -13,11 +12,9 @@ namespace FastPoints.Samplers
         {
             public SamplePoissonJob.Stage Stage;
 
-            /// <summary>
-            /// The current range, or -1; the first point of the current tile, and its end once its first darts are thrown;
-            /// while a range is split, the first point of the next part; while it is averaged, the next point; while the grid
-            /// is filled, the next sample.
-            /// </summary>
+            /// <summary>The current range, or -1; the first point of the current tile, and its end once its first darts are
+            /// thrown; while a range is split, the first point of the next part; while it is averaged, the next point; while the
+            /// grid is filled, the next sample.</summary>
             public int At;
             public int Point;
             public int EndOfTile;

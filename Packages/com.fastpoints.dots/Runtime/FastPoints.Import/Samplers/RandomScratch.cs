@@ -14,10 +14,8 @@ namespace FastPoints.Samplers
             /// <summary>The next point or range.</summary>
             public int At;
 
-            /// <summary>
-            /// For the current range: the next point, log2 of the side of the largest cube that neighbours have in common, and
-            /// the cells of the node above.
-            /// </summary>
+            /// <summary>For the current range: the next point, log2 of the side of the largest cube that neighbours have in
+            /// common, and the cells of the node above.</summary>
             public int Point;
             public int Largest;
             public byte CellAbove;

@@ -5,10 +5,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they come from,
-    /// each with the number of the next one.
-    /// </summary>
+    /// <summary>Ranges that wait for their spacing's turn: those of one spacing in their order along the curve, wherever they
+    /// come from, each with the number of the next one.</summary>
     internal unsafe struct RangeQueue : IDisposable
     {
         NativeList<SampledRange> m_ranges;

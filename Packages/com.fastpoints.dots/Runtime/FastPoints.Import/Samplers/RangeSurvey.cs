@@ -18,10 +18,8 @@ namespace FastPoints.Samplers
         /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
         public fixed int CellsBelow[Sides];
 
-        /// <summary>
-        /// The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a filled
-        /// volume.
-        /// </summary>
+        /// <summary>The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a
+        /// filled volume.</summary>
         /// <param name="cells">The number of cells with points of which none is in a node above.</param>
         public readonly int FinestCell(in NodeSizes sizes, out int cells)
         {

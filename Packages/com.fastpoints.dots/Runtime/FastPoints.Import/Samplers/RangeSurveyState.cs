@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// Makes a <see cref="RangeSurvey"/> of points of which nodes above may have taken any: in slices, since a chunk's first
-    /// range has all of its points. Blittable.
-    /// </summary>
+    /// <summary>Makes a <see cref="RangeSurvey"/> of points of which nodes above may have taken any: in slices, since a chunk's
+    /// first range has all of its points. Blittable.</summary>
     internal unsafe struct RangeSurveyState
     {
         public SampledRange Range;

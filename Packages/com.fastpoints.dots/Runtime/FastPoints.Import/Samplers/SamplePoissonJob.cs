@@ -9,19 +9,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried, and a point is
-    /// taken if no taken point is nearer than its node's spacing. Cubes of one spacing are sampled together, so that the
-    /// distance holds across the borders of nodes; a leaf's points neither keep nor demand it.
-    /// </summary>
-    /// <remarks>
-    /// Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile in the
-    /// order of their priority: everything near a dart is in the cache, and the sample is as even as one in the order of
-    /// priority alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash
-    /// grid with cells of twice the spacing, so that whatever lies nearer than that is in two by two by two cells; the slots
-    /// are chains without keys, as a point of another cell fails the distance anyway. Which points a node has depends only on
-    /// the points themselves. One run of the job is a slice; the job runs again until it is done.
-    /// </remarks>
+    /// <summary>The Poisson-disk sampler, by dart throwing (Cook 1986): from the widest spacing down, points are tried, and a
+    /// point is taken if no taken point is nearer than its node's spacing. Cubes of one spacing are sampled together, so that the
+    /// distance holds across the borders of nodes; a leaf's points neither keep nor demand it.</summary>
+    /// <remarks>Points are tried tile by tile along the Morton curve (cubes of <see cref="TileSpacingsLog2"/>), those of a tile
+    /// in the order of their priority: everything near a dart is in the cache, and the sample is as even as one in the order of
+    /// priority alone (a test holds it). Most darts fall where a tile is covered; for the others, taken points are in a hash grid
+    /// with cells of twice the spacing, so that whatever lies nearer than that is in two by two by two cells; the slots are
+    /// chains without keys, as a point of another cell fails the distance anyway. Which points a node has depends only on the
+    /// points themselves. One run of the job is a slice; the job runs again until it is done.</remarks>
     [BurstCompile]
     internal unsafe struct SamplePoissonJob : IJob
     {
@@ -75,10 +71,8 @@ namespace FastPoints.Samplers
         /// <summary>Out: drafts, parents before children.</summary>
         public NativeList<NodeDraft> Nodes;
 
-        /// <summary>
-        /// Averages over the points that each sampled point represents: those that are nearer to it than to any other at its
-        /// spacing. Off for the plain sampler.
-        /// </summary>
+        /// <summary>Averages over the points that each sampled point represents: those that are nearer to it than to any other at
+        /// its spacing. Off for the plain sampler.</summary>
         public AveragedColumns Averaged;
 
         /// <summary>Its <see cref="PoissonScratch.Now"/> is reset before the first slice.</summary>
@@ -252,10 +246,9 @@ namespace FastPoints.Samplers
             m_now.Point = m_now.EndOfTile = Scratch.Ranges[m_now.At].First;
         }
 
-        /// <summary>
-        /// Queues the next darts of the current tile: those of the first classes, then the others. Points that are already kept
-        /// off are skipped, which along the curve is quickly seen for most. After a range's last tile, it makes the node.
-        /// </summary>
+        /// <summary>Queues the next darts of the current tile: those of the first classes, then the others. Points that are
+        /// already kept off are skipped, which along the curve is quickly seen for most. After a range's last tile, it makes the
+        /// node.</summary>
         void QueueTile()
         {
             var range = Scratch.Ranges[m_now.At];

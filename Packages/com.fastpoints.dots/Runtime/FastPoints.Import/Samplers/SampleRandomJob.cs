@@ -7,19 +7,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samplers
 {
-    /// <summary>
-    /// The random sampler: from the root down, each node takes the point of highest priority from each of its cells, unless a
-    /// node above already has a point of that cell. Which points a node has depends only on the points themselves.
-    /// </summary>
-    /// <remarks>
-    /// Points are in Morton order, so that cubes and cells are ranges. A point that has the highest priority of a cell has it
-    /// of all finer ones that it is in, and so one number says in which cells a point wins: those smaller than the smallest
-    /// cube in which it has to give way. One pass finds it for all points, and then no priority is read again: a node takes the
-    /// points that win at its cells and did not at those of the node above. A node's cells are as fine as the sizes allow, and
-    /// coarser if that made it too large: in a filled volume. Cubes with points in one octant only are skipped, and so is a
-    /// node that gets no point: its children are attached to the node above. One run of the job is a slice; the job runs again
-    /// until it is done.
-    /// </remarks>
+    /// <summary>The random sampler: from the root down, each node takes the point of highest priority from each of its cells,
+    /// unless a node above already has a point of that cell. Which points a node has depends only on the points
+    /// themselves.</summary>
+    /// <remarks>Points are in Morton order, so that cubes and cells are ranges. A point that has the highest priority of a cell
+    /// has it of all finer ones that it is in, and so one number says in which cells a point wins: those smaller than the
+    /// smallest cube in which it has to give way. One pass finds it for all points, and then no priority is read again: a node
+    /// takes the points that win at its cells and did not at those of the node above. A node's cells are as fine as the sizes
+    /// allow, and coarser if that made it too large: in a filled volume. Cubes with points in one octant only are skipped, and so
+    /// is a node that gets no point: its children are attached to the node above. One run of the job is a slice; the job runs
+    /// again until it is done.</remarks>
     [BurstCompile]
     internal unsafe struct SampleRandomJob : IJob
     {
@@ -44,9 +41,8 @@ namespace FastPoints.Samplers
         [ReadOnly] public NativeArray<byte> CommonCubeLog2;
         [ReadOnly] public NativeArray<uint> Priority;
 
-        /// <summary>
-        /// Scratch: for each point, log2 of the side of the smallest cube in which another point has a higher priority.
-        /// </summary>
+        /// <summary>Scratch: for each point, log2 of the side of the smallest cube in which another point has a higher
+        /// priority.</summary>
         public NativeArray<byte> GivesWayLog2;
 
         /// <summary>Its <see cref="RandomScratch.Now"/> is reset before the first slice.</summary>
@@ -55,9 +51,8 @@ namespace FastPoints.Samplers
         /// <summary>About this many points are visited in one run.</summary>
         public int PointsPerSlice;
 
-        /// <summary>
-        /// The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole points.
-        /// </summary>
+        /// <summary>The chunks' tops, if the points are these: a range within one of them becomes its node. Empty for whole
+        /// points.</summary>
         public NativeArray<ChunkTop> Tops;
 
         /// <summary>Out: the node of each point.</summary>
@@ -114,10 +109,9 @@ namespace FastPoints.Samplers
             m_now = new RandomScratch.State { Stage = Stage.FindWinners };
         }
 
-        /// <summary>
-        /// Finds where each point gives way: in the smaller of the cubes that it shares with the next points of a higher
-        /// priority before and behind it. Of equal priorities the first in order counts as higher, so that content decides.
-        /// </summary>
+        /// <summary>Finds where each point gives way: in the smaller of the cubes that it shares with the next points of a higher
+        /// priority before and behind it. Of equal priorities the first in order counts as higher, so that content
+        /// decides.</summary>
         void FindWinners()
         {
             var priority = (uint*)Priority.GetUnsafeReadOnlyPtr();
@@ -175,10 +169,8 @@ namespace FastPoints.Samplers
             Nodes = Nodes,
         };
 
-        /// <summary>
-        /// Counts cells. Points that win at the cells of the node above are in nodes; each of the others adds a cell once cells
-        /// are so small that it wins.
-        /// </summary>
+        /// <summary>Counts cells. Points that win at the cells of the node above are in nodes; each of the others adds a cell
+        /// once cells are so small that it wins.</summary>
         void Look()
         {
             var common = (byte*)CommonCubeLog2.GetUnsafeReadOnlyPtr();

@@ -9,10 +9,8 @@ namespace FastPoints.Samplers
         /// <summary>Blue noise: no two points are nearer than the spacing, and no further point would fit between.</summary>
         Poisson,
 
-        /// <summary>
-        /// Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in planes
-        /// of their own.
-        /// </summary>
+        /// <summary>Like <see cref="Poisson"/>, with colour and intensity averaged over the points that each point represents, in
+        /// planes of their own.</summary>
         Average,
     }
 }

@@ -29,11 +29,9 @@ namespace FastPoints.SourceFeeds
         public int LastLevel;
         public TreeGrid Grid;
 
-        /// <summary>
-        /// The page, whose memory belongs to the code that takes it. <see cref="StreamNode.ChunkCount"/> of a node is the
-        /// number of pages attached to it; <see cref="PlaneRange.OffsetBytes"/> is the number of the source's node, in every
-        /// plane of a node.
-        /// </summary>
+        /// <summary>The page, whose memory belongs to the code that takes it. <see cref="StreamNode.ChunkCount"/> of a node is
+        /// the number of pages attached to it; <see cref="PlaneRange.OffsetBytes"/> is the number of the source's node, in every
+        /// plane of a node.</summary>
         public NativeReference<HierarchyPage> Built;
         public NativeReference<TableProblem> Problem;
 

@@ -9,10 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Orders a slice of a node's decoded points: it moves their positions to the cloud's grid and sorts them along the Morton
-    /// curve, so that neighbours share a block. A node of several slices becomes several runs along the curve.
-    /// </summary>
+    /// <summary>Orders a slice of a node's decoded points: it moves their positions to the cloud's grid and sorts them along the
+    /// Morton curve, so that neighbours share a block. A node of several slices becomes several runs along the curve.</summary>
     [BurstCompile]
     internal unsafe struct OrderNodeJob : IJob
     {

@@ -9,10 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Packs a slice of a node's plane: some blocks, behind those of the previous slice. The planes of a node come one behind
-    /// the other.
-    /// </summary>
+    /// <summary>Packs a slice of a node's plane: some blocks, behind those of the previous slice. The planes of a node come one
+    /// behind the other.</summary>
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {

@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Makes clouds in LAS, LAZ, PLY, E57, text, COPC, Potree and EPT readable without conversion. In an editor they always
-    /// are; a player has the readers if its code uses this assembly, or if a scene has this component.
-    /// </summary>
+    /// <summary>Makes clouds in LAS, LAZ, PLY, E57, text, COPC, Potree and EPT readable without conversion. In an editor they
+    /// always are; a player has the readers if its code uses this assembly, or if a scene has this component.</summary>
     [AddComponentMenu("FastPoints/Point File Readers")]
     [DisallowMultipleComponent]
     public sealed class PointFileReaders : MonoBehaviour

@@ -12,10 +12,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all of the
-    /// sample. <see cref="TreeSource"/> can thus stream it like any other cloud, before there is another.
-    /// </summary>
+    /// <summary>Presents a preview's sample as a source with an octree: one node, in blocks whose points are each spread over all
+    /// of the sample. <see cref="TreeSource"/> can thus stream it like any other cloud, before there is another.</summary>
     internal sealed class SampleReader : PointReader
     {
         /// <summary>The most points in a block.</summary>

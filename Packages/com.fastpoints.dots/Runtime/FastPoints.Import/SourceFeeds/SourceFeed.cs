@@ -10,10 +10,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source with an
-    /// octree, the whole of it, streamed directly.
-    /// </summary>
+    /// <summary>The states of files that are not converted: waves of a preview, coarse to fine, copied in jobs; or, for a source
+    /// with an octree, the whole of it, streamed directly.</summary>
     internal sealed class SourceFeed : CloudFeed
     {
         /// <summary>Points of a preview: about what a screen shows, with the slots of its reads below 200 MB.</summary>

@@ -8,10 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers stay the
-    /// same. Blittable, for jobs.
-    /// </summary>
+    /// <summary>Where the nodes of a source's own octree lie on the cloud's grid, which is the source's own: its whole numbers
+    /// stay the same. Blittable, for jobs.</summary>
     internal struct TreeGrid
     {
         public CloudGrid Grid;
@@ -22,10 +20,8 @@ namespace FastPoints.SourceFeeds
         /// <summary>The smallest cube with a power-of-two side that contains the source's.</summary>
         public GridCube Root;
 
-        /// <summary>
-        /// The corner that packed positions count from, in all nodes: no number that the source can hold lies below it. A block
-        /// has its own minimum, so this costs nothing.
-        /// </summary>
+        /// <summary>The corner that packed positions count from, in all nodes: no number that the source can hold lies below it.
+        /// A block has its own minimum, so this costs nothing.</summary>
         public Grid3 Corner;
 
         /// <summary>Whether packed positions have 64 bits.</summary>

@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of at
-    /// most about 4 ms order and pack them.
-    /// </summary>
+    /// <summary>Makes nodes of a source's own octree: a slot of its reader decodes the attributes of some planes, then slices of
+    /// at most about 4 ms order and pack them.</summary>
     sealed unsafe class TreeNodeMaker : NodeMaker
     {
         /// <summary>Nodes up to this size share one size of memory, which is doubled for larger ones.</summary>

@@ -9,18 +9,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// The hierarchy of a source with an octree, as pages of some levels each. It reads only the unknown parts that a wanted
-    /// page needs: looking into one corner costs what lies there. Main thread; never waits.
-    /// </summary>
+    /// <summary>The hierarchy of a source with an octree, as pages of some levels each. It reads only the unknown parts that a
+    /// wanted page needs: looking into one corner costs what lies there. Main thread; never waits.</summary>
     sealed class TreePages : IDisposable
     {
         /// <summary>Levels of a page: at most some hundred nodes if points lie on surfaces.</summary>
         public const int LevelsPerPage = 4;
 
-        /// <summary>
-        /// Levels to read before the first page is built: its own, and one more to know whether there are others.
-        /// </summary>
+        /// <summary>Levels to read before the first page is built: its own, and one more to know whether there are
+        /// others.</summary>
         public const int FirstLevels = LevelsPerPage + 1;
 
         const int NotNumbered = -1;
@@ -40,9 +37,8 @@ namespace FastPoints.SourceFeeds
         /// <summary>Whether the hierarchy cannot be read: no more of it is tried.</summary>
         bool m_isBroken;
 
-        /// <summary>
-        /// The first page that was requested since the last update, and the one being read; or <see cref="None"/>.
-        /// </summary>
+        /// <summary>The first page that was requested since the last update, and the one being read; or
+        /// <see cref="None"/>.</summary>
         int m_wanted = None;
         int m_read = None;
 
@@ -64,9 +60,8 @@ namespace FastPoints.SourceFeeds
         /// <summary>The handle that <see cref="Update"/> waits for before it continues.</summary>
         public JobHandle Step => m_step;
 
-        /// <summary>
-        /// Whether a page's levels, and the one below, are known. The first requested page that is not is read next.
-        /// </summary>
+        /// <summary>Whether a page's levels, and the one below, are known. The first requested page that is not is read
+        /// next.</summary>
         public bool IsKnown(int page)
         {
             if (!m_isPageKnown[page] && m_wanted == None)

@@ -11,25 +11,20 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.SourceFeeds
 {
-    /// <summary>
-    /// A file or folder with an octree (COPC, Potree, EPT), streamed without conversion. Its hierarchy is read as deep as it is
-    /// viewed; its nodes are decoded and packed on demand. It also streams a preview's sample (<see cref="SampleReader"/>).
-    /// </summary>
+    /// <summary>A file or folder with an octree (COPC, Potree, EPT), streamed without conversion. Its hierarchy is read as deep
+    /// as it is viewed; its nodes are decoded and packed on demand. It also streams a preview's sample
+    /// (<see cref="SampleReader"/>).</summary>
     public sealed class TreeSource : NodeSource
     {
-        /// <summary>
-        /// The most nodes that are made at the same time: small ones take less than a frame each, and a maker is free again in
-        /// the next frame.
-        /// </summary>
+        /// <summary>The most nodes that are made at the same time: small ones take less than a frame each, and a maker is free
+        /// again in the next frame.</summary>
         const int MostMakers = 16;
 
         /// <summary>The number of large ones at work: one is read while another is decoded.</summary>
         const int LeastAtWork = 2;
 
-        /// <summary>
-        /// About a frame's work. Nodes with more points than this for each worker are not made together, so that other jobs get
-        /// their turn.
-        /// </summary>
+        /// <summary>About a frame's work. Nodes with more points than this for each worker are not made together, so that other
+        /// jobs get their turn.</summary>
         const int PointsPerWorker = 1 << 16;
 
         readonly TreePages m_pages;

@@ -10,9 +10,8 @@ namespace FastPoints.SourceFeeds
     /// <summary>Reads the points in the upper levels of a source's octree, which decide on colours and ranges.</summary>
     internal static class TreeTop
     {
-        /// <summary>
-        /// Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they have.
-        /// </summary>
+        /// <summary>Work for a pump, after <see cref="TreeSource.FindTop"/>. Damaged nodes give the points that they
+        /// have.</summary>
         /// <param name="attributes">Attributes besides the position; those that the source lacks are left out.</param>
         /// <param name="wanted">Number of points: whole nodes are read until there are this many.</param>
         /// <param name="read">Receives the points and owns them.</param>

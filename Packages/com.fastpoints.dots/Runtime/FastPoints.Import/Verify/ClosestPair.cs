@@ -4,10 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>
-    /// Finds the smallest distance between any two points with a hash grid whose cells are as large as the closest neighbours
-    /// in the order of the points, so that few points share a cell (Rabin 1976).
-    /// </summary>
+    /// <summary>Finds the smallest distance between any two points with a hash grid whose cells are as large as the closest
+    /// neighbours in the order of the points, so that few points share a cell (Rabin 1976).</summary>
     internal static unsafe class ClosestPair
     {
         /// <summary>The distance; infinity for fewer than two points.</summary>

@@ -26,9 +26,7 @@ namespace FastPoints.Verify
         public static ColumnSummary EmptyOf(AttributeType type) =>
             new ColumnSummary { Type = type, m_minOrdered = ulong.MaxValue };
 
-        /// <summary>
-        /// The smallest finite stored value; 0 if there is none. Exact except for 64-bit integers beyond 2^53.
-        /// </summary>
+        /// <summary>The smallest finite stored value; 0 if there is none. Exact except for 64-bit integers beyond 2^53.</summary>
         public double Min => Finite == 0 ? 0 : ToDouble(m_minOrdered);
 
         public double Max => Finite == 0 ? 0 : ToDouble(m_maxOrdered);

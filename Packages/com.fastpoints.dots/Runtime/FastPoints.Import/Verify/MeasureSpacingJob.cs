@@ -6,10 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>
-    /// Finds the smallest distance between points of a level that were sampled together, across nodes of one file; and the
-    /// points at the sides of the file's cube, which other files' points may be close to.
-    /// </summary>
+    /// <summary>Finds the smallest distance between points of a level that were sampled together, across nodes of one file; and
+    /// the points at the sides of the file's cube, which other files' points may be close to.</summary>
     [BurstCompile]
     internal unsafe struct MeasureSpacingJob : IJob
     {
@@ -53,9 +51,8 @@ namespace FastPoints.Verify
         }
     }
 
-    /// <summary>
-    /// The range of a file's points of one level that were sampled together, among all its sampled points. Blittable.
-    /// </summary>
+    /// <summary>The range of a file's points of one level that were sampled together, among all its sampled points.
+    /// Blittable.</summary>
     internal struct SampledGroup
     {
         public int First;

@@ -4,9 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>
-    /// Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's size.
-    /// </summary>
+    /// <summary>Finds distances to nearest neighbours up to a limit, with a hash grid whose cells have the limit's
+    /// size.</summary>
     internal static unsafe class NearestNeighbours
     {
         // Rounding of double coordinates is far below this; a distance that is exactly the limit is outside it.

@@ -16,10 +16,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>
-    /// Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
-    /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every attribute.
-    /// </summary>
+    /// <summary>Verifies a stored cloud: every file and table, every hash, every point in its cube, the counts and the checksum.
+    /// Compared with its sources, it also proves that the points are the same as a multiset, over position and every
+    /// attribute.</summary>
     public sealed unsafe class VerifyCloud : IDisposable
     {
         /// <summary>Nodes that one job takes at a time.</summary>
@@ -209,9 +208,8 @@ namespace FastPoints.Verify
             m_result.Levels[level] = at;
         }
 
-        /// <summary>
-        /// Measures how near the sampled points of different chunks are: samplers only keep their distance inside chunks.
-        /// </summary>
+        /// <summary>Measures how near the sampled points of different chunks are: samplers only keep their distance inside
+        /// chunks.</summary>
         IEnumerator<Work> MeasureAcrossChunks()
         {
             var smallest = new NativeReference<double>(Allocator.Persistent);

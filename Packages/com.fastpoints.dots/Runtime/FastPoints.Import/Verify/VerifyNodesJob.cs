@@ -8,9 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Verify
 {
-    /// <summary>
-    /// Reads every point of a file's nodes and checks hashes, shapes, cubes, bounds and sums. The table must have been checked.
-    /// </summary>
+    /// <summary>Reads every point of a file's nodes and checks hashes, shapes, cubes, bounds and sums. The table must have been
+    /// checked.</summary>
     [BurstCompile]
     internal unsafe struct VerifyNodesJob : IJobParallelFor
     {

@@ -17,10 +17,8 @@ namespace FastPoints.Verify
             /// <summary>Number of points in nodes that have a spacing: neither leaves nor chains at one place.</summary>
             public long SampledPoints;
 
-            /// <summary>
-            /// Smallest distance between two points that were sampled together, in one chunk or in one go of the upper levels,
-            /// across nodes; in CRS units, infinity if there are no two.
-            /// </summary>
+            /// <summary>Smallest distance between two points that were sampled together, in one chunk or in one go of the upper
+            /// levels, across nodes; in CRS units, infinity if there are no two.</summary>
             public double MinDistance;
 
             /// <summary>The same for sampled points of any chunks.</summary>

@@ -10,14 +10,11 @@ using Unity.Collections;
 
 namespace FastPoints.Writing
 {
-    /// <summary>
-    /// Writes a cloud's folder under a temporary name, and renames it when it is complete. Each file is complete or absent: it
-    /// is written under another name, flushed, then renamed. One thread writes; callers never wait for a disk.
-    /// </summary>
-    /// <remarks>
-    /// If disposed before <see cref="Complete"/>, it leaves nothing except what <see cref="Keep"/> keeps. A lock file keeps out
-    /// a second build of the same target.
-    /// </remarks>
+    /// <summary>Writes a cloud's folder under a temporary name, and renames it when it is complete. Each file is complete or
+    /// absent: it is written under another name, flushed, then renamed. One thread writes; callers never wait for a
+    /// disk.</summary>
+    /// <remarks>If disposed before <see cref="Complete"/>, it leaves nothing except what <see cref="Keep"/> keeps. A lock file
+    /// keeps out a second build of the same target.</remarks>
     internal sealed unsafe class CloudFolderWriter : IDisposable
     {
         const string LockName = "build.lock";
@@ -142,10 +139,8 @@ namespace FastPoints.Writing
         /// <summary>Queues a file. The bytes belong to the writer until the ticket is done; no job may use them.</summary>
         public WriteTicket Write(string name, NativeArray<byte> bytes) => m_queue.Write(PathOf(name), bytes);
 
-        /// <summary>
-        /// Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the writer until
-        /// the ticket is done.
-        /// </summary>
+        /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it. The bytes belong to the
+        /// writer until the ticket is done.</summary>
         /// <param name="offset">Offset of the piece in the file.</param>
         public WriteTicket WritePiece(string name, NativeArray<byte> bytes, long offset) =>
             m_queue.WritePiece(PathOf(name), bytes, offset);
@@ -158,10 +153,8 @@ namespace FastPoints.Writing
         public WriteTicket WriteRecords(string name, in RecordPages pages, int strideBytes, long offset) =>
             m_queue.WriteRecords(PathOf(name), pages, strideBytes, offset);
 
-        /// <summary>
-        /// Queues a flush of a temporary file: when the ticket is done, everything queued for it before is on disk and survives
-        /// a loss of power.
-        /// </summary>
+        /// <summary>Queues a flush of a temporary file: when the ticket is done, everything queued for it before is on disk and
+        /// survives a loss of power.</summary>
         public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
         /// <summary>Path of a file of the folder while it is in the making.</summary>

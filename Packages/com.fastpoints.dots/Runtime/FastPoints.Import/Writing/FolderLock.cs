@@ -8,15 +8,11 @@ using FastPoints.Store;
 
 namespace FastPoints.Writing
 {
-    /// <summary>
-    /// Keeps others from writing into the same folder, with a file that names its owner. A lock that a crash left is taken
-    /// over: on the same machine if the process is gone, on another if the owner has not renewed it for a while.
-    /// </summary>
-    /// <remarks>
-    /// It does not use the system's file locks, which do not hold between processes on every system and runtime that Unity runs
-    /// on (mono/mono#19763). If a runtime cannot tell processes apart, as with IL2CPP, it only keeps others out within its own
-    /// process.
-    /// </remarks>
+    /// <summary>Keeps others from writing into the same folder, with a file that names its owner. A lock that a crash left is
+    /// taken over: on the same machine if the process is gone, on another if the owner has not renewed it for a while.</summary>
+    /// <remarks>It does not use the system's file locks, which do not hold between processes on every system and runtime that
+    /// Unity runs on (mono/mono#19763). If a runtime cannot tell processes apart, as with IL2CPP, it only keeps others out within
+    /// its own process.</remarks>
     internal sealed class FolderLock : IDisposable
     {
         /// <summary>The owner renews it about this often.</summary>
@@ -29,10 +25,8 @@ namespace FastPoints.Writing
         const string NoNumber = "0";
         const string GuardSuffix = ".taking";
 
-        /// <summary>
-        /// If the start times of two processes with the same number differ by more than this, they are not the same: runtimes
-        /// report times less far apart.
-        /// </summary>
+        /// <summary>If the start times of two processes with the same number differ by more than this, they are not the same:
+        /// runtimes report times less far apart.</summary>
         const long SameBeginTicks = 10 * TimeSpan.TicksPerSecond;
 
         /// <summary>Identifies the loaded scripts: one process loads them many times.</summary>
@@ -172,9 +166,8 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>
-        /// Lets only one of several that found it stale take it over: a file beside it keeps the others off meanwhile.
-        /// </summary>
+        /// <summary>Lets only one of several that found it stale take it over: a file beside it keeps the others off
+        /// meanwhile.</summary>
         static bool TryTakeOver(string path, string machine, string owner)
         {
             string guard = path + GuardSuffix;

@@ -7,11 +7,9 @@ using FastPoints.Files;
 
 namespace FastPoints.Writing
 {
-    /// <summary>
-    /// Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers jump
-    /// about in a cloud and read many of its pieces together, which only files allow. The file gets its name when it is
-    /// complete; if cancelled or failed, it leaves nothing.
-    /// </summary>
+    /// <summary>Writes a stream (of a web response, an archive, an asset's bytes) into a file, on a thread of the pool: readers
+    /// jump about in a cloud and read many of its pieces together, which only files allow. The file gets its name when it is
+    /// complete; if cancelled or failed, it leaves nothing.</summary>
     public sealed class StreamSpool : IDisposable
     {
         const string TemporarySuffix = ".part";

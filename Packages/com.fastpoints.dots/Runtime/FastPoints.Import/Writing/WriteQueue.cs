@@ -10,10 +10,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Writing
 {
-    /// <summary>
-    /// One thread that writes files in the order in which they are queued. Each file is complete or absent: it is written under
-    /// another name, flushed, then renamed. After a failure nothing more is written.
-    /// </summary>
+    /// <summary>One thread that writes files in the order in which they are queued. Each file is complete or absent: it is
+    /// written under another name, flushed, then renamed. After a failure nothing more is written.</summary>
     sealed unsafe class WriteQueue
     {
         const int PieceBytes = 1 << 20;
@@ -65,9 +63,7 @@ namespace FastPoints.Writing
         /// <summary>The failure, to be read after <see cref="End"/>; null if there was none.</summary>
         public Exception Failure { get; private set; }
 
-        /// <summary>
-        /// Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.
-        /// </summary>
+        /// <summary>Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
         public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(OrderKind.Whole, path, bytes, 0);
 
         /// <summary>Queues a piece of a file, which exists when <see cref="Seal"/> is done with it.</summary>

@@ -24,9 +24,8 @@ namespace FastPoints.Writing
             }
         }
 
-        /// <summary>
-        /// Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits clean-up.
-        /// </summary>
+        /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, so that it suits
+        /// clean-up.</summary>
         public void Wait()
         {
             lock (m_lock)

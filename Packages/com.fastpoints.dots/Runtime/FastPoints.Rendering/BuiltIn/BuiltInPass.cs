@@ -4,10 +4,8 @@ using UnityEngine.Rendering;
 
 namespace FastPoints.Rendering.BuiltIn
 {
-    /// <summary>
-    /// Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded again before
-    /// each picture. It needs no setup.
-    /// </summary>
+    /// <summary>Draws the clouds in the Built-in pipeline: a command buffer in each camera, after opaque meshes, recorded again
+    /// before each picture. It needs no setup.</summary>
     internal static class BuiltInPass
     {
         const CameraEvent Place = CameraEvent.AfterForwardOpaque;

@@ -3,16 +3,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// Parses the numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the usual
-    /// parsers give.
-    /// </summary>
-    /// <remarks>
-    /// The text must end in a byte up to 0x20 (a blank or a line end) that may be read: callers put one behind their buffer. A
-    /// number ends there too; anything else behind it makes the text invalid. Accepted besides digits, point and exponent: nan
-    /// and inf as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any sign).
-    /// Hexadecimal is not accepted. On failure the pointer stays at the number's start.
-    /// </remarks>
+    /// <summary>Parses the numbers of a text file. HPC#. Every result is the nearest value of its type (ties to even), as the
+    /// usual parsers give.</summary>
+    /// <remarks>The text must end in a byte up to 0x20 (a blank or a line end) that may be read: callers put one behind their
+    /// buffer. A number ends there too; anything else behind it makes the text invalid. Accepted besides digits, point and
+    /// exponent: nan and inf as C libraries write them (inf, infinity, nan, nan(...), 1.#INF, 1.#IND, 1.#QNAN; any case, any
+    /// sign). Hexadecimal is not accepted. On failure the pointer stays at the number's start.</remarks>
     internal static unsafe class AsciiNumber
     {
         const int MaxExactDigits = 19;
@@ -94,9 +90,8 @@ namespace FastPoints.Base
             return kind != Kind.None;
         }
 
-        /// <summary>
-        /// Reads an integer as sign and magnitude. Fractions are dropped, magnitudes beyond 64 bits are clamped, nan is 0.
-        /// </summary>
+        /// <summary>Reads an integer as sign and magnitude. Fractions are dropped, magnitudes beyond 64 bits are clamped, nan is
+        /// 0.</summary>
         /// <param name="isExact">Whether the text is exactly this integer.</param>
         public static bool TryInteger(ref byte* p, out ulong magnitude, out bool isNegative, out bool isExact)
         {

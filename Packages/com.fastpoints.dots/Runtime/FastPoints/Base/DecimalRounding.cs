@@ -3,15 +3,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// Converts decimal numbers to the nearest binary ones (ties to even), exactly, for any number of digits and any exponent.
-    /// HPC#.
-    /// </summary>
-    /// <remarks>
-    /// mantissa * 10^q = mantissa * 5^q * 2^q. The integer is multiplied by 5^q, or shifted up and divided by 5^-q, one word of
-    /// 5^27 at a time: floor(floor(n / a) / b) = floor(n / ab), so a quotient of 64 bits or more and "was there any remainder"
-    /// decide every rounding. 150 ns for 17 digits and e-16, 1 us for e-300 (.NET 10 on one 2020s server core).
-    /// </remarks>
+    /// <summary>Converts decimal numbers to the nearest binary ones (ties to even), exactly, for any number of digits and any
+    /// exponent. HPC#.</summary>
+    /// <remarks>mantissa * 10^q = mantissa * 5^q * 2^q. The integer is multiplied by 5^q, or shifted up and divided by 5^-q, one
+    /// word of 5^27 at a time: floor(floor(n / a) / b) = floor(n / ab), so a quotient of 64 bits or more and "was there any
+    /// remainder" decide every rounding. 150 ns for 17 digits and e-16, 1 us for e-300 (.NET 10 on one 2020s server
+    /// core).</remarks>
     internal static unsafe class DecimalRounding
     {
         /// <summary>The significant digits that count; any beyond them only say "a little more". A double needs 767.</summary>
@@ -167,9 +164,8 @@ namespace FastPoints.Base
             return remainder;
         }
 
-        /// <summary>
-        /// Divides 128 by 64 bits with two digits of 32 bits (Knuth, volume 2, 4.3.1, algorithm D). high must be below divisor.
-        /// </summary>
+        /// <summary>Divides 128 by 64 bits with two digits of 32 bits (Knuth, volume 2, 4.3.1, algorithm D). high must be below
+        /// divisor.</summary>
         static ulong Divide(ulong high, ulong low, ulong divisor, out ulong remainder)
         {
             if (high == 0)
@@ -208,9 +204,8 @@ namespace FastPoints.Base
             return digit;
         }
 
-        /// <summary>
-        /// Rounds leading * 2^exponent (its top bit set), and perhaps a little more, to the nearest value of the format.
-        /// </summary>
+        /// <summary>Rounds leading * 2^exponent (its top bit set), and perhaps a little more, to the nearest value of the
+        /// format.</summary>
         static ulong Assemble(ulong leading, int exponent, bool sticky, int mantissaBits, int minExponent)
         {
             int unit = math.max(exponent + 64 - mantissaBits, minExponent);

@@ -5,14 +5,10 @@ using System.Text;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays become lists. Numbers stay text
-    /// until they are converted to a type, so that 64-bit counts are exact.
-    /// </summary>
-    /// <remarks>
-    /// The package has its own reader because players should carry no JSON library, and Unity's fills the fields of a class
-    /// without saying what was missing or had the wrong type.
-    /// </remarks>
+    /// <summary>A strict reader of small JSON texts (RFC 8259): objects become dictionaries and arrays become lists. Numbers stay
+    /// text until they are converted to a type, so that 64-bit counts are exact.</summary>
+    /// <remarks>The package has its own reader because players should carry no JSON library, and Unity's fills the fields of a
+    /// class without saying what was missing or had the wrong type.</remarks>
     internal sealed class JsonReader
     {
         const int MaxDepth = 64;

@@ -3,10 +3,8 @@ using System.Text;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// Writes JSON for people: two spaces a level, arrays of numbers on one line, and doubles with enough digits to read back
-    /// the same.
-    /// </summary>
+    /// <summary>Writes JSON for people: two spaces a level, arrays of numbers on one line, and doubles with enough digits to read
+    /// back the same.</summary>
     internal sealed class JsonWriter
     {
         readonly StringBuilder m_text = new StringBuilder();

@@ -3,10 +3,8 @@ using System.Globalization;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// A failure at the boundary (a file, the public API), described in one line: which file, at which byte, what was expected
-    /// and what was found.
-    /// </summary>
+    /// <summary>A failure at the boundary (a file, the public API), described in one line: which file, at which byte, what was
+    /// expected and what was found.</summary>
     public sealed class PointCloudException : Exception
     {
         public FailureCode Code { get; }
@@ -47,9 +45,7 @@ namespace FastPoints.Base
                 failure.GetType().Name + ": " + failure.Message, failure);
         }
 
-        /// <summary>
-        /// The message; for an unexpected failure, followed by the exception that was thrown, with its stack.
-        /// </summary>
+        /// <summary>The message; for an unexpected failure, followed by the exception that was thrown, with its stack.</summary>
         public string Story => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
 
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>

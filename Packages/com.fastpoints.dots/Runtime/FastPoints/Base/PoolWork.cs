@@ -5,10 +5,8 @@ using System.Threading.Tasks;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not suit.
-    /// Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.
-    /// </summary>
+    /// <summary>Examines files off the main thread: opens them, asks for their lengths, reads what AsyncReadManager does not
+    /// suit. Whatever is thrown there reaches the caller as a <see cref="PointCloudException"/>.</summary>
     public static class PoolWork
     {
         /// <summary>Begins work on a thread of the thread pool.</summary>
@@ -85,9 +83,7 @@ namespace FastPoints.Base
             }
         }
 
-        /// <summary>
-        /// Frees the result if nobody took it: now, or, while the work is running, on its thread when it ends.
-        /// </summary>
+        /// <summary>Frees the result if nobody took it: now, or, while the work is running, on its thread when it ends.</summary>
         public void Dispose()
         {
             if (m_isTaken || m_unwanted == null)

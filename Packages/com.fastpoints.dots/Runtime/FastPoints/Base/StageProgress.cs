@@ -4,10 +4,8 @@ using System.Diagnostics;
 
 namespace FastPoints.Base
 {
-    /// <summary>
-    /// Progress of a long piece of work: its stages with their times, and the share of the running one that is done. The thread
-    /// that pumps the work writes it and may alone read it.
-    /// </summary>
+    /// <summary>Progress of a long piece of work: its stages with their times, and the share of the running one that is done. The
+    /// thread that pumps the work writes it and may alone read it.</summary>
     public sealed class StageProgress
     {
         /// <summary>The name, time and amounts of one stage.</summary>

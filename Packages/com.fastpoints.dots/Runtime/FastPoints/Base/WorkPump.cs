@@ -100,15 +100,11 @@ namespace FastPoints.Base
         }
     }
 
-    /// <summary>
-    /// Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete before the
-    /// next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the converter
-    /// calls <see cref="RunToEnd"/>, which waits.
-    /// </summary>
-    /// <remarks>
-    /// Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when <see cref="Cancel"/>
-    /// disposes it, and they complete the jobs that are still in flight before they free memory.
-    /// </remarks>
+    /// <summary>Drives work that is written as an iterator: each step schedules jobs and yields the handle that must complete
+    /// before the next step can run, or work to do first. An editor calls <see cref="Tick"/> once an update and never waits; the
+    /// converter calls <see cref="RunToEnd"/>, which waits.</summary>
+    /// <remarks>Work owns what it allocates: its <c>finally</c> blocks run when it ends, when it throws and when
+    /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
     public sealed class WorkPump
     {
         readonly WorkSteps m_work;

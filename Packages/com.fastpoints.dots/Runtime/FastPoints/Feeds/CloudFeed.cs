@@ -6,11 +6,9 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Feeds
 {
-    /// <summary>
-    /// The states of one cloud, each better than the one before, from a first preview to the whole cloud. A feed offers states
-    /// as they come and makes a <see cref="NodeSource"/> of those that are taken. It can be made on any thread; everything else
-    /// belongs to the main thread, and only <see cref="Dispose"/> waits.
-    /// </summary>
+    /// <summary>The states of one cloud, each better than the one before, from a first preview to the whole cloud. A feed offers
+    /// states as they come and makes a <see cref="NodeSource"/> of those that are taken. It can be made on any thread; everything
+    /// else belongs to the main thread, and only <see cref="Dispose"/> waits.</summary>
     public abstract class CloudFeed : IDisposable
     {
         /// <summary>The newest state that nobody has taken; null for none.</summary>
@@ -58,9 +56,8 @@ namespace FastPoints.Feeds
 
         public DisplayRanges Ranges;
 
-        /// <summary>
-        /// Whether the ranges include all values, strays too: those of a manifest without better ones, not of a sample.
-        /// </summary>
+        /// <summary>Whether the ranges include all values, strays too: those of a manifest without better ones, not of a
+        /// sample.</summary>
         public bool RangesHaveStrays;
     }
 }

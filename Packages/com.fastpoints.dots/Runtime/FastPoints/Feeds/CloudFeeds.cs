@@ -7,10 +7,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Feeds
 {
-    /// <summary>
-    /// Opens any path that is a cloud. Converted clouds are handled here. Other files are left to a registered reader
-    /// (FastPoints.Import, if it is loaded), so that a player that only shows converted clouds carries no readers.
-    /// </summary>
+    /// <summary>Opens any path that is a cloud. Converted clouds are handled here. Other files are left to a registered reader
+    /// (FastPoints.Import, if it is loaded), so that a player that only shows converted clouds carries no readers.</summary>
     public static class CloudFeeds
     {
         static readonly string[] s_none = new string[0];

@@ -4,10 +4,8 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Feeds
 {
-    /// <summary>
-    /// The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder exists,
-    /// which takes over as it is built. When a build is broken off, the files are shown again.
-    /// </summary>
+    /// <summary>The states of a cloud that has files and, now or later, a converted folder. The files are shown until the folder
+    /// exists, which takes over as it is built. When a build is broken off, the files are shown again.</summary>
     internal sealed class FileFeed : CloudFeed
     {
         readonly string m_folder;

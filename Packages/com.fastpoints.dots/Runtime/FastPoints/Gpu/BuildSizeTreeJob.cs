@@ -7,11 +7,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>
-    /// Builds a <see cref="SizeTree"/> from the nodes to draw. If a node is several levels below its parent because those
-    /// between had no points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes no
-    /// place below it.
-    /// </summary>
+    /// <summary>Builds a <see cref="SizeTree"/> from the nodes to draw. If a node is several levels below its parent because
+    /// those between had no points, the levels between get nodes with the parent's gap. A node with its parent's own cube takes
+    /// no place below it.</summary>
     [BurstCompile]
     internal unsafe struct BuildSizeTreeJob : IJob
     {
@@ -121,11 +119,9 @@ namespace FastPoints.Gpu
             return GapOf(cloud->Pages[drawn.Page].Nodes[drawn.Node]) * cloud->WorldPerUnit;
         }
 
-        /// <summary>
-        /// The gap between a node's points. A node with others below it has one point in each cell. The last node at its place
-        /// has all remaining points, most often on a surface or a line; the gap is then the larger of what the largest face and
-        /// the longest edge of its box give for that many points.
-        /// </summary>
+        /// <summary>The gap between a node's points. A node with others below it has one point in each cell. The last node at its
+        /// place has all remaining points, most often on a surface or a line; the gap is then the larger of what the largest face
+        /// and the longest edge of its box give for that many points.</summary>
         static float GapOf(in StreamNode node)
         {
             if (node.ChildCount + node.ChunkCount > 0 || node.PointCount == 0)

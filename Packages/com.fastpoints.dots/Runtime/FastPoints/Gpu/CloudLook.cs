@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>
-    /// How a cloud's points get their colours: the byte of a channel, or the entry of the palette, is floor(value * Scale +
-    /// Bias), clamped to 0 to 255.
-    /// </summary>
+    /// <summary>How a cloud's points get their colours: the byte of a channel, or the entry of the palette, is floor(value *
+    /// Scale + Bias), clamped to 0 to 255.</summary>
     public struct CloudLook
     {
         public ColorSource Source;
@@ -17,10 +15,8 @@ namespace FastPoints.Gpu
         public double Scale;
         public double Bias;
 
-        /// <summary>
-        /// For <see cref="ColorSource.Place"/>: palette entries for one CRS unit along each of the cloud's axes; <see
-        /// cref="Bias"/> is then the root corner's entry.
-        /// </summary>
+        /// <summary>For <see cref="ColorSource.Place"/>: palette entries for one CRS unit along each of the cloud's axes;
+        /// <see cref="Bias"/> is then the root corner's entry.</summary>
         public double3 ValuePerUnit;
 
         /// <summary>Number of the palette; the tables lie one behind the other.</summary>

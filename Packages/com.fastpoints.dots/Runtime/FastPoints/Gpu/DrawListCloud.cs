@@ -97,9 +97,7 @@ namespace FastPoints.Gpu
             return cloud;
         }
 
-        /// <summary>
-        /// The position in the node's box that is nearest to the camera, in grid steps from the node's corner.
-        /// </summary>
+        /// <summary>The position in the node's box that is nearest to the camera, in grid steps from the node's corner.</summary>
         readonly Grid3 AnchorOf(in StreamNode node, double3 corner, bool isWide)
         {
             double largest = isWide ? 1L << 60 : uint.MaxValue;

@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>
-    /// A <see cref="ClipBox"/> as shaders see it for one view: the dot product of a row's x, y, z with the vector from the
-    /// camera, plus its w, is a coordinate in the box, from -0.5 to 0.5.
-    /// </summary>
+    /// <summary>A <see cref="ClipBox"/> as shaders see it for one view: the dot product of a row's x, y, z with the vector from
+    /// the camera, plus its w, is a coordinate in the box, from -0.5 to 0.5.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuClipBox

@@ -29,9 +29,7 @@ namespace FastPoints.Gpu
         /// <summary>Added to the product of a value and its column's scale.</summary>
         public float Bias;
 
-        /// <summary>
-        /// For each column of the colour plane: palette entries, or 255ths of a channel, for one stored unit.
-        /// </summary>
+        /// <summary>For each column of the colour plane: palette entries, or 255ths of a channel, for one stored unit.</summary>
         public float3 Scale;
 
         /// <summary>Multiplies stored units to give classes.</summary>

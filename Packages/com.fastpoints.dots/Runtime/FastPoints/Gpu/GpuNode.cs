@@ -4,12 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>
-    /// A node as shaders see it for one view. A point's position relative to the camera is that of the anchor, computed in
-    /// double, plus the steps from the anchor to the point, which are whole numbers. The anchor is the position in the node's
-    /// box that is nearest to the camera, so the steps never exceed the distance, and the rounding error is at most 2^-22 of
-    /// the distance, wherever the cloud lies and however large the node is.
-    /// </summary>
+    /// <summary>A node as shaders see it for one view. A point's position relative to the camera is that of the anchor, computed
+    /// in double, plus the steps from the anchor to the point, which are whole numbers. The anchor is the position in the node's
+    /// box that is nearest to the camera, so the steps never exceed the distance, and the rounding error is at most 2^-22 of the
+    /// distance, wherever the cloud lies and however large the node is.</summary>
     [GenerateHlsl]
     [StructLayout(LayoutKind.Sequential)]
     internal struct GpuNode

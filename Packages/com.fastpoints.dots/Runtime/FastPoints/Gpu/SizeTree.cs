@@ -9,11 +9,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Gpu
 {
-    /// <summary>
-    /// Tells how far apart points are at any place, across all that a frame draws: a node's points are as far apart as those of
-    /// the deepest node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers", 2016,
-    /// ch. 4.3.3). Main thread.
-    /// </summary>
+    /// <summary>Tells how far apart points are at any place, across all that a frame draws: a node's points are as far apart as
+    /// those of the deepest node that is drawn at their place (Schuetz, "Potree: Rendering Large Point Clouds in Web Browsers",
+    /// 2016, ch. 4.3.3). Main thread.</summary>
     public sealed unsafe class SizeTree : IDisposable
     {
         /// <summary>The most levels below a node that are searched: a float cannot resolve more.</summary>

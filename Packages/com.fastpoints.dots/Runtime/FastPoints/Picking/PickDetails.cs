@@ -10,9 +10,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these made.
-    /// </summary>
+    /// <summary>Reads all that a cloud has of one point: every plane of its node except the position's, at once; or has these
+    /// made.</summary>
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;

@@ -26,10 +26,8 @@ namespace FastPoints.Picking
 
         public readonly bool IsFound => Distance < double.PositiveInfinity;
 
-        /// <summary>
-        /// Whether it is nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position, so that
-        /// no reading order matters; of several points at one position, the first one wins.
-        /// </summary>
+        /// <summary>Whether it is nearer to the camera, or, at equal distance, nearer to the ray. Ties are decided by position,
+        /// so that no reading order matters; of several points at one position, the first one wins.</summary>
         public readonly bool IsBefore(in PickHit other)
         {
             if (Distance != other.Distance)

@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// Finds the first hit of a ray among the points of one node and its guests, at most a few times 50,000, block by block. It
-    /// checks what was read before unpacking it.
-    /// </summary>
+    /// <summary>Finds the first hit of a ray among the points of one node and its guests, at most a few times 50,000, block by
+    /// block. It checks what was read before unpacking it.</summary>
     [BurstCompile]
     internal unsafe struct PickNodeJob : IJob
     {

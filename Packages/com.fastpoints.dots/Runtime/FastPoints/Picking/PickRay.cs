@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// The ray of a pointer on a screen, in world space and in double, with a width. It hits the points that are no farther
-    /// from it than <see cref="RadiusAt"/> at their nearest place on the ray. Blittable.
-    /// </summary>
+    /// <summary>The ray of a pointer on a screen, in world space and in double, with a width. It hits the points that are no
+    /// farther from it than <see cref="RadiusAt"/> at their nearest place on the ray. Blittable.</summary>
     public struct PickRay
     {
         public double3 OriginWorld;
@@ -19,9 +17,7 @@ namespace FastPoints.Picking
         /// <summary>World units that the radius gains for each unit along the ray.</summary>
         public double RadiusPerUnit;
 
-        /// <summary>
-        /// Hits lie between these distances along the ray in world units: a camera's clip planes, for example.
-        /// </summary>
+        /// <summary>Hits lie between these distances along the ray in world units: a camera's clip planes, for example.</summary>
         public double From;
         public double To;
 

@@ -8,10 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made, searches them
-    /// in a job and takes the result. Its memory is reused.
-    /// </summary>
+    /// <summary>Examines one candidate of a search at a time: reads a page's table or a node's planes, or has these made,
+    /// searches them in a job and takes the result. Its memory is reused.</summary>
     sealed class PickSlot : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -69,9 +67,8 @@ namespace FastPoints.Picking
             Done = m_first.Done;
         }
 
-        /// <summary>
-        /// Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be ended.
-        /// </summary>
+        /// <summary>Continues with what was read or made, if there is more to do. After <see cref="Done"/> it can then be
+        /// ended.</summary>
         /// <exception cref="PointCloudException">It cannot be read, or is damaged.</exception>
         public void GoOn()
         {

@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// A ray relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units. Blittable, for
-    /// jobs.
-    /// </summary>
+    /// <summary>A ray relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units.
+    /// Blittable, for jobs.</summary>
     internal struct PickSpace
     {
         /// <summary>Boxes are enlarged by this share of their coordinates, so that rounding loses no point.</summary>
@@ -35,10 +33,8 @@ namespace FastPoints.Picking
             m_reachLocal = new double3(math.length(rows.c0), math.length(rows.c1), math.length(rows.c2));
         }
 
-        /// <summary>
-        /// Transforms a position of the cloud (CRS units from the corner of its root cube) to the world, relative to the ray's
-        /// origin.
-        /// </summary>
+        /// <summary>Transforms a position of the cloud (CRS units from the corner of its root cube) to the world, relative to the
+        /// ray's origin.</summary>
         public double3 FromRay(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         /// <summary>The same for a difference of places.</summary>

@@ -23,10 +23,8 @@ namespace FastPoints.Picking
 
         public PointAttribute Attribute { get; }
 
-        /// <summary>
-        /// The meaning of the stored number: scaled and offset as the attribute says. It is rounded if a 64-bit whole number
-        /// has more than 53 bits.
-        /// </summary>
+        /// <summary>The meaning of the stored number: scaled and offset as the attribute says. It is rounded if a 64-bit whole
+        /// number has more than 53 bits.</summary>
         public double Value => Stored * Attribute.Scale + Attribute.Offset;
 
         unsafe double Stored

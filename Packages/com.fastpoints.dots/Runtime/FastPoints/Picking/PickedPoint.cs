@@ -23,9 +23,8 @@ namespace FastPoints.Picking
         /// <summary>The grid of the point's cloud.</summary>
         public CloudGrid Grid { get; }
 
-        /// <summary>
-        /// Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds it.
-        /// </summary>
+        /// <summary>Georeferenced position in CRS units: the exact one, rounded as every use of the file's own numbers rounds
+        /// it.</summary>
         public double3 PlaceGeo => Grid.ToGeo(Place);
 
         /// <summary>Position in the world as the cloud stood when it was picked.</summary>
@@ -44,9 +43,8 @@ namespace FastPoints.Picking
         /// <summary>Null if nothing was hit.</summary>
         public PickedPoint Point { get; internal set; }
 
-        /// <summary>
-        /// Whether the search ended at <see cref="PickOptions.MostBytes"/>, so that there may be a nearer point.
-        /// </summary>
+        /// <summary>Whether the search ended at <see cref="PickOptions.MostBytes"/>, so that there may be a nearer
+        /// point.</summary>
         public bool IsPartial { get; internal set; }
 
         public int NodesRead { get; internal set; }

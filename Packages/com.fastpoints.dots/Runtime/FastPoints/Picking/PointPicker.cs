@@ -10,11 +10,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It reads
-    /// or makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it is
-    /// disposed or a search is broken off.
-    /// </summary>
+    /// <summary>Finds the first point of a cloud that a ray hits, among all points on disk and not only those that are shown. It
+    /// reads or makes nodes from the nearest on, until none of the rest can have a nearer hit. Main thread; it waits only when it
+    /// is disposed or a search is broken off.</summary>
     internal sealed class PointPicker : IDisposable
     {
         /// <summary>Nodes and tables that are read at the same time.</summary>
@@ -276,10 +274,8 @@ namespace FastPoints.Picking
         /// <summary>Classes whose points are not shown. Ignored if the cloud has no classes.</summary>
         public ClassMask HiddenClasses;
 
-        /// <summary>
-        /// Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a
-        /// screen shows no more. 0 searches every point.
-        /// </summary>
+        /// <summary>Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius:
+        /// a screen shows no more. 0 searches every point.</summary>
         public double FinestSpacing = 0.1;
 
         /// <summary>A search that has read this many bytes ends with what it has found.</summary>

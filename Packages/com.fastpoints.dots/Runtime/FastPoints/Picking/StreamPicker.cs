@@ -7,10 +7,9 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Picking
 {
-    /// <summary>
-    /// Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>, then
-    /// <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken off.
-    /// </summary>
+    /// <summary>Finds the first point that a ray hits among all clouds of a stream, beside its frames: call <see cref="Begin"/>,
+    /// then <see cref="Update"/> once a frame until it returns true. Main thread; it waits only when a search is broken
+    /// off.</summary>
     public sealed class StreamPicker : IDisposable
     {
         struct Target

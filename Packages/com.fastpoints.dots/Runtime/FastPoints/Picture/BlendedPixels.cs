@@ -19,15 +19,12 @@ namespace FastPoints.Picture
         /// <summary>Weight of a point in its middle; 1 at its rim.</summary>
         public const int LargestWeight = 32;
 
-        /// <summary>
-        /// The largest sum of weights in a pixel: 255 times it fits 32 bits. Points after the first half a million are left
-        /// out.
-        /// </summary>
+        /// <summary>The largest sum of weights in a pixel: 255 times it fits 32 bits. Points after the first half a million are
+        /// left out.</summary>
         const uint MostWeights = (1u << 24) - 1024;
 
-        /// <summary>
-        /// How far behind the nearest point others are still blended with it: a point's diameter, in world units.
-        /// </summary>
+        /// <summary>How far behind the nearest point others are still blended with it: a point's diameter, in world
+        /// units.</summary>
         /// <param name="pixelsPerUnit">Pixels of a world unit at the point's depth.</param>
         public static double WindowOf(float sizePx, double pixelsPerUnit) => sizePx / pixelsPerUnit;
 

@@ -4,19 +4,15 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Where a picture is taken from: a position and three axes in georeferenced space, perspective or orthographic. There is
-    /// no near or far plane: a perspective camera sees everything in front of it, an orthographic one everything along its
-    /// axis, behind it too.
-    /// </summary>
+    /// <summary>Where a picture is taken from: a position and three axes in georeferenced space, perspective or orthographic.
+    /// There is no near or far plane: a perspective camera sees everything in front of it, an orthographic one everything along
+    /// its axis, behind it too.</summary>
     public struct Camera
     {
         public double3 EyeGeo;
 
-        /// <summary>
-        /// Right, up and forward of the picture (forward goes into it). They are unit vectors, or, if a CRS unit does not have
-        /// the same length along every axis, such vectors times these lengths.
-        /// </summary>
+        /// <summary>Right, up and forward of the picture (forward goes into it). They are unit vectors, or, if a CRS unit does
+        /// not have the same length along every axis, such vectors times these lengths.</summary>
         public double3 Right;
         public double3 Up;
         public double3 Forward;
@@ -51,10 +47,8 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>
-        /// Makes a camera. A direction without length becomes +Y; an up vector along the line of sight becomes the axis
-        /// farthest from it.
-        /// </summary>
+        /// <summary>Makes a camera. A direction without length becomes +Y; an up vector along the line of sight becomes the axis
+        /// farthest from it.</summary>
         static Camera Looking(double3 eyeGeo, double3 direction, double3 up)
         {
             var forward = Unit(direction, new double3(0, 1, 0));

@@ -21,9 +21,8 @@ namespace FastPoints.Picture
 
         public const double DefaultFovDegrees = 45;
 
-        /// <summary>
-        /// Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one unit.
-        /// </summary>
+        /// <summary>Makes a camera for a standard view. An empty box counts as a point at 0, a point as a box of one
+        /// unit.</summary>
         /// <param name="outline">Positions in the box that the camera frames; if null or fewer than eight, it frames the box's
         /// corners.</param>
         public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] outline, int widthPx, int heightPx,
@@ -82,10 +81,8 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>
-        /// As large as possible with all of the outline in view, or, if its few farthest points cost much of the picture, all
-        /// but those.
-        /// </summary>
+        /// <summary>As large as possible with all of the outline in view, or, if its few farthest points cost much of the
+        /// picture, all but those.</summary>
         static Camera FrameOrthographic(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
             int heightPx)
         {
@@ -110,10 +107,8 @@ namespace FastPoints.Picture
             return camera;
         }
 
-        /// <summary>
-        /// As near as possible with all of the outline in view, or, if its few farthest points cost much of the picture, all
-        /// but those.
-        /// </summary>
+        /// <summary>As near as possible with all of the outline in view, or, if its few farthest points cost much of the picture,
+        /// all but those.</summary>
         static Camera FramePerspective(BoundsGeo bounds, double3[] outline, double3 forward, double3 up, int widthPx,
             int heightPx,
             double fovDegrees)
@@ -127,10 +122,8 @@ namespace FastPoints.Picture
             return nearer < farther * WorthTrimming ? trimmed : camera;
         }
 
-        /// <summary>
-        /// Moves a camera to the closest place on its line of sight from which the outline, except some strays, is in the
-        /// picture, and shifts the line until the outline's extent is centred.
-        /// </summary>
+        /// <summary>Moves a camera to the closest place on its line of sight from which the outline, except some strays, is in
+        /// the picture, and shifts the line until the outline's extent is centred.</summary>
         /// <returns>The distance to the middle of the outline.</returns>
         static double FramePerspective(ref Camera camera, BoundsGeo bounds, double3[] outline, int strays, double tanX,
             double tanY)
@@ -155,10 +148,8 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>
-        /// Extent of the outline in the picture, without the given number of strays on each side: in units, or in tangents of
-        /// the angle from the axis.
-        /// </summary>
+        /// <summary>Extent of the outline in the picture, without the given number of strays on each side: in units, or in
+        /// tangents of the angle from the axis.</summary>
         static void Extent(in Camera camera, double3[] outline, int strays, bool divide, out double2 min, out double2 max)
         {
             var x = new double[outline.Length];
@@ -174,9 +165,8 @@ namespace FastPoints.Picture
             max = new double2(LargestBut(strays, x, 1), LargestBut(strays, y, 1));
         }
 
-        /// <summary>
-        /// The largest value after leaving out the given number of larger ones. They are few, so not all values need sorting.
-        /// </summary>
+        /// <summary>The largest value after leaving out the given number of larger ones. They are few, so not all values need
+        /// sorting.</summary>
         /// <param name="sign">1, or -1 for the values' negatives.</param>
         static double LargestBut(int strays, double[] values, double sign)
         {
@@ -212,10 +202,8 @@ namespace FastPoints.Picture
             (corner & 2) == 0 ? bounds.Min.y : bounds.Max.y,
             (corner & 4) == 0 ? bounds.Min.z : bounds.Max.z);
 
-        /// <summary>
-        /// Makes the box at least a millionth as thick in every direction as it is long, and as long as doubles can resolve
-        /// there.
-        /// </summary>
+        /// <summary>Makes the box at least a millionth as thick in every direction as it is long, and as long as doubles can
+        /// resolve there.</summary>
         static BoundsGeo Solid(BoundsGeo bounds)
         {
             if (bounds.IsEmpty || !bounds.IsFinite)
@@ -232,9 +220,8 @@ namespace FastPoints.Picture
     /// <summary>Standard views; x is east, y north and z up for a cloud whose up axis is Z.</summary>
     public enum ViewDirection
     {
-        /// <summary>
-        /// The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a wall.
-        /// </summary>
+        /// <summary>The view that shows most of the cloud: <see cref="Iso"/>, or <see cref="Front"/> for one that is a
+        /// wall.</summary>
         Auto,
         /// <summary>Orthographic, from above, north at the top.</summary>
         Top,

@@ -27,9 +27,8 @@ namespace FastPoints.Picture
         /// <summary>For elevation: weights of the stored x, y and z in the value; otherwise 0.</summary>
         public double3 PositionWeights;
 
-        /// <summary>
-        /// The mapping for a mode that the batch has the columns for (see <see cref="DisplayRanges.Resolve"/>).
-        /// </summary>
+        /// <summary>The mapping for a mode that the batch has the columns for (see
+        /// <see cref="DisplayRanges.Resolve"/>).</summary>
         /// <param name="gradient">The gradient for amounts.</param>
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,
             Gradient gradient = Gradient.Auto)

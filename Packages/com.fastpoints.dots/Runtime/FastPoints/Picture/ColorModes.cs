@@ -30,10 +30,8 @@ namespace FastPoints.Picture
             }
         }
 
-        /// <summary>
-        /// The attributes to read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted mode
-        /// needs.
-        /// </summary>
+        /// <summary>The attributes to read before a mode can be chosen: colour, intensity, classes, and whatever else the wanted
+        /// mode needs.</summary>
         public static string[] AttributesToMeasure(ColorMode wanted)
         {
             var names = new List<string>

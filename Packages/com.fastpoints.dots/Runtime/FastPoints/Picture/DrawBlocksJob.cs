@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Draws packed blocks from the memory where they lie; index i is the i-th node. A block is unpacked on the stack as a
-    /// batch of its own.
-    /// </summary>
+    /// <summary>Draws packed blocks from the memory where they lie; index i is the i-th node. A block is unpacked on the stack as
+    /// a batch of its own.</summary>
     [BurstCompile]
     internal unsafe struct DrawBlocksJob : IJobFor
     {
@@ -50,9 +48,8 @@ namespace FastPoints.Picture
         /// <summary>Written by atomic minimum, so that jobs may draw at the same time.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Pixels;
 
-        /// <summary>
-        /// Empty to draw. To blend what was drawn, see <see cref="BlendedPixels"/>; written by atomic addition.
-        /// </summary>
+        /// <summary>Empty to draw. To blend what was drawn, see <see cref="BlendedPixels"/>; written by atomic
+        /// addition.</summary>
         [NativeDisableContainerSafetyRestriction] public NativeArray<ulong> Sums;
 
         public void Execute(int index)

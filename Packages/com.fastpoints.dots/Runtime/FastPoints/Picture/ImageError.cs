@@ -12,10 +12,8 @@ namespace FastPoints.Picture
         /// <summary>Mean structural similarity of the luma: 1 for equal pictures.</summary>
         public double Ssim;
 
-        /// <summary>
-        /// The share of the pixels that the reference covers (those not of the background colour) that the picture leaves
-        /// uncovered; 0 if the reference covers none.
-        /// </summary>
+        /// <summary>The share of the pixels that the reference covers (those not of the background colour) that the picture
+        /// leaves uncovered; 0 if the reference covers none.</summary>
         public double Uncovered;
 
         const int Window = 8;
@@ -64,10 +62,8 @@ namespace FastPoints.Picture
             return covered == 0 ? 0 : missing / (double)covered;
         }
 
-        /// <summary>
-        /// Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment", 2004, eq. 13, computed over windows of 8 by 8 pixels at
-        /// every second pixel, with even weights, on Rec. 709 luma of the encoded values.
-        /// </summary>
+        /// <summary>Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment", 2004, eq. 13, computed over windows of 8 by 8
+        /// pixels at every second pixel, with even weights, on Rec. 709 luma of the encoded values.</summary>
         static double SsimOf(RgbaImage a, RgbaImage b)
         {
             const double C1 = 0.01 * 255 * (0.01 * 255), C2 = 0.03 * 255 * (0.03 * 255);

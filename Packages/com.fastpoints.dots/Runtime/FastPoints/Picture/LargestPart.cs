@@ -4,14 +4,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Chooses which of a cloud's parts to look at if they lie so far apart that all of them together cover a few pixels.
-    /// </summary>
+    /// <summary>Chooses which of a cloud's parts to look at if they lie so far apart that all of them together cover a few
+    /// pixels.</summary>
     static class LargestPart
     {
-        /// <summary>
-        /// The whole is at least this many times as long as the part: each part is a few hundredths of a picture of all.
-        /// </summary>
+        /// <summary>The whole is at least this many times as long as the part: each part is a few hundredths of a picture of
+        /// all.</summary>
         const double FarInSizes = 25;
 
         /// <summary>The smallest gap between parts, as a share of the whole length.</summary>

@@ -14,9 +14,8 @@ namespace FastPoints.Picture
         /// <summary>Where ramps start: darker values would be lost against a dark background.</summary>
         const double DarkestShare = 0.12, DarkestLight = 0.03;
 
-        /// <summary>
-        /// The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs none.
-        /// </summary>
+        /// <summary>The table that a mode looks its colours up in; grey for <see cref="ColorMode.Rgb"/>, which needs
+        /// none.</summary>
         /// <param name="gradient">The gradient for amounts; categories have colours of their own.</param>
         public static NativeArray<uint> Create(ColorMode mode, Allocator allocator, Gradient gradient = Gradient.Auto)
         {
@@ -120,10 +119,9 @@ namespace FastPoints.Picture
             return Pack(value, value, value);
         }
 
-        /// <summary>
-        /// Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree six over
-        /// its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is interpolated.
-        /// </summary>
+        /// <summary>Viridis (Smith and van der Walt, 2015): even steps of lightness and hue in CAM02-UCS. Polynomials of degree
+        /// six over its sRGB values (fit by M. Zucker, CC0), at most 5 of 255 off; evaluated at each entry, so nothing is
+        /// interpolated.</summary>
         public static uint Viridis(double share)
         {
             double red = Polynomial(share, 0.27772733, 0.10509304, -0.33086183, -4.63423050, 6.22826994, 4.77638500, -5.43545586);
@@ -149,10 +147,8 @@ namespace FastPoints.Picture
 
         static byte ToByte(double share) => (byte)Math.Min(255, Math.Max(0, share * 255 + 0.5));
 
-        /// <summary>
-        /// Colours as viewers usually have them, indexed by ASPRS class number (LAS 1.4 R15, table 17); the last one is for all
-        /// classes that are reserved or the user's.
-        /// </summary>
+        /// <summary>Colours as viewers usually have them, indexed by ASPRS class number (LAS 1.4 R15, table 17); the last one is
+        /// for all classes that are reserved or the user's.</summary>
         static readonly uint[] s_classes =
         {
             Pack(160, 160, 160), // 0 created, never classified

@@ -8,9 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// A picture while it is drawn: 12 bytes a pixel of native memory. The caller that makes it owns it; main thread.
-    /// </summary>
+    /// <summary>A picture while it is drawn: 12 bytes a pixel of native memory. The caller that makes it owns it; main
+    /// thread.</summary>
     internal sealed class PictureCanvas : IDisposable
     {
         /// <summary>Limit of both edges: 16,384 pixels, and no more than 2^27 pixels in all (1.6 GB).</summary>
@@ -49,9 +48,7 @@ namespace FastPoints.Picture
         /// <summary>Depth and colour of each pixel: see <see cref="PointDrawing"/>.</summary>
         public NativeArray<ulong> Pixels => m_pixels;
 
-        /// <summary>
-        /// Sums of blended points: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.
-        /// </summary>
+        /// <summary>Sums of blended points: see <see cref="BlendedPixels"/>. Empty before <see cref="BeginBlending"/>.</summary>
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         /// <summary>Tables of 256 colours in which values are looked up.</summary>
@@ -82,10 +79,8 @@ namespace FastPoints.Picture
             m_isBlending = false;
         }
 
-        /// <summary>
-        /// Begins to blend. The picture so far shows how far away each pixel's nearest point is: drawing the same points again
-        /// blends them with it, at 16 more bytes a pixel. No drawing may be in flight.
-        /// </summary>
+        /// <summary>Begins to blend. The picture so far shows how far away each pixel's nearest point is: drawing the same points
+        /// again blends them with it, at 16 more bytes a pixel. No drawing may be in flight.</summary>
         public unsafe void BeginBlending()
         {
             if (!m_sums.IsCreated)

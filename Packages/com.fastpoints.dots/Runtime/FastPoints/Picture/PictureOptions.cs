@@ -11,9 +11,8 @@ namespace FastPoints.Picture
     /// <summary>Options of a picture.</summary>
     public sealed class PictureOptions
     {
-        /// <summary>
-        /// Default strength of eye-dome lighting: strong enough to read shapes by, not so strong that noise shows.
-        /// </summary>
+        /// <summary>Default strength of eye-dome lighting: strong enough to read shapes by, not so strong that noise
+        /// shows.</summary>
         public const float DefaultEdlStrength = 0.25f;
 
         public int WidthPx = 1280;
@@ -25,10 +24,8 @@ namespace FastPoints.Picture
         /// <summary>Replaces a standard view.</summary>
         public Camera? Camera;
 
-        /// <summary>
-        /// The most points of <see cref="DisplayRanges.Outline"/> that a standard view frames: all of them take ten
-        /// milliseconds on an editor's main thread.
-        /// </summary>
+        /// <summary>The most points of <see cref="DisplayRanges.Outline"/> that a standard view frames: all of them take ten
+        /// milliseconds on an editor's main thread.</summary>
         public int OutlinePoints = int.MaxValue;
 
         public double FovDegrees = CameraFraming.DefaultFovDegrees;
@@ -39,10 +36,8 @@ namespace FastPoints.Picture
         /// <summary>Size in pixels; 0 makes points as large as surfaces need to look closed.</summary>
         public float PointSizePx;
 
-        /// <summary>
-        /// Replaces <see cref="PointSizePx"/> with a length in the world, or an adaptive size. Only streamed clouds can be
-        /// adaptive; for others that means 0.
-        /// </summary>
+        /// <summary>Replaces <see cref="PointSizePx"/> with a length in the world, or an adaptive size. Only streamed clouds can
+        /// be adaptive; for others that means 0.</summary>
         public PointSize? SizeInWorld;
 
         /// <summary>Whether sizes are chosen from a first picture of the points.</summary>
@@ -69,9 +64,8 @@ namespace FastPoints.Picture
         /// <summary>Red, green, blue, alpha from the lowest byte.</summary>
         public uint Background = Palettes.Pack(24, 26, 30);
 
-        /// <summary>
-        /// Strength of the eye-dome lighting: 0 for none; a negative value means 0 for RGB and the default for the other modes.
-        /// </summary>
+        /// <summary>Strength of the eye-dome lighting: 0 for none; a negative value means 0 for RGB and the default for the other
+        /// modes.</summary>
         public float EdlStrength = -1;
 
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>

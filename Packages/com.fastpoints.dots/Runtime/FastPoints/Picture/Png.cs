@@ -5,10 +5,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Reads and writes pictures as PNG files: 8-bit RGB (RGBA if not opaque), marked as sRGB. Also reads 8-bit grey ones; any
-    /// other kind is refused with a reason.
-    /// </summary>
+    /// <summary>Reads and writes pictures as PNG files: 8-bit RGB (RGBA if not opaque), marked as sRGB. Also reads 8-bit grey
+    /// ones; any other kind is refused with a reason.</summary>
     public static class Png
     {
         static readonly byte[] s_signature = { 0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A };

@@ -11,10 +11,8 @@ namespace FastPoints.Picture
         public const int Average = 3;
         public const int Paeth = 4;
 
-        /// <summary>
-        /// Writes the filter byte and a row behind it, using the one of none, Sub and Up with the least sum of differences
-        /// (section 12.7's rule of thumb).
-        /// </summary>
+        /// <summary>Writes the filter byte and a row behind it, using the one of none, Sub and Up with the least sum of
+        /// differences (section 12.7's rule of thumb).</summary>
         public static void Encode(byte[] pixels, int row, int rowBytes, int pixelBytes, byte[] to, int at)
         {
             int start = row * rowBytes;

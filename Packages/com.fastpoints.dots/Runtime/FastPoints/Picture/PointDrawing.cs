@@ -37,10 +37,8 @@ namespace FastPoints.Picture
         /// <summary>Draws discs instead of squares.</summary>
         public bool IsRound;
 
-        /// <summary>
-        /// Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the middle,
-        /// which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.
-        /// </summary>
+        /// <summary>Draws discs that bulge towards the camera: paraboloids whose rim is farther away by the radius than the
+        /// middle, which has the point's own depth. Each pixel of overlapping points goes to the nearest centre.</summary>
         public bool IsDomed;
 
         /// <summary>Draws the points from <paramref name="first"/> on. Any number of threads may draw at once.</summary>
@@ -151,10 +149,8 @@ namespace FastPoints.Picture
         public static ulong KeyOf(float depth, uint radiusPx, uint color) =>
             (ulong)PointProjection.DepthToBits(depth) << 32 | radiusPx << 24 | color & 0xFFFFFFu;
 
-        /// <summary>
-        /// Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early costs
-        /// one more round; the plain read is atomic on 64-bit processors.
-        /// </summary>
+        /// <summary>Keeps the smaller of two values while other threads write. Pixels only ever fall, so a value read too early
+        /// costs one more round; the plain read is atomic on 64-bit processors.</summary>
         static unsafe void Lower(ulong* pixel, ulong key)
         {
             ulong seen = *pixel;

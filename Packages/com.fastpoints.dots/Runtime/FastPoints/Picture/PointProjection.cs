@@ -4,14 +4,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Maps stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in double,
-    /// then the division. Blittable, for jobs.
-    /// </summary>
-    /// <remarks>
-    /// The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees them to 2
-    /// nm; the depth becomes a float only afterwards.
-    /// </remarks>
+    /// <summary>Maps stored coordinates to pixels in one step: view = X * stored.x + Y * stored.y + Z * stored.z + W, all in
+    /// double, then the division. Blittable, for jobs.</summary>
+    /// <remarks>The eye is subtracted in double as part of W, so that a camera 10 m away from points with UTM coordinates sees
+    /// them to 2 nm; the depth becomes a float only afterwards.</remarks>
     internal struct PointProjection
     {
         public int WidthPx;

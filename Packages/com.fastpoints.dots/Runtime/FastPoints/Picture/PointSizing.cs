@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Chooses the point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: dense points stay
-    /// sharp, sparse ones grow.
-    /// </summary>
+    /// <summary>Chooses the point sizes at which a picture's surfaces look closed, for each tile of 8 by 8 pixels: dense points
+    /// stay sharp, sparse ones grow.</summary>
     internal static class PointSizing
     {
         public const int TileEdgePx = 8;
@@ -16,25 +14,19 @@ namespace FastPoints.Picture
         /// <summary>How many points should cover a pixel on average: exp(-3.5) = 3 % of random pixels stay empty.</summary>
         const double PointsPerPixel = 3.5;
 
-        /// <summary>
-        /// A tile's points grow to at most this many times those of the median tile: beyond that, strays would turn into
-        /// blocks.
-        /// </summary>
+        /// <summary>A tile's points grow to at most this many times those of the median tile: beyond that, strays would turn into
+        /// blocks.</summary>
         const float MostOfTypical = 1.5f;
 
         public static int TilesAlong(int edgePx) => (edgePx + TileEdgePx - 1) / TileEdgePx;
 
-        /// <summary>
-        /// The size for a density, from 1 to 6 pixels: squares of size s, at a density of d points a pixel, cover each pixel
-        /// d * s^2 times.
-        /// </summary>
+        /// <summary>The size for a density, from 1 to 6 pixels: squares of size s, at a density of d points a pixel, cover each
+        /// pixel d * s^2 times.</summary>
         public static float SizeFor(double density) =>
             (float)math.clamp(math.sqrt(PointsPerPixel / density), MinPx, MaxPx);
 
-        /// <summary>
-        /// Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of d cover
-        /// 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.
-        /// </summary>
+        /// <summary>Points a pixel, hidden ones included, in a tile with this many drawn pixels: random points with a density of
+        /// d cover 1 - exp(-d) of them. A full tile counts as one with half a pixel missing.</summary>
         public static double DensityOf(int pixelsDrawn) =>
             -math.log(1 - math.min(pixelsDrawn, PixelsPerTile - 0.5) / PixelsPerTile);
 

@@ -6,16 +6,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Turns depth and colour into the picture's colours; index i is row i. Optionally applies eye-dome lighting (Boucheny,
-    /// "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the eight pixels
-    /// around it lie before it.
-    /// </summary>
-    /// <remarks>
-    /// Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the same
-    /// for any unit, scale and field of view. Neighbours are looked at half a point's size away. The shading multiplies the
-    /// encoded sRGB values, so light falls with its power of 2.2.
-    /// </remarks>
+    /// <summary>Turns depth and colour into the picture's colours; index i is row i. Optionally applies eye-dome lighting
+    /// (Boucheny, "Interactive scientific visualization of large datasets", 2009, ch. 2): a pixel is darkened by how far the
+    /// eight pixels around it lie before it.</summary>
+    /// <remarks>Depth differences are taken in pixels (depth over the size of a pixel at that depth), so that the shading is the
+    /// same for any unit, scale and field of view. Neighbours are looked at half a point's size away. The shading multiplies the
+    /// encoded sRGB values, so light falls with its power of 2.2.</remarks>
     [BurstCompile]
     internal struct ResolvePictureJob : IJobFor
     {
@@ -34,15 +30,12 @@ namespace FastPoints.Picture
         /// <summary>0 turns eye-dome lighting off.</summary>
         public float EdlStrength;
 
-        /// <summary>
-        /// Fills a pixel without a point, most of whose neighbours have one, with their mean: it is a gap in a surface, not the
-        /// background beside its edge.
-        /// </summary>
+        /// <summary>Fills a pixel without a point, most of whose neighbours have one, with their mean: it is a gap in a surface,
+        /// not the background beside its edge.</summary>
         public bool FillsHoles;
 
-        /// <summary>
-        /// A hole has at least this many points among its eight neighbours: at the edge of a surface there are three to five.
-        /// </summary>
+        /// <summary>A hole has at least this many points among its eight neighbours: at the edge of a surface there are three to
+        /// five.</summary>
         public const int LeastAroundHole = 6;
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;

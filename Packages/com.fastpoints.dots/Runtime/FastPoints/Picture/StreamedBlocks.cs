@@ -10,9 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Picture
 {
-    /// <summary>
-    /// Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main thread.
-    /// </summary>
+    /// <summary>Draws the resident nodes of one streamed cloud into a canvas, straight from the pool's memory. Main
+    /// thread.</summary>
     internal sealed unsafe class StreamedBlocks : IDisposable
     {
         readonly StreamContext m_stream;

@@ -28,9 +28,8 @@ namespace FastPoints.Points
         /// <summary>Zero on every axis for an empty box.</summary>
         public double3 Size => IsEmpty ? new double3(0, 0, 0) : Max - Min;
 
-        /// <summary>
-        /// The middle; both ends are halved before they are added, so that boxes near the largest double do not overflow.
-        /// </summary>
+        /// <summary>The middle; both ends are halved before they are added, so that boxes near the largest double do not
+        /// overflow.</summary>
         public double3 Center => IsEmpty ? new double3(0, 0, 0) : Min * 0.5 + Max * 0.5;
 
         public void Include(double3 point)

@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// The one grid that all points of a cloud lie on: geo = <see cref="Origin"/> + <see cref="Step"/> * grid, in double, in
-    /// CRS units.
-    /// </summary>
+    /// <summary>The one grid that all points of a cloud lie on: geo = <see cref="Origin"/> + <see cref="Step"/> * grid, in
+    /// double, in CRS units.</summary>
     public struct CloudGrid
     {
         public double3 Origin;

@@ -3,10 +3,8 @@ using Unity.Mathematics;
 namespace FastPoints.Points
 {
     /// <summary>The range of a column's finite values, and the values below which given shares of them lie.</summary>
-    /// <remarks>
-    /// They come from at most 65,536 values taken at even distances: the share below each is right within 0.2 % of all values
-    /// (4 sigma of a binomial at a half), whatever the outliers.
-    /// </remarks>
+    /// <remarks>They come from at most 65,536 values taken at even distances: the share below each is right within 0.2 % of all
+    /// values (4 sigma of a binomial at a half), whatever the outliers.</remarks>
     internal struct ColumnQuantiles
     {
         const int MaxValuesTaken = 65536;

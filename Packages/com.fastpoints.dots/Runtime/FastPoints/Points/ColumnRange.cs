@@ -6,9 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// The smallest and largest finite value of a column, as doubles, and how many values were finite and how many were not.
-    /// </summary>
+    /// <summary>The smallest and largest finite value of a column, as doubles, and how many values were finite and how many were
+    /// not.</summary>
     public struct ColumnRange
     {
         public double Min;

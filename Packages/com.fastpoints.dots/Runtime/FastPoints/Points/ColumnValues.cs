@@ -2,16 +2,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// Widens columns of any type, some values at a time: the type is examined once for these, and the loops over values have
-    /// no branches.
-    /// </summary>
+    /// <summary>Widens columns of any type, some values at a time: the type is examined once for these, and the loops over values
+    /// have no branches.</summary>
     internal static unsafe class ColumnValues
     {
-        /// <summary>
-        /// The number of values that callers widen at once, on the stack: three arrays of doubles this long stay in the
-        /// first-level cache.
-        /// </summary>
+        /// <summary>The number of values that callers widen at once, on the stack: three arrays of doubles this long stay in the
+        /// first-level cache.</summary>
         public const int RunLength = 256;
 
         /// <summary>Stored values as doubles: exact except for 64-bit integers beyond 2^53.</summary>

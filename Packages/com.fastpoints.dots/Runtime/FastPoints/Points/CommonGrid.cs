@@ -3,10 +3,8 @@ using System.Collections.Generic;
 
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that divides
-    /// all scales and all distances between offsets.
-    /// </summary>
+    /// <summary>Finds one axis of the grid that several sources of whole numbers share: the finest scale, or a part of it, that
+    /// divides all scales and all distances between offsets.</summary>
     internal static class CommonGrid
     {
         /// <summary>Positions farther out are left out, so that sums of positions and sides stay within a long.</summary>
@@ -21,18 +19,15 @@ namespace FastPoints.Points
             1, 2, 4, 5, 8, 10, 16, 20, 25, 32, 40, 50, 64, 100, 125, 200, 250, 500, 1000, 10000, 100000, 1000000,
         };
 
-        /// <summary>
-        /// Numbers of steps that differ by less count as equal: scales such as 0.01 are not binary fractions.
-        /// </summary>
+        /// <summary>Numbers of steps that differ by less count as equal: scales such as 0.01 are not binary fractions.</summary>
         const double ScaleTolerance = 1e-9;
         const double OffsetToleranceSteps = 1e-3;
 
         const long MaxFactor = 1L << 28;
         const double MaxShift = Limit / 2;
 
-        /// <summary>
-        /// The step that all sources lie on, counted from the first one's offset; the finest scale if there is none.
-        /// </summary>
+        /// <summary>The step that all sources lie on, counted from the first one's offset; the finest scale if there is
+        /// none.</summary>
         /// <param name="scales">One for each source, not zero; signs are ignored.</param>
         /// <param name="offsets">One for each source, in the same units.</param>
         public static double StepOf(IReadOnlyList<double> scales, IReadOnlyList<double> offsets)

@@ -1,9 +1,7 @@
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// A cube of a power-of-two side on a cloud's grid: it contains all positions from its corner to less than a side beyond
-    /// it.
-    /// </summary>
+    /// <summary>A cube of a power-of-two side on a cloud's grid: it contains all positions from its corner to less than a side
+    /// beyond it.</summary>
     /// <remarks>Sides end at 2^62, so that sums of corners and sides stay within a long.</remarks>
     public struct GridCube
     {

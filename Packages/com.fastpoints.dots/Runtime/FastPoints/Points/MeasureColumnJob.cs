@@ -15,9 +15,8 @@ namespace FastPoints.Points
         public double Scale;
         public double Offset;
 
-        /// <summary>
-        /// Shares of the values below <see cref="ColumnQuantiles.Low"/> and <see cref="ColumnQuantiles.High"/>, 0 to 1.
-        /// </summary>
+        /// <summary>Shares of the values below <see cref="ColumnQuantiles.Low"/> and <see cref="ColumnQuantiles.High"/>, 0 to
+        /// 1.</summary>
         public double LowShare;
         public double HighShare;
 

@@ -10,10 +10,8 @@ namespace FastPoints.Points
     ///      bit 20     bit 19        bit 1     bit 0
     /// </code>
     /// </summary>
-    /// <remarks>
-    /// Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the cache, and a compiler
-    /// can do several codes at once.
-    /// </remarks>
+    /// <remarks>Spread and gathered by shifts and masks (Warren, Hacker's Delight, ch. 7): no table to keep in the cache, and a
+    /// compiler can do several codes at once.</remarks>
     internal static class Morton
     {
         /// <summary>Bits of one coordinate.</summary>

@@ -70,10 +70,8 @@ namespace FastPoints.Points
 
         public AttributeType Type { get; }
 
-        /// <summary>
-        /// Value = stored * <see cref="Scale"/> + <see cref="Offset"/>. They are 1 and 0 except for scaled extra bytes;
-        /// positions keep theirs in the cloud's <see cref="PositionTransform"/>.
-        /// </summary>
+        /// <summary>Value = stored * <see cref="Scale"/> + <see cref="Offset"/>. They are 1 and 0 except for scaled extra bytes;
+        /// positions keep theirs in the cloud's <see cref="PositionTransform"/>.</summary>
         public double Scale { get; }
 
         public double Offset { get; }

@@ -11,9 +11,7 @@ namespace FastPoints.Points
     {
         public BoundsGeo Bounds;
 
-        /// <summary>
-        /// Number of points with a coordinate that is infinite or NaN, which lie outside <see cref="Bounds"/>.
-        /// </summary>
+        /// <summary>Number of points with a coordinate that is infinite or NaN, which lie outside <see cref="Bounds"/>.</summary>
         public long NonFinite;
 
         public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };

@@ -45,10 +45,8 @@ namespace FastPoints.Points
         }
     }
 
-    /// <summary>
-    /// Maps the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> + <see
-    /// cref="Offset"/>, in double, in CRS units. It is the identity for files that store coordinates directly.
-    /// </summary>
+    /// <summary>Maps the numbers that a file stores to georeferenced positions: geo = stored * <see cref="Scale"/> +
+    /// <see cref="Offset"/>, in double, in CRS units. It is the identity for files that store coordinates directly.</summary>
     public struct PositionTransform
     {
         public double3 Scale;

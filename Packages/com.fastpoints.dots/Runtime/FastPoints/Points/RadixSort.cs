@@ -5,10 +5,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Points
 {
-    /// <summary>
-    /// Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a digit, and
-    /// only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the input.
-    /// </summary>
+    /// <summary>Sorts 64-bit keys, each with a 32-bit payload, in a stable order: least significant digit first, eight bits a
+    /// digit, and only the digits in which the keys differ. Time is linear in the count; scratch memory is as large as the
+    /// input.</summary>
     internal static unsafe class RadixSort
     {
         const int DigitBits = 8;

@@ -5,9 +5,8 @@ namespace FastPoints.Points
     /// <summary>Directions that follow from the axis that points up.</summary>
     internal static class UpAxes
     {
-        /// <summary>
-        /// Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its axes.
-        /// </summary>
+        /// <summary>Unit vectors of the cloud's space that point east, north and up for people: right-handed, like its
+        /// axes.</summary>
         public static void Directions(this UpAxis axis, out double3 east, out double3 north, out double3 up)
         {
             var x = new double3(1, 0, 0);

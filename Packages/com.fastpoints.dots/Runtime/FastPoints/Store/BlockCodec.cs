@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// Packs and unpacks columns of a block as offsets from the column's minimum, each at the width of the largest (frame of
-    /// reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.
-    /// </summary>
+    /// <summary>Packs and unpacks columns of a block as offsets from the column's minimum, each at the width of the largest
+    /// (frame of reference). Any value can be read on its own. The layout is that of <see cref="PlaneShape"/>.</summary>
     internal static unsafe class BlockCodec
     {
         /// <summary>Bits that a number needs: 0 for 0, 64 for the largest.</summary>

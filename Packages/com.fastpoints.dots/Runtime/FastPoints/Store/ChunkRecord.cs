@@ -4,9 +4,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// What hierarchy.bin knows of one chunk. Records are in the order of the nodes that they are attached to.
-    /// </summary>
+    /// <summary>What hierarchy.bin knows of one chunk. Records are in the order of the nodes that they are attached to.</summary>
     [DiskFormat]
     [StructLayout(LayoutKind.Explicit, Size = SizeBytes)]
     public struct ChunkRecord

@@ -8,10 +8,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// An opened cloud: its manifest, its upper nodes and one record for each chunk; chunks' tables are loaded on request.
-    /// Everything is checked before it is used.
-    /// </summary>
+    /// <summary>An opened cloud: its manifest, its upper nodes and one record for each chunk; chunks' tables are loaded on
+    /// request. Everything is checked before it is used.</summary>
     public sealed unsafe class CloudFolder : IDisposable
     {
         CloudFolder(string path, CloudManifest manifest)
@@ -24,10 +22,8 @@ namespace FastPoints.Store
         public string FolderPath { get; }
         public CloudManifest Manifest { get; }
 
-        /// <summary>
-        /// Whether the folder is about to change: it is being built, or does not have its final name yet, which will change all
-        /// paths in it.
-        /// </summary>
+        /// <summary>Whether the folder is about to change: it is being built, or does not have its final name yet, which will
+        /// change all paths in it.</summary>
         public bool IsInTheMaking => Manifest.IsBuilding || FolderPath.EndsWith(StoreFormat.PartSuffix, StringComparison.Ordinal);
         public StoreLayout Layout { get; }
 

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification defines
-    /// it. It detects damage, not tampering.
-    /// </summary>
+    /// <summary>The 64-bit hash that guards each byte range of a stored cloud: XXH64 with seed 0, as its published specification
+    /// defines it. It detects damage, not tampering.</summary>
     internal static unsafe class ContentHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;

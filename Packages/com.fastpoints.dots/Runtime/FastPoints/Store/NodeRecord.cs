@@ -14,10 +14,8 @@ namespace FastPoints.Store
         /// <summary>The node takes all points of its cube that no node above has.</summary>
         public const byte IsLeaf = 1;
 
-        /// <summary>
-        /// In the upper levels: what these left of the top node of a chunk, or of some that were sampled together. It keeps its
-        /// distance from the points below and above it, not from those beside it.
-        /// </summary>
+        /// <summary>In the upper levels: what these left of the top node of a chunk, or of some that were sampled together. It
+        /// keeps its distance from the points below and above it, not from those beside it.</summary>
         public const byte IsTop = 2;
 
         /// <summary>Corner of the node's cube: positions are stored as offsets from it.</summary>
@@ -44,10 +42,8 @@ namespace FastPoints.Store
         /// <summary>Points of this node alone.</summary>
         [FieldOffset(68)] public int PointCount;
 
-        /// <summary>
-        /// The node whose planes hold the points: itself, or, for a tiny leaf, its parent. Positions count from the host's
-        /// corner.
-        /// </summary>
+        /// <summary>The node whose planes hold the points: itself, or, for a tiny leaf, its parent. Positions count from the
+        /// host's corner.</summary>
         [FieldOffset(72)] public int Host;
 
         /// <summary>The node's blocks in the host's planes.</summary>
@@ -58,23 +54,19 @@ namespace FastPoints.Store
         [FieldOffset(84)] public int HostedBlocks;
         [FieldOffset(88)] public byte SideLog2;
 
-        /// <summary>
-        /// Edge of the cells, each of which gave one point, for nodes that are not leaves: 2^this grid steps.
-        /// </summary>
+        /// <summary>Edge of the cells, each of which gave one point, for nodes that are not leaves: 2^this grid steps.</summary>
         [FieldOffset(89)] public byte CellLog2;
         [FieldOffset(90)] public byte Flags;
         [FieldOffset(91)] public byte Reserved;
 
-        /// <summary>
-        /// In the upper levels: nodes with the same number were sampled together and keep their distance from each other.
-        /// </summary>
+        /// <summary>In the upper levels: nodes with the same number were sampled together and keep their distance from each
+        /// other.</summary>
         [FieldOffset(92)] public int SampledWith;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
-        /// <summary>
-        /// Whether points keep a distance: leaves have all remaining points, and a chain has points at one place.
-        /// </summary>
+        /// <summary>Whether points keep a distance: leaves have all remaining points, and a chain has points at one
+        /// place.</summary>
         public bool HasSpacing => (Flags & IsLeaf) == 0 && SideLog2 > 0;
 
         /// <summary>Whether offsets are stored as 64-bit columns, as in cubes with a side beyond 2^32.</summary>

@@ -21,9 +21,8 @@ namespace FastPoints.Store
         public int PlaneCount { get; }
         public NativeArray<NodeRecord> Nodes => m_nodes;
 
-        /// <summary>
-        /// Indexed by node times <see cref="PlaneCount"/>, plus plane. A guest's ranges are empty: its host's apply.
-        /// </summary>
+        /// <summary>Indexed by node times <see cref="PlaneCount"/>, plus plane. A guest's ranges are empty: its host's
+        /// apply.</summary>
         public NativeArray<PlaneRange> Planes => m_planes;
 
         public void Dispose()
@@ -34,10 +33,8 @@ namespace FastPoints.Store
             m_planes.Dispose();
         }
 
-        /// <summary>
-        /// Describes what is wrong with the table, or returns null; check this before using anything that the table says. See
-        /// <see cref="TableCheck"/>. Works on any thread.
-        /// </summary>
+        /// <summary>Describes what is wrong with the table, or returns null; check this before using anything that the table
+        /// says. See <see cref="TableCheck"/>. Works on any thread.</summary>
         public unsafe string FindProblem(GridCube region, long dataBytes, StoreLayout layout, bool isChunk)
         {
             using (var shapes = layout.CreateShapes(Allocator.Persistent))

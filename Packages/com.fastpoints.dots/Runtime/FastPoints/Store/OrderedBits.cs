@@ -3,11 +3,9 @@ using FastPoints.Points;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// Converts values of any attribute type to unsigned numbers in the same order, so that neighbours differ by little: signed
-    /// ones have their sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost, not
-    /// even NaN payloads and negative zero.
-    /// </summary>
+    /// <summary>Converts values of any attribute type to unsigned numbers in the same order, so that neighbours differ by little:
+    /// signed ones have their sign bit flipped; positive floats too, and negative floats have all bits flipped. No bit is lost,
+    /// not even NaN payloads and negative zero.</summary>
     internal static unsafe class OrderedBits
     {
         /// <summary>Reads the value at an address of any alignment.</summary>

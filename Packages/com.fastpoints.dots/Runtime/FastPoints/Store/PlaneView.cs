@@ -63,10 +63,8 @@ namespace FastPoints.Store
             return Words + word;
         }
 
-        /// <summary>
-        /// Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its columns
-        /// can have. Check this for everything read from disk before unpacking it.
-        /// </summary>
+        /// <summary>Whether every block's descriptor and words lie inside the plane, one after the other, with widths that its
+        /// columns can have. Check this for everything read from disk before unpacking it.</summary>
         public static bool IsSound(void* bytes, long lengthBytes, PlaneShape shape, int blockCount)
         {
             long descriptorWords = (long)blockCount * shape.DescriptorWords;

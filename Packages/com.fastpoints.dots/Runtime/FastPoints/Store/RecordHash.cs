@@ -3,16 +3,13 @@ using FastPoints.Points;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// A 64-bit hash of one point: its position on the cloud's grid and the bytes of all its attributes. The sum of all hashes
-    /// modulo 2^64 is the cloud's checksum, which does not depend on the order. The hash also decides which point represents a
-    /// cell.
-    /// </summary>
-    /// <remarks>
-    /// The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order without
-    /// gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one. Each
-    /// number goes through a round of XXH64's tail, the end through its avalanche. Different seeds give independent hashes.
-    /// </remarks>
+    /// <summary>A 64-bit hash of one point: its position on the cloud's grid and the bytes of all its attributes. The sum of all
+    /// hashes modulo 2^64 is the cloud's checksum, which does not depend on the order. The hash also decides which point
+    /// represents a cell.</summary>
+    /// <remarks>The record as it is hashed: X, Y, Z as three 64-bit numbers, then the attributes' bytes in the schema's order
+    /// without gaps, filled up with zeros to whole 32-bit words, taken two words at a time; a last single word counts as one.
+    /// Each number goes through a round of XXH64's tail, the end through its avalanche. Different seeds give independent
+    /// hashes.</remarks>
     internal static unsafe class RecordHash
     {
         const ulong P1 = 0x9E3779B185EBCA87UL;

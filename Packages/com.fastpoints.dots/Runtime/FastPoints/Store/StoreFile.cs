@@ -6,10 +6,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// Reads small parts of a stored cloud's files on the calling thread: headers and tables. Planes are read in the
-    /// background.
-    /// </summary>
+    /// <summary>Reads small parts of a stored cloud's files on the calling thread: headers and tables. Planes are read in the
+    /// background.</summary>
     internal static unsafe class StoreFile
     {
         /// <summary>The longest text of a manifest.</summary>

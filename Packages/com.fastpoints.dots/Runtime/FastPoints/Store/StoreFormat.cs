@@ -4,10 +4,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// The on-disk format of a converted cloud: the folder's names, and the records of its binary files, little-endian. It does
-    /// no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.
-    /// </summary>
+    /// <summary>The on-disk format of a converted cloud: the folder's names, and the records of its binary files, little-endian.
+    /// It does no I/O. The byte tables are in <c>Documentation~/disk-format.md</c>.</summary>
     public static class StoreFormat
     {
         public const uint Version = 1;
@@ -26,9 +24,7 @@ namespace FastPoints.Store
         public const ulong UpperMagic = 0x2052455050555046UL;
         public const ulong ChunkMagic = 0x204B4E5548435046UL;
 
-        /// <summary>
-        /// The most points of its own that a node holds; more equal ones make a chain of nodes with one cube.
-        /// </summary>
+        /// <summary>The most points of its own that a node holds; more equal ones make a chain of nodes with one cube.</summary>
         public const int MaxPointsPerNode = 50000;
 
         /// <summary>The name of a file that belongs to one generation of a cloud in the making: <c>upper-3.bin</c>.</summary>

@@ -7,9 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to read.
-    /// </summary>
+    /// <summary>Reads consecutive bytes of a file in the background, into memory of its own that is reused from read to
+    /// read.</summary>
     internal sealed unsafe class StoreRead : IDisposable
     {
         // The read manager keeps the pointer to its command until the read has ended.

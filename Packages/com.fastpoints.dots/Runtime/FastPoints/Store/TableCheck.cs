@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
-    /// <summary>
-    /// Checks whether a table of nodes is consistent before anything in it is used. It reads memory alone, so that a job can
-    /// use it as well.
-    /// </summary>
+    /// <summary>Checks whether a table of nodes is consistent before anything in it is used. It reads memory alone, so that a job
+    /// can use it as well.</summary>
     internal unsafe struct TableCheck
     {
         public NodeRecord* Nodes;

@@ -2,12 +2,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// One cloud in several states, each better than the one before: waves of a preview, generations of a build, the finished
-    /// cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are loaded.
-    /// A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud replaces
-    /// both, so that each region only ever gains. Main thread.
-    /// </summary>
+    /// <summary>One cloud in several states, each better than the one before: waves of a preview, generations of a build, the
+    /// finished cloud. A newer state is streamed beside the shown one and replaces it when nearly all of its selected nodes are
+    /// loaded. A preview stays beside a build in progress, whose unfinished regions have fewer points, until the whole cloud
+    /// replaces both, so that each region only ever gains. Main thread.</summary>
     public sealed class CloudSuccession
     {
         public const int None = -1;
@@ -100,9 +98,8 @@ namespace FastPoints.Streaming
             return true;
         }
 
-        /// <summary>
-        /// Withdraws a build that was broken off: its shown state is replaced by the preview beside it, or by the next one.
-        /// </summary>
+        /// <summary>Withdraws a build that was broken off: its shown state is replaced by the preview beside it, or by the next
+        /// one.</summary>
         /// <returns>Whether <see cref="Cloud"/> has changed.</returns>
         public bool Withdraw()
         {

@@ -4,10 +4,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// A frame of streaming, independent of engine and entities: from cameras to the list of what to draw. It waits for nothing
-    /// and makes no garbage: work begun in one frame is taken by a later one.
-    /// </summary>
+    /// <summary>A frame of streaming, independent of engine and entities: from cameras to the list of what to draw. It waits for
+    /// nothing and makes no garbage: work begun in one frame is taken by a later one.</summary>
     public static unsafe class FrameStep
     {
         /// <param name="views">All cameras of the frame.</param>

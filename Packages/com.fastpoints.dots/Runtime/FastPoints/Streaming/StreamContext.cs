@@ -5,11 +5,9 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Everything that streaming keeps from frame to frame, and its lifetime: clouds come and go, <see cref="FrameStep"/> runs
-    /// each frame, and <see cref="Dispose"/> ends it (on a domain reload or on quitting): it cancels and awaits reads and frees
-    /// all memory. Main thread.
-    /// </summary>
+    /// <summary>Everything that streaming keeps from frame to frame, and its lifetime: clouds come and go,
+    /// <see cref="FrameStep"/> runs each frame, and <see cref="Dispose"/> ends it (on a domain reload or on quitting): it cancels
+    /// and awaits reads and frees all memory. Main thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {
         /// <summary>Foreseen nodes rank behind all selected ones.</summary>
@@ -48,18 +46,15 @@ namespace FastPoints.Streaming
         /// <summary>Indexed by number; null for a removed cloud.</summary>
         internal IReadOnlyList<StreamedCloud> Clouds => m_clouds;
 
-        /// <summary>
-        /// The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from frame
-        /// to frame.
-        /// </summary>
+        /// <summary>The boxes that all clouds are clipped by: nothing outside is selected, loaded or drawn. They may change from
+        /// frame to frame.</summary>
         public NativeList<ClipBox> ClipBoxes { get; }
 
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; }
 
-        /// <summary>
-        /// For each selected node, its index in <see cref="Drawn"/>, or <see cref="NotDrawn"/>, or <see cref="NotShown"/>.
-        /// </summary>
+        /// <summary>For each selected node, its index in <see cref="Drawn"/>, or <see cref="NotDrawn"/>, or
+        /// <see cref="NotShown"/>.</summary>
         public NativeList<int> DrawnOfSelected { get; }
 
         /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
@@ -103,10 +98,8 @@ namespace FastPoints.Streaming
             return free < 0 ? m_clouds.Count - 1 : free;
         }
 
-        /// <summary>
-        /// Removes a cloud from what is shown. Its reads and uploads are cancelled; its source is disposed when these have
-        /// ended.
-        /// </summary>
+        /// <summary>Removes a cloud from what is shown. Its reads and uploads are cancelled; its source is disposed when these
+        /// have ended.</summary>
         public void Remove(int cloud)
         {
             var leaving = m_clouds[cloud];
@@ -178,9 +171,8 @@ namespace FastPoints.Streaming
             Cache.Remove(slot);
         }
 
-        /// <summary>
-        /// Drops a node whose bytes differ from those written: it is retried, then reported and left as a hole.
-        /// </summary>
+        /// <summary>Drops a node whose bytes differ from those written: it is retried, then reported and left as a
+        /// hole.</summary>
         public void DropDamaged(int slot)
         {
             var node = Cache[slot];

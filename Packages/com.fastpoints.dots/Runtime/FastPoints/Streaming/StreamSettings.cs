@@ -5,17 +5,14 @@ namespace FastPoints.Streaming
     {
         public SelectionSettings Selection = SelectionSettings.Default;
 
-        /// <summary>
-        /// The most reads in flight, including those that wait to be copied: each keeps its memory that long.
-        /// </summary>
+        /// <summary>The most reads in flight, including those that wait to be copied: each keeps its memory that long.</summary>
         public int MostReads = 24;
 
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read together.</summary>
         public int BytesPerRead = 1 << 20;
 
-        /// <summary>
-        /// Gaps of up to this many bytes between two planes of one file are read along, because another read would take longer.
-        /// </summary>
+        /// <summary>Gaps of up to this many bytes between two planes of one file are read along, because another read would take
+        /// longer.</summary>
         public int GapBytes = 32 << 10;
 
         /// <summary>The most bytes and nodes that are copied into the pool in one frame; one node always is.</summary>

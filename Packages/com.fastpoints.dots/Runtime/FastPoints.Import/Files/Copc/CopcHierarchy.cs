@@ -8,14 +8,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is a
-    /// claim: entries that the file cannot hold are left out with a warning.
-    /// </summary>
-    /// <remarks>
-    /// Time and memory are bounded by the file's size: a page is read once, and neither all pages nor all nodes' chunks take
-    /// more bytes than the file has.
-    /// </remarks>
+    /// <summary>Reads a COPC file's hierarchy page by page, upper levels first, and hands each node on once. Everything in it is
+    /// a claim: entries that the file cannot hold are left out with a warning.</summary>
+    /// <remarks>Time and memory are bounded by the file's size: a page is read once, and neither all pages nor all nodes' chunks
+    /// take more bytes than the file has.</remarks>
     sealed class CopcHierarchy : IDisposable
     {
         /// <summary>Bytes of a page that are read and examined in one step: 2,048 entries.</summary>

@@ -6,14 +6,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they are known
-    /// as far as pages of the hierarchy have been read.
-    /// </summary>
-    /// <remarks>
-    /// The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the tree's
-    /// blocks. A file without a readable hierarchy is read as the LAZ file that it is.
-    /// </remarks>
+    /// <summary>Reads COPC 1.0: a LAZ file of layered chunks, each of which is a node of an octree. Blocks are the nodes; they
+    /// are known as far as pages of the hierarchy have been read.</summary>
+    /// <remarks>The hierarchy is a claim like any other. Chunks that are only in the LAZ chunk table are read too, behind the
+    /// tree's blocks. A file without a readable hierarchy is read as the LAZ file that it is.</remarks>
     internal sealed class CopcReader : LazChunkReader
     {
         const int UsualPointsAcross = 128;

@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Checks some of a buffer's pages against their checksums and moves their content together, over the checksums of earlier
-    /// pages: a chain of these turns a buffer of pages into one of content.
-    /// </summary>
+    /// <summary>Checks some of a buffer's pages against their checksums and moves their content together, over the checksums of
+    /// earlier pages: a chain of these turns a buffer of pages into one of content.</summary>
     [BurstCompile]
     unsafe struct CheckE57PagesJob : IJob
     {

@@ -4,10 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// CRC-32C (Castagnoli, reflected polynomial 0x82F63B78, RFC 3720 B.4), eight bytes a step: Kounavis and Berry, "A systematic
-    /// approach to building high performance software-based CRC generators", 2005.
-    /// </summary>
+    /// <summary>CRC-32C (Castagnoli, reflected polynomial 0x82F63B78, RFC 3720 B.4), eight bytes a step: Kounavis and Berry, "A
+    /// systematic approach to building high performance software-based CRC generators", 2005.</summary>
     /// <remarks>Its tables lie in native memory, so that jobs share them.</remarks>
     internal sealed unsafe class Crc32C : IDisposable
     {

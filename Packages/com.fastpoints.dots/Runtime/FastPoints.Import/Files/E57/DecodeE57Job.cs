@@ -7,10 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put where
-    /// they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.
-    /// </summary>
+    /// <summary>Decodes some fields of a range of records: each field's bytes are gathered from the packets, unpacked, and put
+    /// where they belong. A chain of these decodes a range; <see cref="PlaceE57PointsJob"/> follows it.</summary>
     [BurstCompile]
     unsafe struct DecodeE57Job : IJob
     {

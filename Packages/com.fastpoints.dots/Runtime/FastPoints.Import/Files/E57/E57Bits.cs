@@ -1,9 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i takes
-    /// bits i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
-    /// </summary>
+    /// <summary>Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i
+    /// takes bits i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.</summary>
     static unsafe class E57Bits
     {
         /// <summary>Bytes behind the last value that may be loaded and not used.</summary>

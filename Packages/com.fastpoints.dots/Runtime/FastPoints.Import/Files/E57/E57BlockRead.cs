@@ -6,10 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and places
-    /// the points.
-    /// </summary>
+    /// <summary>A slot of <see cref="E57Reader"/>: it reads the pages of a range, checks them, decodes them field by field and
+    /// places the points.</summary>
     sealed class E57BlockRead : SlotRead
     {
         const int VectorRows = 6;

@@ -187,9 +187,7 @@ namespace FastPoints.Files
         /// <summary>A column of floats or doubles: value * factor + addend.</summary>
         Reals,
 
-        /// <summary>
-        /// One of the three (or six) rows of doubles that become positions and normals: computed the same way.
-        /// </summary>
+        /// <summary>One of the three (or six) rows of doubles that become positions and normals: computed the same way.</summary>
         Vector,
 
         /// <summary>None: points whose value is not 0 are left out.</summary>

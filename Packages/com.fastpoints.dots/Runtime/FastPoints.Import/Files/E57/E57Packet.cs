@@ -1,9 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number of
-    /// bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.
-    /// </summary>
+    /// <summary>Header of a packet (ASTM E2807, 9.3 to 9.5): kind, flags, length less one (16 bits); in data packets the number
+    /// of bytestreams (16 bits), their lengths (16 bits each), then the bytestreams one behind the other.</summary>
     unsafe struct E57Packet
     {
         public const int IndexKind = 0;

@@ -3,10 +3,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The pages that an E57 file is cut into (ASTM E2807, 5.2): 1,020 bytes of content and their CRC-32C. Offsets in headers
-    /// are physical, bytes of the file; lengths are logical, bytes of content.
-    /// </summary>
+    /// <summary>The pages that an E57 file is cut into (ASTM E2807, 5.2): 1,020 bytes of content and their CRC-32C. Offsets in
+    /// headers are physical, bytes of the file; lengths are logical, bytes of content.</summary>
     static class E57Pages
     {
         public const int PageBytes = 1024;

@@ -7,10 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads some extents of a file together into native memory, checks them and removes checksums; at most one such read is in
-    /// flight.
-    /// </summary>
+    /// <summary>Reads some extents of a file together into native memory, checks them and removes checksums; at most one such
+    /// read is in flight.</summary>
     sealed unsafe class E57PagesRead : IDisposable
     {
         /// <summary>Bytes behind the content that jobs may load and not use.</summary>
@@ -137,9 +135,8 @@ namespace FastPoints.Files
 
         public long LogicalEnd => (FirstPage + Pages) * E57Pages.DataBytes;
 
-        /// <summary>
-        /// Added to a logical offset to give the offset in the buffer's content, once the checksums are removed.
-        /// </summary>
+        /// <summary>Added to a logical offset to give the offset in the buffer's content, once the checksums are
+        /// removed.</summary>
         public long ToBuffer => ((long)BufferPage - FirstPage) * E57Pages.DataBytes;
     }
 }

@@ -4,9 +4,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The pose of a scanner (ASTM E2807, 8.4.4): it transforms its own coordinates to those of the file, in double.
-    /// </summary>
+    /// <summary>The pose of a scanner (ASTM E2807, 8.4.4): it transforms its own coordinates to those of the file, in
+    /// double.</summary>
     struct E57Pose
     {
         /// <summary>Columns of the rotation: the scanner's axes in the file's coordinates.</summary>

@@ -8,14 +8,11 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put them.
-    /// Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.
-    /// </summary>
-    /// <remarks>
-    /// Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is read
-    /// is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not read.
-    /// </remarks>
+    /// <summary>Reads E57 (ASTM E2807-11): the points of all scans, one scan behind the other, moved to where their poses put
+    /// them. Blocks are runs of up to 32,768 records; points that a scan marks as invalid are left out and counted.</summary>
+    /// <remarks>Where in the packets a record lies takes a walk over their headers (<see cref="FindBlocks"/>). Every page that is
+    /// read is checked against its checksum: points in a damaged one are left out with a warning. Images are named, not
+    /// read.</remarks>
     internal sealed class E57Reader : PointReader
     {
         /// <summary>The most pages of a block's fields: it bounds a slot's memory, whatever a file claims.</summary>
@@ -129,9 +126,7 @@ namespace FastPoints.Files
             return (int)Math.Min(section.BlockPoints, section.Records - (long)(block - section.FirstBlock) * section.BlockPoints);
         }
 
-        /// <summary>
-        /// Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.
-        /// </summary>
+        /// <summary>Estimates by the range's share of its scan's section: packets also hold fields that are not wanted.</summary>
         public override long BytesOfRange(BlockRange range)
         {
             var section = SectionOf(range.Block);

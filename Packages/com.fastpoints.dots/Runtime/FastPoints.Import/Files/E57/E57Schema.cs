@@ -6,14 +6,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The one schema of a file whose scans may differ in their fields, and how each scan's fields become its attributes.
-    /// </summary>
-    /// <remarks>
-    /// A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float where they
-    /// are floats that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all scans; a
-    /// scan without it has 0.
-    /// </remarks>
+    /// <summary>The one schema of a file whose scans may differ in their fields, and how each scan's fields become its
+    /// attributes.</summary>
+    /// <remarks>A position is an int32 or int64 on a common grid where all scans are scaled integers on one (exact), a float
+    /// where they are floats that no pose moves, and a double otherwise. An attribute has the smallest type that holds it in all
+    /// scans; a scan without it has 0.</remarks>
     sealed class E57Schema
     {
         enum PositionKind
@@ -31,9 +28,8 @@ namespace FastPoints.Files
         readonly List<E57Scan> m_scans;
         PositionKind m_positions;
 
-        /// <summary>
-        /// For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added then.
-        /// </summary>
+        /// <summary>For grid positions, by scan and axis: grid steps in one of the scan's steps, and what is added
+        /// then.</summary>
         long[][] m_factorsOfScan;
         long[][] m_shiftsOfScan;
 
@@ -318,10 +314,8 @@ namespace FastPoints.Files
                 : areFloats ? AttributeType.Float32 : AttributeType.Float64;
         }
 
-        /// <summary>
-        /// The values for none and all of a colour. Some writers give the smallest and the largest value that occurs: limits
-        /// are widened to 0 and to all ones, so that colours keep their balance.
-        /// </summary>
+        /// <summary>The values for none and all of a colour. Some writers give the smallest and the largest value that occurs:
+        /// limits are widened to 0 and to all ones, so that colours keep their balance.</summary>
         static double2 ColorLimits(E57Scan scan, int color, E57Field field)
         {
             var limits = scan.ColorLimits[color];

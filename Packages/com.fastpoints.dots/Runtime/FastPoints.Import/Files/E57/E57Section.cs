@@ -3,18 +3,15 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A scan's binary section, and where its packets contain the starts of record ranges: separately for each bytestream,
-    /// since a packet need not hold the same records of each.
-    /// </summary>
+    /// <summary>A scan's binary section, and where its packets contain the starts of record ranges: separately for each
+    /// bytestream, since a packet need not hold the same records of each.</summary>
     sealed class E57Section
     {
         public const int HeaderBytes = 32;
         const int SectionId = 1;
 
-        /// <summary>
-        /// Records between two marks, unless records are long: a range costs what it holds, rounded up to that.
-        /// </summary>
+        /// <summary>Records between two marks, unless records are long: a range costs what it holds, rounded up to
+        /// that.</summary>
         const int UsualMarkRecords = 4096;
         const int LeastMarkRecords = 64;
         const long MaxMarkBytes = 512 << 10;
@@ -148,9 +145,8 @@ namespace FastPoints.Files
 
         public E57Mark MarkOf(int stream, long record) => MarksOfStream[stream][(int)(record / MarkRecords)];
 
-        /// <summary>
-        /// Logical offset behind the last packet that records before this one need, or sometimes behind one more.
-        /// </summary>
+        /// <summary>Logical offset behind the last packet that records before this one need, or sometimes behind one
+        /// more.</summary>
         public long EndOf(int stream, long endRecord)
         {
             var marks = MarksOfStream[stream];

@@ -6,11 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Walks through the packets of one scan's binary section, reading little more than their headers: most writers make
+    /// <summary>Walks through the packets of one scan's binary section, reading little more than their headers: most writers make
     /// packets of nearly the same length, so that the places of the next ones can be guessed and read together. If the guesses
-    /// fail, everything is read.
-    /// </summary>
+    /// fail, everything is read.</summary>
     sealed class E57Walk : IDisposable
     {
         const int BufferPages = 2048;

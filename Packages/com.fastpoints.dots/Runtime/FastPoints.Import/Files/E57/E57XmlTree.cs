@@ -6,10 +6,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads the XML section into a tree. Prefixes need not be declared (some writers forget to). Document type definitions,
-    /// and with them entities, are refused, and a document's use of memory is bounded.
-    /// </summary>
+    /// <summary>Reads the XML section into a tree. Prefixes need not be declared (some writers forget to). Document type
+    /// definitions, and with them entities, are refused, and a document's use of memory is bounded.</summary>
     static class E57XmlTree
     {
         public const int MaxBytes = 32 << 20;

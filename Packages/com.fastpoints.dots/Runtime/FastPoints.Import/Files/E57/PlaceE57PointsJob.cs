@@ -7,10 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The last step of a range: it transforms positions from the scanner's coordinates to the file's, rotates normals, and
-    /// removes points that are left out from all columns.
-    /// </summary>
+    /// <summary>The last step of a range: it transforms positions from the scanner's coordinates to the file's, rotates normals,
+    /// and removes points that are left out from all columns.</summary>
     [BurstCompile]
     unsafe struct PlaceE57PointsJob : IJob
     {

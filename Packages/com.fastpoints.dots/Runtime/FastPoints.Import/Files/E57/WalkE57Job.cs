@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Steps from packet header to packet header as far as the pages at hand reach, and marks where ranges of records begin in
-    /// the bytestreams.
-    /// </summary>
+    /// <summary>Steps from packet header to packet header as far as the pages at hand reach, and marks where ranges of records
+    /// begin in the bytestreams.</summary>
     [BurstCompile]
     unsafe struct WalkE57Job : IJob
     {

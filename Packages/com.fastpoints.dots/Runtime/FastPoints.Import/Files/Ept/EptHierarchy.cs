@@ -8,21 +8,16 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with the points that its file can
-    /// hold: missing pages and files are holes with warnings.
-    /// </summary>
-    /// <remarks>
-    /// It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read. Measured:
-    /// 220 MB with the most nodes without files, all in one page.
-    /// </remarks>
+    /// <summary>Reads the pages of an EPT hierarchy, upper levels first, and hands each node on once, with the points that its
+    /// file can hold: missing pages and files are holes with warnings.</summary>
+    /// <remarks>It takes some 50 bytes for a node, up to 120 if its file exists, and 32 for an entry of the page being read.
+    /// Measured: 220 MB with the most nodes without files, all in one page.</remarks>
     sealed class EptHierarchy
     {
         const string HierarchyFolder = "ept-hierarchy";
 
-        /// <summary>
-        /// Larger pages are not read; this has room for 1.5 million nodes, and writers begin new pages long before.
-        /// </summary>
+        /// <summary>Larger pages are not read; this has room for 1.5 million nodes, and writers begin new pages long
+        /// before.</summary>
         const int MaxPageBytes = 32 << 20;
 
         /// <summary>Bytes of a page that a job parses: about a millisecond.</summary>
@@ -37,9 +32,8 @@ namespace FastPoints.Files
         /// <summary>The most bytes that a zstandard frame makes of one: a block of 128 KiB takes 4.</summary>
         const long MaxZstandardRatio = 1 << 15;
 
-        /// <summary>
-        /// Nodes whose files are looked up together: adding them takes far less than a millisecond of the main thread.
-        /// </summary>
+        /// <summary>Nodes whose files are looked up together: adding them takes far less than a millisecond of the main
+        /// thread.</summary>
         const int StepNodes = 256;
 
         readonly EptReader m_reader;

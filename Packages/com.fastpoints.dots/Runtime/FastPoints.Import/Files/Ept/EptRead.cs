@@ -4,9 +4,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The common base of the slots for EPT nodes: the batch, the read of a node's file, and how a range begins and ends.
-    /// </summary>
+    /// <summary>The common base of the slots for EPT nodes: the batch, the read of a node's file, and how a range begins and
+    /// ends.</summary>
     abstract class EptRead : SlotRead
     {
         readonly NativeFileRead m_file;

@@ -8,14 +8,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records,
-    /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.
-    /// </summary>
-    /// <remarks>
-    /// A node's file is opened for its range and closed behind it. A node with more points than a slot should hold becomes
-    /// several blocks; if it is compressed, each block decodes its file from the start.
-    /// </remarks>
+    /// <summary>Reads Entwine Point Tiles (EPT 0.0.0 and 1.x): ept.json, pages of a hierarchy, and a file a node: plain records,
+    /// zstandard or LAZ. Blocks are nodes, known as far as pages of the hierarchy have been read.</summary>
+    /// <remarks>A node's file is opened for its range and closed behind it. A node with more points than a slot should hold
+    /// becomes several blocks; if it is compressed, each block decodes its file from the start.</remarks>
     internal sealed class EptReader : PointReader
     {
         const string DataFolder = "ept-data";

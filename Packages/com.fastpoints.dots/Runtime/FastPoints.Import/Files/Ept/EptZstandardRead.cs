@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot for nodes of records in a zstandard frame: it decompresses tile by tile, as far as the range goes, and copies
-    /// each tile to the columns.
-    /// </summary>
+    /// <summary>A slot for nodes of records in a zstandard frame: it decompresses tile by tile, as far as the range goes, and
+    /// copies each tile to the columns.</summary>
     sealed class EptZstandardRead : EptRead
     {
         /// <summary>A tile takes less than a millisecond of decompression.</summary>

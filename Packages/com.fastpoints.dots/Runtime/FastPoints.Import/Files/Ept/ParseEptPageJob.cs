@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Parses a slice of a hierarchy page: a flat JSON object of <c>"level-x-y-z": points</c>, up to a number of bytes. It is a
-    /// job without the JSON parser because pages of large clouds are megabytes: it makes no garbage.
-    /// </summary>
+    /// <summary>Parses a slice of a hierarchy page: a flat JSON object of <c>"level-x-y-z": points</c>, up to a number of bytes.
+    /// It is a job without the JSON parser because pages of large clouds are megabytes: it makes no garbage.</summary>
     [BurstCompile]
     internal struct ParseEptPageJob : IJob
     {

@@ -52,10 +52,8 @@ namespace FastPoints.Files
             m_copies.Dispose();
         }
 
-        /// <summary>
-        /// Closes the read. The header's claims were checked against the file's size at opening, so a short read means that the
-        /// file has changed since: an error, not a cloud with fewer points.
-        /// </summary>
+        /// <summary>Closes the read. The header's claims were checked against the file's size at opening, so a short read means
+        /// that the file has changed since: an error, not a cloud with fewer points.</summary>
         protected override void EndRead()
         {
             var status = m_file.Close(out long got);
@@ -74,9 +72,8 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>
-    /// Decodes records that a read has brought into memory into the columns of a batch. See <see cref="LasRecords"/>.
-    /// </summary>
+    /// <summary>Decodes records that a read has brought into memory into the columns of a batch. See
+    /// <see cref="LasRecords"/>.</summary>
     [BurstCompile]
     internal struct DecodeLasJob : IJob
     {

@@ -4,10 +4,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a point. It
-    /// is read in any version if present; real files have it from LAS 1.2 on.
-    /// </summary>
+    /// <summary>The Extra Bytes record (LASF_Spec/4): 192 bytes for each described field that follows the standard ones in a
+    /// point. It is read in any version if present; real files have it from LAS 1.2 on.</summary>
     internal static class LasExtraBytes
     {
         public const int EntryBytes = 192;

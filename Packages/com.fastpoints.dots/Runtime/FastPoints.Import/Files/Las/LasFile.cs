@@ -3,19 +3,16 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Everything in a LAS or LAZ file except its points: header, records, the layout of a point, and what they say.
-    /// </summary>
+    /// <summary>Everything in a LAS or LAZ file except its points: header, records, the layout of a point, and what they
+    /// say.</summary>
     internal sealed class LasFile
     {
         public LasHeader Header { get; private set; }
         public LasVlrTable Vlrs { get; private set; }
         public LasRecordLayout Layout { get; private set; }
 
-        /// <summary>
-        /// Complete except for the points: the reader decides on <see cref="SourceInfo.PointsReadable"/> and the claimed
-        /// bounds, since only it knows how points lie in the file.
-        /// </summary>
+        /// <summary>Complete except for the points: the reader decides on <see cref="SourceInfo.PointsReadable"/> and the claimed
+        /// bounds, since only it knows how points lie in the file.</summary>
         public SourceInfo Info { get; private set; }
 
         /// <exception cref="PointCloudException">The points are unreadable: see <see cref="LasHeader.Read"/>.</exception>
@@ -52,10 +49,8 @@ namespace FastPoints.Files
             return new LasFile { Header = header, Vlrs = vlrs, Layout = layout, Info = info };
         }
 
-        /// <summary>
-        /// Uses readable WKT if there is any, otherwise GeoTIFF keys: files with both have the keys for programs that cannot
-        /// read WKT.
-        /// </summary>
+        /// <summary>Uses readable WKT if there is any, otherwise GeoTIFF keys: files with both have the keys for programs that
+        /// cannot read WKT.</summary>
         static void ReadCrs(LasVlrTable vlrs, SourceInfo info)
         {
             var record = vlrs.Find(LasVlr.ProjectionUser, LasVlr.WktRecord);

@@ -3,10 +3,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into a
-    /// record of doubles and one of text. What is wrong with them is a warning, since points need no keys.
-    /// </summary>
+    /// <summary>The GeoTIFF keys of a LAS file (GeoTIFF 1.0, sections 2.4 and 6): a directory of 16-bit entries, which point into
+    /// a record of doubles and one of text. What is wrong with them is a warning, since points need no keys.</summary>
     internal static class LasGeoKeys
     {
         const int ModelTypeKey = 1024;

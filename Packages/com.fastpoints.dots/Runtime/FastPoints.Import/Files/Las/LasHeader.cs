@@ -100,9 +100,8 @@ namespace FastPoints.Files
 
         public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
 
-        /// <summary>
-        /// Reads the header. Whatever makes the points unreadable is a failure; everything else is checked later.
-        /// </summary>
+        /// <summary>Reads the header. Whatever makes the points unreadable is a failure; everything else is checked
+        /// later.</summary>
         /// <exception cref="PointCloudException">Truncated, BadInput, or Unsupported for an unknown version or point
         /// format.</exception>
         public static LasHeader Read(FileSource source)

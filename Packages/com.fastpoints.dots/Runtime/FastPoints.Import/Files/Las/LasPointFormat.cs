@@ -3,10 +3,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The eleven point data record formats of LAS 1.0 to 1.5, each composed of the specification's parts: a core, then GPS
-    /// time, colour, near infrared, wave packet.
-    /// </summary>
+    /// <summary>The eleven point data record formats of LAS 1.0 to 1.5, each composed of the specification's parts: a core, then
+    /// GPS time, colour, near infrared, wave packet.</summary>
     internal sealed class LasPointFormat
     {
         /// <summary>Consecutive fields with offsets from their own start.</summary>

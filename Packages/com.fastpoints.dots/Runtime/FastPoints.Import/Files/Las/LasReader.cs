@@ -7,10 +7,8 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a range of
-    /// records whose size suits slices of work, and any part of it costs what it holds.
-    /// </summary>
+    /// <summary>Reads LAS 1.0 to 1.5, point formats 0 to 10, with extra bytes. Records have a fixed length, so a block is a range
+    /// of records whose size suits slices of work, and any part of it costs what it holds.</summary>
     internal sealed class LasReader : PointReader
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
@@ -34,9 +32,7 @@ namespace FastPoints.Files
             BlockCount = (int)blocks;
         }
 
-        /// <summary>
-        /// Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.
-        /// </summary>
+        /// <summary>Reads the header and the records around the points. Warnings are in <see cref="PointReader.Info"/>.</summary>
         /// <returns>A <see cref="LazReader"/> if the points are compressed, a <see cref="CopcReader"/> if they lie in an
         /// octree.</returns>
         /// <exception cref="PointCloudException">The file is not LAS, is cut before its first point, or has an unknown version

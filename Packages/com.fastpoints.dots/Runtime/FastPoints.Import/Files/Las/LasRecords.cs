@@ -1,13 +1,10 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Copies point records to columns and back: one tight strided loop for each copy of a plan. Called by jobs and directly;
-    /// HPC#.
-    /// </summary>
-    /// <remarks>
-    /// Values in a record are not aligned, so they are loaded through pointers, which the machines Unity runs on allow. Several
-    /// copies go over the same records: in tiles, so that a record comes from memory once and from the L1 cache after.
-    /// </remarks>
+    /// <summary>Copies point records to columns and back: one tight strided loop for each copy of a plan. Called by jobs and
+    /// directly; HPC#.</summary>
+    /// <remarks>Values in a record are not aligned, so they are loaded through pointers, which the machines Unity runs on allow.
+    /// Several copies go over the same records: in tiles, so that a record comes from memory once and from the L1 cache
+    /// after.</remarks>
     internal static unsafe class LasRecords
     {
         const int TileBytes = 16 << 10;

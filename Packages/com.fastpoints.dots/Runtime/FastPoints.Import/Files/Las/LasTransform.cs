@@ -11,11 +11,9 @@ namespace FastPoints.Files
 
         static readonly string[] s_axes = { "x", "y", "z" };
 
-        /// <summary>
-        /// Reads the header's transform. An axis whose scale is zero or not finite would lose its points, so it takes the scale
-        /// of another axis (x and y each other's first) or 0.01; an offset that is not finite becomes 0. Each of these is a
-        /// warning. A negative scale is kept: it mirrors, and that is exact.
-        /// </summary>
+        /// <summary>Reads the header's transform. An axis whose scale is zero or not finite would lose its points, so it takes
+        /// the scale of another axis (x and y each other's first) or 0.01; an offset that is not finite becomes 0. Each of these
+        /// is a warning. A negative scale is kept: it mirrors, and that is exact.</summary>
         public static PositionTransform Read(LasHeader header, SourceInfo info)
         {
             var transform = new PositionTransform { Scale = header.Scale, Offset = header.Offset };

@@ -4,10 +4,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The variable length records of a file, before and after the points. Counts and lengths are claims: the walk ends with a
-    /// warning if they exceed the file, and points still load.
-    /// </summary>
+    /// <summary>The variable length records of a file, before and after the points. Counts and lengths are claims: the walk ends
+    /// with a warning if they exceed the file, and points still load.</summary>
     internal sealed class LasVlrTable
     {
         /// <summary>More records than any real file has (390 were met): it bounds the memory that a header can claim.</summary>

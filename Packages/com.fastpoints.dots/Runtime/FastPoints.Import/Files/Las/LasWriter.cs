@@ -9,10 +9,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Writes a LAS file as points come; counts and bounds go into the header at the end. The file has a temporary name until
-    /// <see cref="Complete"/>: if disposed before that, nothing of it stays, and an existing file of that name is unchanged.
-    /// </summary>
+    /// <summary>Writes a LAS file as points come; counts and bounds go into the header at the end. The file has a temporary name
+    /// until <see cref="Complete"/>: if disposed before that, nothing of it stays, and an existing file of that name is
+    /// unchanged.</summary>
     internal sealed unsafe class LasWriter : IDisposable
     {
         const int BufferBytes = 1 << 20;

@@ -6,10 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes a slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file of its
-    /// own. A chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not needed.
-    /// </summary>
+    /// <summary>Decodes a slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file
+    /// of its own. A chain of these decodes a range, chunk after chunk from the file's start, so that the chunk table is not
+    /// needed.</summary>
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
     {
@@ -21,9 +20,8 @@ namespace FastPoints.Files
         /// <summary>The grid of the columns: a file with another scale or offset is placed on it if that is exact.</summary>
         public PositionTransform Transform;
 
-        /// <summary>
-        /// Whether an offset that is not a whole number of steps from the grid's is rounded to the nearest that is.
-        /// </summary>
+        /// <summary>Whether an offset that is not a whole number of steps from the grid's is rounded to the nearest that
+        /// is.</summary>
         public bool RoundsOffset;
 
         /// <summary>The LASzip VLR's list of items, from their number on, as it must be; none for LAS.</summary>

@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes one slice of a chunk: the points after those of the previous slice, first into a tile of records, then to the
-    /// wanted columns. A chain of these decodes a range.
-    /// </summary>
+    /// <summary>Decodes one slice of a chunk: the points after those of the previous slice, first into a tile of records, then to
+    /// the wanted columns. A chain of these decodes a range.</summary>
     [BurstCompile]
     unsafe struct DecodeLazJob : IJob
     {
@@ -143,14 +141,10 @@ namespace FastPoints.Files
         /// <summary>The input, or one of its layers, ended before the requested points.</summary>
         public const int Short = 1;
 
-        /// <summary>
-        /// All points were decoded, but the stream does not end where its chunk does: some of them are noise.
-        /// </summary>
+        /// <summary>All points were decoded, but the stream does not end where its chunk does: some of them are noise.</summary>
         public const int EndMismatch = 2;
 
-        /// <summary>
-        /// All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.
-        /// </summary>
+        /// <summary>All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.</summary>
         public const int GoesOn = 4;
 
         /// <summary>There is no chunk here: neither its count nor its length matches the claims.</summary>

@@ -8,10 +8,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they are, then
-    /// a read that a job has planned), then decodes it in a chain of slices.
-    /// </summary>
+    /// <summary>Reads one range of a block (for a layered chunk only the wanted layers: first the header that says where they
+    /// are, then a read that a job has planned), then decodes it in a chain of slices.</summary>
     sealed unsafe class LazBlockRead : SlotRead
     {
         /// <summary>A slice takes about 4 ms of decoding on one core.</summary>
@@ -19,9 +17,8 @@ namespace FastPoints.Files
 
         const int MaxTileBytes = 64 << 10;
 
-        /// <summary>
-        /// Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes saved.
-        /// </summary>
+        /// <summary>Layered chunks up to this size are read whole: two reads in sequence cost more than the bytes
+        /// saved.</summary>
         const int SmallChunkBytes = 16 << 10;
 
         const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;

@@ -5,11 +5,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A decoder's state somewhere within a chunk, from which decoding can continue. Pages of zeros (unused models) are not
-    /// kept: about 0.3 of 1.4 MB are. It is not in managed memory because a preview keeps a hundred of them, and the editor's
-    /// managed heap never shrinks.
-    /// </summary>
+    /// <summary>A decoder's state somewhere within a chunk, from which decoding can continue. Pages of zeros (unused models) are
+    /// not kept: about 0.3 of 1.4 MB are. It is not in managed memory because a preview keeps a hundred of them, and the editor's
+    /// managed heap never shrinks.</summary>
     sealed unsafe class LazCheckpoint : DecoderState
     {
         const int PageBytes = 4096;

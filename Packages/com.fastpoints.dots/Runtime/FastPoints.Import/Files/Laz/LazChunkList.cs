@@ -3,11 +3,9 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The chunks of a file, in any number. If each begins where the one before ends, as in a chunk table, it takes four bytes
-    /// for a chunk (eight if they do not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of octrees)
-    /// take 24 bytes for a chunk.
-    /// </summary>
+    /// <summary>The chunks of a file, in any number. If each begins where the one before ends, as in a chunk table, it takes four
+    /// bytes for a chunk (eight if they do not hold equal numbers of points) and a sum every 64. Other lists (hierarchies of
+    /// octrees) take 24 bytes for a chunk.</summary>
     internal sealed class LazChunkList
     {
         /// <summary>Chunks between two sums.</summary>
@@ -209,10 +207,8 @@ namespace FastPoints.Files
         /// <summary>Points as the file claims, or as a walk found.</summary>
         public long Points;
 
-        /// <summary>
-        /// No chunk holds more points for its bytes: a model of n symbols never makes one of them cheaper than about
-        /// 1.44 * (n - 1) / 32768 bits, and a point takes at least the symbols of its mask and coordinates: 0.007 bits.
-        /// </summary>
+        /// <summary>No chunk holds more points for its bytes: a model of n symbols never makes one of them cheaper than about
+        /// 1.44 * (n - 1) / 32768 bits, and a point takes at least the symbols of its mask and coordinates: 0.007 bits.</summary>
         public const int MaxPointsPerByte = 2000;
 
         /// <summary>The most points in <paramref name="bytes"/> bytes of a chunk.</summary>

@@ -8,11 +8,9 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A file whose points lie in LAZ chunks, wherever these are listed: in a chunk table (<see cref="LazReader"/>) or in the
-    /// hierarchy of an octree (<see cref="CopcReader"/>). A block is a chunk, or a part of one that is too long; any of them
-    /// can be decoded on its own, and its first points without the rest.
-    /// </summary>
+    /// <summary>A file whose points lie in LAZ chunks, wherever these are listed: in a chunk table (<see cref="LazReader"/>) or
+    /// in the hierarchy of an octree (<see cref="CopcReader"/>). A block is a chunk, or a part of one that is too long; any of
+    /// them can be decoded on its own, and its first points without the rest.</summary>
     internal abstract class LazChunkReader : PointReader
     {
         /// <summary>Chunks up to this size are one block, unless their records are long.</summary>
@@ -152,16 +150,14 @@ namespace FastPoints.Files
             return m_maxInputBytes = most;
         }
 
-        /// <summary>
-        /// The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to be.
-        /// </summary>
+        /// <summary>The most bytes that this many points of a chunk take: no more is read, however long the chunk claims to
+        /// be.</summary>
         internal long MaxInputBytes(long points) => Format.IsLayered
             ? LazLayer.MaxInputBytes(Format.Layers, Format.RecordBytes, points)
             : PointwiseChunk.MaxInputBytes(Format.Items, Format.RecordBytes, points);
 
-        /// <summary>
-        /// Warns about a block that gave fewer points than it has, or did not end where it should, once for each block.
-        /// </summary>
+        /// <summary>Warns about a block that gave fewer points than it has, or did not end where it should, once for each
+        /// block.</summary>
         internal void WarnBroken(BlockRange range, DecodeResult result)
         {
             if (!m_toldBlocks.Add(range.Block))

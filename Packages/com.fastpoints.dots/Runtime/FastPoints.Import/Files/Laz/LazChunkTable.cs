@@ -5,10 +5,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in it
-    /// is a claim and is held against the file's size; a table that contradicts itself counts as missing.
-    /// </summary>
+    /// <summary>Where the chunks lie: the table behind them, whose place the first eight bytes of the points name. Everything in
+    /// it is a claim and is held against the file's size; a table that contradicts itself counts as missing.</summary>
     /// <remarks><code>
     /// uint version (0), uint chunks, then range-coded for each chunk: its points (if chunks vary), its bytes
     /// </code>
@@ -56,10 +54,8 @@ namespace FastPoints.Files
         /// <summary>Chunks in the file's order.</summary>
         public LazChunkList Chunks { get; } = new LazChunkList();
 
-        /// <summary>
-        /// Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must be
-        /// searched for from <see cref="EndOfKnown"/>.
-        /// </summary>
+        /// <summary>Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must
+        /// be searched for from <see cref="EndOfKnown"/>.</summary>
         public bool IsLost { get; private set; }
 
         /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>

@@ -6,9 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range goes.
-    /// </summary>
+    /// <summary>Decodes whole LAS or LAZ files of one kind from memory, one at a time: in a chain of slices as far as a range
+    /// goes.</summary>
     sealed unsafe class LazFileDecoding : IDisposable
     {
         /// <summary>A slice takes about 4 ms of decoding on one core.</summary>

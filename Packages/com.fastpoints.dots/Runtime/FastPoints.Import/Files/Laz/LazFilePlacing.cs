@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// How a LAZ file's whole numbers are converted to another scale and offset: exactly, to the nearest whole number of steps
-    /// if allowed, or not at all.
-    /// </summary>
+    /// <summary>How a LAZ file's whole numbers are converted to another scale and offset: exactly, to the nearest whole number of
+    /// steps if allowed, or not at all.</summary>
     unsafe struct LazFilePlacing
     {
         /// <summary>Whether scale and offset are the same, so that there is nothing to do.</summary>

@@ -155,9 +155,8 @@ namespace FastPoints.Files
             return item;
         }
 
-        /// <summary>
-        /// Checks that the items are those of the point format, in the record's order, and as long as the record.
-        /// </summary>
+        /// <summary>Checks that the items are those of the point format, in the record's order, and as long as the
+        /// record.</summary>
         static void CheckItems(LazFormat format, LasFile las, long at)
         {
             var got = new List<string>();

@@ -4,15 +4,12 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's chunks;
-    /// any of them can be decoded on its own, and its first points without the rest.
-    /// </summary>
-    /// <remarks>
-    /// A chunk of more than <see cref="MaxBlockPoints"/> points becomes several blocks. In a pointwise chunk each block starts
-    /// from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk once.
-    /// In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by default).
-    /// </remarks>
+    /// <summary>Reads LAZ: what LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. Blocks are the file's
+    /// chunks; any of them can be decoded on its own, and its first points without the rest.</summary>
+    /// <remarks>A chunk of more than <see cref="MaxBlockPoints"/> points becomes several blocks. In a pointwise chunk each block
+    /// starts from a checkpoint, a copy of the decoder's state there, which <see cref="FindBlocks"/> takes by decoding the chunk
+    /// once. In a layered chunk each block decodes from the chunk's start (no writer makes such long chunks by
+    /// default).</remarks>
     internal sealed class LazReader : LazChunkReader
     {
         const int MaxPrefixPoints = 1 << 18;
@@ -30,9 +27,8 @@ namespace FastPoints.Files
                 MakeBlocks(null);
         }
 
-        /// <summary>
-        /// Reads the header, the LASzip VLR and the chunk table. Warnings are in <see cref="PointReader.Info"/>.
-        /// </summary>
+        /// <summary>Reads the header, the LASzip VLR and the chunk table. Warnings are in
+        /// <see cref="PointReader.Info"/>.</summary>
         /// <param name="longChunkPoints">The most points of a chunk that is one block.</param>
         /// <exception cref="PointCloudException">The points cannot be located, or are coded in an unknown way.</exception>
         public static PointReader Open(LasFile las, FileSource source, int longChunkPoints = MaxBlockPoints)
@@ -52,10 +48,8 @@ namespace FastPoints.Files
         /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
         public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
 
-        /// <summary>
-        /// Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are searched up
-        /// to as many points: about 50 ms of decoding.
-        /// </summary>
+        /// <summary>Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are
+        /// searched up to as many points: about 50 ms of decoding.</summary>
         internal int PrefixPoints => Math.Min(LongChunkPoints, MaxPrefixPoints);
 
         public override IEnumerator<Work> FindPrefixes()
@@ -161,10 +155,8 @@ namespace FastPoints.Files
             CheckBounds();
         }
 
-        /// <summary>
-        /// Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an earlier
-        /// one.
-        /// </summary>
+        /// <summary>Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an
+        /// earlier one.</summary>
         void AddPartsByCheckpoints(int c, BlockRange checkpoints)
         {
             var chunk = Chunks[c];

@@ -4,13 +4,10 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Searches for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that are too
-    /// long for one block: in one pass over the file and in bounded memory.
-    /// </summary>
-    /// <remarks>
-    /// Layered chunks say how long they are. Pointwise ones do not: they are decoded, and the next begins where one ends.
-    /// </remarks>
+    /// <summary>Searches for the chunks of a file whose chunk table is lost, and takes checkpoints within pointwise chunks that
+    /// are too long for one block: in one pass over the file and in bounded memory.</summary>
+    /// <remarks>Layered chunks say how long they are. Pointwise ones do not: they are decoded, and the next begins where one
+    /// ends.</remarks>
     sealed class LazWalk
     {
         const int SlicePoints = 16384;
@@ -24,10 +21,8 @@ namespace FastPoints.Files
         readonly List<LazCheckpoint> m_checkpoints;
         readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();
 
-        /// <summary>
-        /// Points between checkpoints, which are those of a block: a quarter of the limit for a whole chunk, since a block's
-        /// points and its input lie in memory for each slot.
-        /// </summary>
+        /// <summary>Points between checkpoints, which are those of a block: a quarter of the limit for a whole chunk, since a
+        /// block's points and its input lie in memory for each slot.</summary>
         readonly int m_checkpointPoints;
 
         public LazWalk(LazReader reader, FileSource source, List<LazCheckpoint> checkpoints)
@@ -57,10 +52,9 @@ namespace FastPoints.Files
             return isTableLost ? WalkStreams(chunks, false) : WalkLongChunks(chunks);
         }
 
-        /// <summary>
-        /// For a pointwise file without a table, adds the first chunks, with <see cref="LazReader.PrefixPoints"/> points or a
-        /// little more. A chunk that is too long for a block is assumed to have the maximum length, and not walked.
-        /// </summary>
+        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="LazReader.PrefixPoints"/> points
+        /// or a little more. A chunk that is too long for a block is assumed to have the maximum length, and not
+        /// walked.</summary>
         public IEnumerator<Work> WalkPrefix(LazChunkList chunks)
         {
             ulong claimed = m_reader.Info.PointsClaimed;
@@ -144,10 +138,8 @@ namespace FastPoints.Files
                 Warn(chunks);
         }
 
-        /// <summary>
-        /// Whether what follows here is the chunk table, whose offset was lost, or nothing but zeros, as in a file that was
-        /// allocated long before it was written. A decoder would make points of both.
-        /// </summary>
+        /// <summary>Whether what follows here is the chunk table, whose offset was lost, or nothing but zeros, as in a file that
+        /// was allocated long before it was written. A decoder would make points of both.</summary>
         bool IsNoChunk(long at, int chunks)
         {
             const int TableHeaderBytes = 8;
@@ -206,10 +198,8 @@ namespace FastPoints.Files
                 m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 
-        /// <summary>
-        /// Remembers the chunk's checkpoints, and drops the state of every second one while all of them exceed the memory
-        /// limit.
-        /// </summary>
+        /// <summary>Remembers the chunk's checkpoints, and drops the state of every second one while all of them exceed the
+        /// memory limit.</summary>
         void CloseChunk(int chunk, int firstCheckpoint)
         {
             int count = m_checkpoints.Count - firstCheckpoint;

@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Plans, from the header of a layered chunk, the reads that bring its wanted layers behind the header, packed as <see
-    /// cref="LayeredChunk.Start"/> expects them: neighbours in one read, and of each no more than the points take.
-    /// </summary>
+    /// <summary>Plans, from the header of a layered chunk, the reads that bring its wanted layers behind the header, packed as
+    /// <see cref="LayeredChunk.Start"/> expects them: neighbours in one read, and of each no more than the points take.</summary>
     [BurstCompile]
     internal unsafe struct PlanLazReadsJob : IJob
     {
@@ -19,9 +17,8 @@ namespace FastPoints.Files
         /// <summary>For each layer, the most bytes that a point takes; 0 for one that is not wanted.</summary>
         [ReadOnly] public NativeArray<int> BytesPerPoint;
 
-        /// <summary>
-        /// Receives the reads: at most one for each wanted layer, or one of a single byte if there is nothing to read.
-        /// </summary>
+        /// <summary>Receives the reads: at most one for each wanted layer, or one of a single byte if there is nothing to
+        /// read.</summary>
         public NativeArray<ReadCommand> Commands;
 
         /// <summary>One value, whose count is set.</summary>

@@ -24,10 +24,8 @@ namespace FastPoints.Files
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        /// <summary>
-        /// The input from where the state's stream has been consumed up to, with <see cref="RangeCode.PaddingBytes"/> behind
-        /// <see cref="InputEnd"/>.
-        /// </summary>
+        /// <summary>The input from where the state's stream has been consumed up to, with <see cref="RangeCode.PaddingBytes"/>
+        /// behind <see cref="InputEnd"/>.</summary>
         [ReadOnly] public NativeArray<byte> Input;
 
         public NativeArray<byte> State;
@@ -36,9 +34,8 @@ namespace FastPoints.Files
         public int InputStart;
         public int InputEnd;
 
-        /// <summary>
-        /// Whether the input continues behind its end, so that no point may be decoded that might not be complete.
-        /// </summary>
+        /// <summary>Whether the input continues behind its end, so that no point may be decoded that might not be
+        /// complete.</summary>
         public bool HasMore;
 
         public int TilePoints;

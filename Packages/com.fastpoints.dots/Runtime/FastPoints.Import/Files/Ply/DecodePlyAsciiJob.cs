@@ -7,16 +7,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes lines of text into columns. A line that lacks a value or has an invalid one ends the block there; unwanted
-    /// values are skipped unread.
-    /// </summary>
+    /// <summary>Decodes lines of text into columns. A line that lacks a value or has an invalid one ends the block there;
+    /// unwanted values are skipped unread.</summary>
     [BurstCompile]
     unsafe struct DecodePlyAsciiJob : IJob
     {
-        /// <summary>
-        /// Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's end.
-        /// </summary>
+        /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's
+        /// end.</summary>
         public NativeArray<byte> Input;
         public long InputOffset;
         public int InputBytes;

@@ -6,14 +6,10 @@ using Unity.Collections;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over several
-    /// lines, or several in one line, are not supported (nor are they by the usual readers).
-    /// </summary>
-    /// <remarks>
-    /// A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines once. A
-    /// range reads its whole block; decoding stops at the range's end.
-    /// </remarks>
+    /// <summary>An ascii PLY file: a vertex is a line. Lines end in LF, CR or CR LF, and blank lines do not count. Vertices over
+    /// several lines, or several in one line, are not supported (nor are they by the usual readers).</summary>
+    /// <remarks>A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
+    /// once. A range reads its whole block; decoding stops at the range's end.</remarks>
     sealed class PlyAsciiReader : PlyReader
     {
         public const int MaxBlockBytes = 1 << 20;
@@ -48,9 +44,8 @@ namespace FastPoints.Files
 
         public override bool BlocksAreKnown => m_areAllFound;
 
-        /// <summary>
-        /// Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look alike.
-        /// </summary>
+        /// <summary>Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look
+        /// alike.</summary>
         public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
             && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
 

@@ -2,10 +2,8 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// One to three values of equal width that lie side by side in a record (x, y, z; red, green, blue), to be copied into their
-    /// columns in one pass. Blittable: jobs carry arrays of these.
-    /// </summary>
+    /// <summary>One to three values of equal width that lie side by side in a record (x, y, z; red, green, blue), to be copied
+    /// into their columns in one pass. Blittable: jobs carry arrays of these.</summary>
     struct PlyCopy
     {
         public int SourceBytes;

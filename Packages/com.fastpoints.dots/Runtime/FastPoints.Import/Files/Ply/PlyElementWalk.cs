@@ -5,10 +5,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of the file
-    /// at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at all.
-    /// </summary>
+    /// <summary>Walks through a binary file's elements up to its vertices, and through these if they have lists: one window of
+    /// the file at a time, each as one job. Windows that lie within a list or an element of fixed length are not read at
+    /// all.</summary>
     sealed class PlyElementWalk : IDisposable
     {
         const int WindowBytes = 4 << 20;

@@ -6,12 +6,9 @@ using Unity.Collections;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A binary PLY file whose vertices have no lists: records of one length, any of which can be read alone.
-    /// </summary>
-    /// <remarks>
-    /// If an element before the vertices has lists, finding their first byte takes a walk through that element.
-    /// </remarks>
+    /// <summary>A binary PLY file whose vertices have no lists: records of one length, any of which can be read alone.</summary>
+    /// <remarks>If an element before the vertices has lists, finding their first byte takes a walk through that
+    /// element.</remarks>
     sealed class PlyFixedReader : PlyReader
     {
         const int MaxBlockPoints = 32768;

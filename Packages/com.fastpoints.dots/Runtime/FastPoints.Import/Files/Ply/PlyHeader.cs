@@ -2,9 +2,8 @@ using System.Collections.Generic;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The declarations of a PLY header: encoding, elements in the file's order, remarks, and where the data starts.
-    /// </summary>
+    /// <summary>The declarations of a PLY header: encoding, elements in the file's order, remarks, and where the data
+    /// starts.</summary>
     internal sealed class PlyHeader
     {
         public PlyEncoding Encoding;

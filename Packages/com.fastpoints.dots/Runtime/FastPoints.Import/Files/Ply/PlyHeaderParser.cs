@@ -7,10 +7,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks. Anything
-    /// unknown is refused: a property that is left out would shift all that follows it.
-    /// </summary>
+    /// <summary>Reads a PLY header from its bytes. Lines end in LF, CR or CR LF, even mixed; words are separated by any blanks.
+    /// Anything unknown is refused: a property that is left out would shift all that follows it.</summary>
     internal sealed class PlyHeaderParser
     {
         /// <summary>A header longer than this is refused.</summary>
@@ -96,11 +94,9 @@ namespace FastPoints.Files
             }
         }
 
-        /// <remarks>
-        /// CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the first
-        /// byte of the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before
-        /// (assimp's cube_binary_header_with_RN_newline.ply has LF everywhere else).
-        /// </remarks>
+        /// <remarks>CR LF is one line end. Where the lines before end in a bare CR, so does end_header: a LF behind it is the
+        /// first byte of the data. In all other files CR LF after end_header is two bytes, whatever ends the lines before
+        /// (assimp's cube_binary_header_with_RN_newline.ply has LF everywhere else).</remarks>
         int AfterLineEnd(int end, bool isEndHeader)
         {
             if (end >= m_length)

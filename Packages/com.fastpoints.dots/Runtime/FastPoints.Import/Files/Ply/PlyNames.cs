@@ -4,9 +4,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Maps the names that PLY writers give their vertex properties to the names that mean the same in every format.
-    /// </summary>
+    /// <summary>Maps the names that PLY writers give their vertex properties to the names that mean the same in every
+    /// format.</summary>
     /// <remarks>Case is ignored. All others keep the name in the file.</remarks>
     internal static class PlyNames
     {

@@ -4,9 +4,7 @@ using Unity.Collections;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The common base of the slots of all PLY readers: the batch, one read, and how a range begins and ends.
-    /// </summary>
+    /// <summary>The common base of the slots of all PLY readers: the batch, one read, and how a range begins and ends.</summary>
     abstract class PlyRead : SlotRead
     {
         readonly PlyReader m_reader;

@@ -6,14 +6,10 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads the vertices of a PLY file, ascii or binary, as points: each scalar property is an attribute of its own type,
-    /// under its usual name (<see cref="PlyNames"/>) or the file's. Lists and all other elements are skipped.
-    /// </summary>
-    /// <remarks>
-    /// If a file breaks off or has a bad value, the points before it are read and a warning says where. A file that claims
-    /// vertices but has no readable ones is refused. Coordinates that are not finite are kept.
-    /// </remarks>
+    /// <summary>Reads the vertices of a PLY file, ascii or binary, as points: each scalar property is an attribute of its own
+    /// type, under its usual name (<see cref="PlyNames"/>) or the file's. Lists and all other elements are skipped.</summary>
+    /// <remarks>If a file breaks off or has a bad value, the points before it are read and a warning says where. A file that
+    /// claims vertices but has no readable ones is refused. Coordinates that are not finite are kept.</remarks>
     internal abstract class PlyReader : PointReader
     {
         const int FirstHeaderBytes = 16 << 10;

@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Copies binary PLY records to columns. Every value's bytes are kept, and reversed if the file is big-endian. Called by
-    /// jobs; HPC#.
-    /// </summary>
+    /// <summary>Copies binary PLY records to columns. Every value's bytes are kept, and reversed if the file is big-endian.
+    /// Called by jobs; HPC#.</summary>
     static unsafe class PlyRecords
     {
         /// <summary>Records that go through all copies before the next ones do: they stay in the first-level cache.</summary>

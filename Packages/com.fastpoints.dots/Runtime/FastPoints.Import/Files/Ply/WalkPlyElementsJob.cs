@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Steps through elements with lists as far as one stretch of the file reaches, reading only the lists' counts, and records
-    /// a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.
-    /// </summary>
+    /// <summary>Steps through elements with lists as far as one stretch of the file reaches, reading only the lists' counts, and
+    /// records a block for every <see cref="MaxBlockPoints"/> points or <see cref="MaxBlockBytes"/>.</summary>
     [BurstCompile]
     unsafe struct WalkPlyElementsJob : IJob
     {

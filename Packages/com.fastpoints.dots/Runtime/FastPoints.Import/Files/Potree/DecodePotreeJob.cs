@@ -6,9 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decodes a slice of a node's records to columns, and moves positions from the node's corner to the cloud's.
-    /// </summary>
+    /// <summary>Decodes a slice of a node's records to columns, and moves positions from the node's corner to the
+    /// cloud's.</summary>
     [BurstCompile]
     unsafe struct DecodePotreeJob : IJob
     {

@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Locates the files of a Potree 1 cloud: <c>r.bin</c> and the others side by side (1.4), or <c>r/r.bin</c> with a folder
-    /// for each page of the hierarchy below it (from 1.5 on): <c>r/01234/r01234.hrc</c>.
-    /// </summary>
+    /// <summary>Locates the files of a Potree 1 cloud: <c>r.bin</c> and the others side by side (1.4), or <c>r/r.bin</c> with a
+    /// folder for each page of the hierarchy below it (from 1.5 on): <c>r/01234/r01234.hrc</c>.</summary>
     sealed class Potree1Files
     {
         static readonly string[] s_extensions = { ".bin", ".las", ".laz", ".hrc" };
@@ -29,10 +27,8 @@ namespace FastPoints.Files
         /// <summary>Full path of the folder with the root's files.</summary>
         public string Folder => m_folder;
 
-        /// <summary>
-        /// Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there, since
-        /// clouds are moved and renamed.
-        /// </summary>
+        /// <summary>Finds the root's files: in the folder that cloud.js names, or else beside cloud.js or in a folder there,
+        /// since clouds are moved and renamed.</summary>
         /// <exception cref="PointCloudException">They were not found.</exception>
         public static Potree1Files Find(Potree1Index index)
         {
@@ -98,9 +94,8 @@ namespace FastPoints.Files
             return false;
         }
 
-        /// <summary>
-        /// Combines paths. An octreeDir may be anything, even an address on the web, which is not a folder here.
-        /// </summary>
+        /// <summary>Combines paths. An octreeDir may be anything, even an address on the web, which is not a folder
+        /// here.</summary>
         static string Combine(string home, string folder)
         {
             try

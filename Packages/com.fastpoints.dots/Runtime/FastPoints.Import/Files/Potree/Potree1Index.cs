@@ -39,9 +39,8 @@ namespace FastPoints.Files
         /// <summary>The format of nodes in files of their own: "LAS" or "LAZ"; null for BIN.</summary>
         public string NodeFormat { get; private set; }
 
-        /// <summary>
-        /// Attributes of BIN nodes in their order; null stands for one with an unknown name, and so unknown length.
-        /// </summary>
+        /// <summary>Attributes of BIN nodes in their order; null stands for one with an unknown name, and so unknown
+        /// length.</summary>
         public List<PotreeAttribute> Attributes { get; } = new List<PotreeAttribute>();
 
         public string UnknownAttribute { get; private set; }

@@ -9,9 +9,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc files.
-    /// </summary>
+    /// <summary>Reads Potree 1.4 to 1.8: cloud.js, a file a node (BIN, LAS or LAZ), and the hierarchy in cloud.js or in .hrc
+    /// files.</summary>
     /// <remarks>
     /// An .hrc file holds the levels below a node, breadth first, as far as hierarchyStepSize levels down, 5 bytes a node: child
     /// mask, points (u32). The first record repeats the node itself. What a node's file holds wins over that count: converters

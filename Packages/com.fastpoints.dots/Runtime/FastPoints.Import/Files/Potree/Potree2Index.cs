@@ -68,9 +68,8 @@ namespace FastPoints.Files
             return attributes;
         }
 
-        /// <summary>
-        /// Tightens the bounds: the position's range is that of the points, the bounding box is the cube around them.
-        /// </summary>
+        /// <summary>Tightens the bounds: the position's range is that of the points, the bounding box is the cube around
+        /// them.</summary>
         static void TightenBounds(BoundsGeo range, SourceInfo info)
         {
             var step = info.Transform.Scale;

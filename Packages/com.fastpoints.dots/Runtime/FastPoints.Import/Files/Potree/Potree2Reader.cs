@@ -11,9 +11,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads Potree 2: metadata.json, with hierarchy.bin and octree.bin beside it, encodings DEFAULT and BROTLI.
-    /// </summary>
+    /// <summary>Reads Potree 2: metadata.json, with hierarchy.bin and octree.bin beside it, encodings DEFAULT and
+    /// BROTLI.</summary>
     /// <remarks>
     /// hierarchy.bin is a sequence of 22-byte records in pages; a page holds some levels below its root, breadth first:
     /// <code>
@@ -33,9 +32,7 @@ namespace FastPoints.Files
         /// <summary>Records that are read together.</summary>
         const int StepRecords = 4096;
 
-        /// <summary>
-        /// More points than Brotli packs into a byte, even equal ones: 20,000 equal points take some 60 bytes.
-        /// </summary>
+        /// <summary>More points than Brotli packs into a byte, even equal ones: 20,000 equal points take some 60 bytes.</summary>
         const int MaxPointsPerByte = 1000;
 
         /// <summary>Limit of a node's Brotli stream, which a slot holds whole.</summary>
@@ -111,10 +108,8 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
-        /// <summary>
-        /// The handle, opened when a block is read: on the main thread, like all handles, since threads of the pool open
-        /// readers.
-        /// </summary>
+        /// <summary>The handle, opened when a block is read: on the main thread, like all handles, since threads of the pool open
+        /// readers.</summary>
         ref readonly FileHandle Octree
         {
             get

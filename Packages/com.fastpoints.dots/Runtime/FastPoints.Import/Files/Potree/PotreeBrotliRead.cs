@@ -8,10 +8,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot for nodes of Potree 2 in encoding BROTLI: one stream of all values of the first attribute, then all of the second,
-    /// and so on. It is decompressed and spread over the columns tile by tile, as far as the last wanted attribute.
-    /// </summary>
+    /// <summary>A slot for nodes of Potree 2 in encoding BROTLI: one stream of all values of the first attribute, then all of the
+    /// second, and so on. It is decompressed and spread over the columns tile by tile, as far as the last wanted
+    /// attribute.</summary>
     sealed class PotreeBrotliRead : PotreeRead
     {
         /// <summary>A tile takes about a millisecond of Brotli.</summary>
@@ -144,10 +143,8 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>
-    /// Reports how decoding a compressed range ended: with all of its points or none, since the values of one point are spread
-    /// over the whole stream.
-    /// </summary>
+    /// <summary>Reports how decoding a compressed range ended: with all of its points or none, since the values of one point are
+    /// spread over the whole stream.</summary>
     [BurstCompile]
     struct EndPotreeJob : IJob
     {

@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot for nodes that are LAS or LAZ files: it reads the whole file, then decodes it to the cloud's grid in a chain of
-    /// slices as far as the range goes.
-    /// </summary>
+    /// <summary>A slot for nodes that are LAS or LAZ files: it reads the whole file, then decodes it to the cloud's grid in a
+    /// chain of slices as far as the range goes.</summary>
     sealed class PotreeLasRead : SlotRead
     {
         readonly Potree1Reader m_reader;

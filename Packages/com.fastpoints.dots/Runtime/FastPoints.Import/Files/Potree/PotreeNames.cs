@@ -2,9 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Names of nodes: <c>r</c>, then a digit a level: <c>4 x + 2 y + z</c>, each 0 for the lower half of the axis.
-    /// </summary>
+    /// <summary>Names of nodes: <c>r</c>, then a digit a level: <c>4 x + 2 y + z</c>, each 0 for the lower half of the
+    /// axis.</summary>
     internal static class PotreeNames
     {
         /// <summary>The name of a node.</summary>

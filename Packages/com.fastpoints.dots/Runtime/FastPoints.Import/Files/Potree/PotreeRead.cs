@@ -7,9 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The common base of the slots for Potree's own encodings: the batch, one read, and how a range begins and ends.
-    /// </summary>
+    /// <summary>The common base of the slots for Potree's own encodings: the batch, one read, and how a range begins and
+    /// ends.</summary>
     abstract class PotreeRead : SlotRead
     {
         protected PotreeRead(PotreeNodeReader reader, PointSchema wanted, int capacity, long inputBytes, Allocator allocator)

@@ -7,15 +7,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by page as
-    /// far as levels are requested.
-    /// </summary>
-    /// <remarks>
-    /// A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has an
-    /// entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
-    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.
-    /// </remarks>
+    /// <summary>Reads the octrees of PotreeConverter, 1.4 to 1.8 and 2.x. Blocks are nodes, and the hierarchy is read page by
+    /// page as far as levels are requested.</summary>
+    /// <remarks>A node with more points than a slot should hold becomes several blocks if its records allow it; the tree then has
+    /// an entry for each, with the same cell. A hierarchy's claims are checked against the existing files: missing or short ones
+    /// are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.</remarks>
     internal abstract class PotreeReader : PointReader
     {
         /// <summary>Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.</summary>
@@ -30,9 +26,8 @@ namespace FastPoints.Files
         /// <summary>The most points of a node that cannot be cut.</summary>
         internal const int MaxNodePoints = 1 << 22;
 
-        /// <summary>
-        /// The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
-        /// </summary>
+        /// <summary>The most bytes in the columns of a node that cannot be cut: it bounds a slot, whatever a file
+        /// claims.</summary>
         internal const int MaxNodeBytes = 1 << 27;
 
         /// <summary>The most bytes in the records of a block that can be cut.</summary>
@@ -92,10 +87,8 @@ namespace FastPoints.Files
                 Info.PointsClaimed = (ulong)PointsClaimed;
         }
 
-        /// <summary>
-        /// Work for a pump, which can be abandoned and begun again for another node: reads the parts of the hierarchy that the
-        /// first levels need for a node and what is below it. Steps take some milliseconds at most.
-        /// </summary>
+        /// <summary>Work for a pump, which can be abandoned and begun again for another node: reads the parts of the hierarchy
+        /// that the first levels need for a node and what is below it. Steps take some milliseconds at most.</summary>
         private protected abstract IEnumerator<Work> ReadPages(int4 node, int levels);
 
         /// <summary>Adds a node and its block.</summary>

@@ -61,10 +61,8 @@ namespace FastPoints.Files
     /// <summary>Decodes Potree's unit vectors from two bytes. HPC#.</summary>
     internal static class PotreeNormals
     {
-        /// <summary>
-        /// Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of what was
-        /// packed, except for z near -1, where the map has its seam.
-        /// </summary>
+        /// <summary>Pranckevičius, "Compact normal storage for small G-buffers", method 4 (spheremap transform): within 0.02 of
+        /// what was packed, except for z near -1, where the map has its seam.</summary>
         public static float3 FromSphereMap(byte bx, byte by)
         {
             float x = bx * (2f / 255f) - 1, y = by * (2f / 255f) - 1;

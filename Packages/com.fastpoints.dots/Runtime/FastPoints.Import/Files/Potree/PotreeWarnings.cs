@@ -3,9 +3,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Anomalies that any of a tree's nodes may have: the first few of a kind are reported one by one, the others as a count.
-    /// </summary>
+    /// <summary>Anomalies that any of a tree's nodes may have: the first few of a kind are reported one by one, the others as a
+    /// count.</summary>
     sealed class PotreeWarnings
     {
         const int MostTold = 3;

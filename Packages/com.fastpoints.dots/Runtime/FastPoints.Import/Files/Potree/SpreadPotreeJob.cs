@@ -50,10 +50,8 @@ namespace FastPoints.Files
                 Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
         }
 
-        /// <summary>
-        /// Spreads positions. PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion sets to
-        /// -1 for good: all values are one step too high compared with encoding DEFAULT, so one is subtracted.
-        /// </summary>
+        /// <summary>Spreads positions. PotreeConverter subtracts the node's lowest coordinate, which an overflowing conversion
+        /// sets to -1 for good: all values are one step too high compared with encoding DEFAULT, so one is subtracted.</summary>
         void SpreadPositions(ulong* codes, byte* columns)
         {
             int* x = (int*)(columns + Special.Position.x) + First;

@@ -7,11 +7,9 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Counts the lines of a text file up to the last point's, several stretches at a time, and records which stretches have
-    /// points. A stretch's count does not depend on earlier ones; whether it starts within a line does, and is settled here, in
-    /// order.
-    /// </summary>
+    /// <summary>Counts the lines of a text file up to the last point's, several stretches at a time, and records which stretches
+    /// have points. A stretch's count does not depend on earlier ones; whether it starts within a line does, and is settled here,
+    /// in order.</summary>
     sealed class AsciiRowScan : IDisposable
     {
         sealed class Slot

@@ -7,17 +7,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one stretch at a
-    /// hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
-    /// and some can be read before others: the cost depends only on how many are wanted.
-    /// </summary>
-    /// <remarks>
-    /// Bytes are not points: fewer long lines than short ones start in a stretch. Each line nevertheless has the same chance:
-    /// one that starts at byte b is found by the stretches that begin at most at b - 1 and end behind b, and there are as many
-    /// of these for a long line as for a short one, whatever precedes it. This is only fair with all lines of a stretch; a
-    /// fixed number of each would prefer lines among long ones.
-    /// </remarks>
+    /// <summary>Finds lines by jumping into a text file: in each of <see cref="Count"/> equal parts of its bytes, one stretch at
+    /// a hashed place, from its first line end on. The parts come in an order of which every beginning is spread over the file,
+    /// and some can be read before others: the cost depends only on how many are wanted.</summary>
+    /// <remarks>Bytes are not points: fewer long lines than short ones start in a stretch. Each line nevertheless has the same
+    /// chance: one that starts at byte b is found by the stretches that begin at most at b - 1 and end behind b, and there are as
+    /// many of these for a long line as for a short one, whatever precedes it. This is only fair with all lines of a stretch; a
+    /// fixed number of each would prefer lines among long ones.</remarks>
     sealed class AsciiStretches
     {
         public const int Count = 2048;
@@ -54,10 +50,8 @@ namespace FastPoints.Files
         /// <summary>Stretches with lines, and all that start in each, in the order in which they were found.</summary>
         public PlyBlock[] Blocks => m_blocks.ToArray();
 
-        /// <summary>
-        /// Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
-        /// stretches, since each part has a single stretch (Wolter, "Introduction to variance estimation", 2007, 8.2).
-        /// </summary>
+        /// <summary>Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
+        /// stretches, since each part has a single stretch (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
         public PointEstimate Estimate
         {
             get

@@ -5,10 +5,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// One slot of a reader: at most one range in flight. <see cref="Begin"/> starts the read and schedules the decoding behind
-    /// it; jobs of the caller may depend on <see cref="Decoded"/>; <see cref="Complete"/> ends it on the main thread.
-    /// </summary>
+    /// <summary>One slot of a reader: at most one range in flight. <see cref="Begin"/> starts the read and schedules the decoding
+    /// behind it; jobs of the caller may depend on <see cref="Decoded"/>; <see cref="Complete"/> ends it on the main
+    /// thread.</summary>
     /// <remarks>A slot's reader decides on its memory, which is reused from range to range without allocation.</remarks>
     public abstract class BlockRead : IDisposable
     {
@@ -30,15 +29,12 @@ namespace FastPoints.Files
         /// <summary>Starts reading; the slot must be idle. Main thread only; returns at once.</summary>
         public abstract void Begin(BlockRange range);
 
-        /// <summary>
-        /// Requests <see cref="KeepState"/>, before the first range. False if the format has no state to continue from, or any
-        /// range costs only what it holds.
-        /// </summary>
+        /// <summary>Requests <see cref="KeepState"/>, before the first range. False if the format has no state to continue from,
+        /// or any range costs only what it holds.</summary>
         public virtual bool TryKeepStates() => false;
 
-        /// <summary>
-        /// The decoding state after the last completed range, which must have been complete: for the next range of its block.
-        /// </summary>
+        /// <summary>The decoding state after the last completed range, which must have been complete: for the next range of its
+        /// block.</summary>
         /// <param name="reused">A state that is no longer needed, whose memory it may take; or null.</param>
         internal virtual DecoderState KeepState(DecoderState reused) => throw new NotSupportedException();
 
@@ -46,9 +42,8 @@ namespace FastPoints.Files
         /// <param name="from">The state, which the caller still owns; null if none was kept.</param>
         internal virtual void Begin(BlockRange range, DecoderState from) => throw new NotSupportedException();
 
-        /// <summary>
-        /// Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the range.
-        /// </summary>
+        /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
+        /// range.</summary>
         /// <exception cref="Base.PointCloudException">The read or the decoding failed.</exception>
         public abstract void Complete();
 
@@ -74,9 +69,8 @@ namespace FastPoints.Files
         }
     }
 
-    /// <summary>
-    /// How the decoding of one range ended. The decoding job writes it; the main thread turns it into an exception.
-    /// </summary>
+    /// <summary>How the decoding of one range ended. The decoding job writes it; the main thread turns it into an
+    /// exception.</summary>
     public struct DecodeResult
     {
         /// <summary>Points in the batch; fewer than requested if the input broke off.</summary>
@@ -89,11 +83,9 @@ namespace FastPoints.Files
         public long ErrorOffset;
     }
 
-    /// <summary>
-    /// The state of decoding a block, from which decoding can continue without the block's beginning: see <see
-    /// cref="BlockRead.KeepState"/>. Any slot with the same reader and attributes may continue from it. The code that requested
-    /// it disposes it.
-    /// </summary>
+    /// <summary>The state of decoding a block, from which decoding can continue without the block's beginning: see
+    /// <see cref="BlockRead.KeepState"/>. Any slot with the same reader and attributes may continue from it. The code that
+    /// requested it disposes it.</summary>
     internal abstract class DecoderState : IDisposable
     {
         /// <summary>Bytes of memory that it takes.</summary>

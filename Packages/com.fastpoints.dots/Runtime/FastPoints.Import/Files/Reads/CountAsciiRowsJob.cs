@@ -62,10 +62,8 @@ namespace FastPoints.Files
         static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
     }
 
-    /// <summary>
-    /// The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line. Blank lines
-    /// do not count.
-    /// </summary>
+    /// <summary>The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line.
+    /// Blank lines do not count.</summary>
     struct AsciiRowCount
     {
         /// <summary>Lines whose first character lies in the stretch, behind its first line end.</summary>

@@ -6,11 +6,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decompresses the next slice of a stream into a buffer. Burst does not compile it, since the decompressor is managed
-    /// code. It is still a job, so that later jobs can depend on it and the main thread never waits for it (a Task allows
-    /// neither).
-    /// </summary>
+    /// <summary>Decompresses the next slice of a stream into a buffer. Burst does not compile it, since the decompressor is
+    /// managed code. It is still a job, so that later jobs can depend on it and the main thread never waits for it (a Task allows
+    /// neither).</summary>
     unsafe struct DecompressJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Input;

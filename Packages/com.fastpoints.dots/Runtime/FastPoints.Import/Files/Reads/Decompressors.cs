@@ -5,15 +5,11 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Decompressors for the general compression that some formats put around their points. Before it opens a source, a project
-    /// may register its own if the framework has none, or a faster one.
-    /// </summary>
-    /// <remarks>
-    /// The framework decodes Brotli in .NET, in Unity's editor and in players of both scripting backends: Mono ships the native
-    /// decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. If it is
-    /// missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.
-    /// </remarks>
+    /// <summary>Decompressors for the general compression that some formats put around their points. Before it opens a source, a
+    /// project may register its own if the framework has none, or a faster one.</summary>
+    /// <remarks>The framework decodes Brotli in .NET, in Unity's editor and in players of both scripting backends: Mono ships the
+    /// native decoder since .NET Standard 2.1 (on Android since the fix of UUM-73753, in all 6000.x), IL2CPP links it in. If it
+    /// is missing, a read fails and names <see cref="Brotli"/>. .NET Standard 2.1 has no zstandard decoder.</remarks>
     internal static class Decompressors
     {
         /// <summary>Makes a decompressor of Brotli streams (Potree 2.0 of encoding BROTLI).</summary>
@@ -23,10 +19,8 @@ namespace FastPoints.Files
         public static Func<StreamDecompressor> Zstandard { get; set; }
     }
 
-    /// <summary>
-    /// Decompresses streams of one kind (Brotli, zstandard), one after the other and piece by piece, so that a long stream is
-    /// done in slices. Jobs call it on any thread, but only one at a time.
-    /// </summary>
+    /// <summary>Decompresses streams of one kind (Brotli, zstandard), one after the other and piece by piece, so that a long
+    /// stream is done in slices. Jobs call it on any thread, but only one at a time.</summary>
     internal abstract class StreamDecompressor : IDisposable
     {
         /// <summary>Forgets the previous stream: the next bytes begin a new one.</summary>
@@ -42,9 +36,8 @@ namespace FastPoints.Files
         public abstract void Dispose();
     }
 
-    /// <summary>
-    /// Decodes Brotli (RFC 7932) with the framework's own decoder, which allocates nothing once it has started.
-    /// </summary>
+    /// <summary>Decodes Brotli (RFC 7932) with the framework's own decoder, which allocates nothing once it has
+    /// started.</summary>
     internal sealed class BrotliStreamDecompressor : StreamDecompressor
     {
         BrotliDecoder m_decoder;

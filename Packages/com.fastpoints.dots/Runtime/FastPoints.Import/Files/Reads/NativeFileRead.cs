@@ -7,9 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads one stretch of a file into native memory: at most one read is in flight, into a buffer that is reused.
-    /// </summary>
+    /// <summary>Reads one stretch of a file into native memory: at most one read is in flight, into a buffer that is
+    /// reused.</summary>
     sealed unsafe class NativeFileRead : IDisposable
     {
         /// <summary>Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.</summary>

@@ -10,14 +10,10 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot for sources of a fixed stride that reads many short runs, scattered over the file, into places of a batch with
-    /// one request, as samples need. A block read for each of them would cost several times as much.
-    /// </summary>
-    /// <remarks>
-    /// Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer, whatever
-    /// is requested.
-    /// </remarks>
+    /// <summary>A slot for sources of a fixed stride that reads many short runs, scattered over the file, into places of a batch
+    /// with one request, as samples need. A block read for each of them would cost several times as much.</summary>
+    /// <remarks>Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer,
+    /// whatever is requested.</remarks>
     internal abstract unsafe class RunRead : IDisposable
     {
         /// <summary>Bytes behind a record that decoders may load and ignore.</summary>
@@ -57,9 +53,7 @@ namespace FastPoints.Files
         /// <summary>Bytes read by the last request, including gaps.</summary>
         public long BytesRead { get; private set; }
 
-        /// <summary>
-        /// When the last request began and when its bytes had arrived, in the time of <see cref="ReadClock"/>.
-        /// </summary>
+        /// <summary>When the last request began and when its bytes had arrived, in the time of <see cref="ReadClock"/>.</summary>
         internal long Begun { get; private set; }
 
         internal long Ended => m_ended.Value;
@@ -67,9 +61,8 @@ namespace FastPoints.Files
         /// <summary>Bytes of the file from a run's first record to its last.</summary>
         public static long BytesOf(in PointRun run, int recordBytes) => (run.Last - run.First + 1) * recordBytes;
 
-        /// <summary>
-        /// Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at once.
-        /// </summary>
+        /// <summary>Starts reading as many of the runs as fit; the slot must be idle. Main thread only; returns at
+        /// once.</summary>
         /// <param name="runs">Runs in the file's order, without overlaps, all within the file.</param>
         /// <param name="first">The first one to take.</param>
         /// <param name="most">The most to take.</param>
@@ -125,9 +118,8 @@ namespace FastPoints.Files
             return taken;
         }
 
-        /// <summary>
-        /// Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the request.
-        /// </summary>
+        /// <summary>Waits for the decoding if necessary (poll <c>Decoded.IsCompleted</c> to avoid that), and closes the
+        /// request.</summary>
         /// <exception cref="PointCloudException">The read failed, or the file has become shorter since it was
         /// opened.</exception>
         public void Complete()
@@ -231,9 +223,8 @@ namespace FastPoints.Files
         public void Execute() => At.Value = ReadClock.Now;
     }
 
-    /// <summary>
-    /// The clock for the duration of reads. Jobs can read it; the pump would see a finished read only in its next update.
-    /// </summary>
+    /// <summary>The clock for the duration of reads. Jobs can read it; the pump would see a finished read only in its next
+    /// update.</summary>
     static class ReadClock
     {
         public static long Now => ProfilerUnsafeUtility.Timestamp;

@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Pages of an octree's hierarchy that are known but not read, by the level of the nodes that they begin with, and within a
-    /// level in the order of discovery.
-    /// </summary>
+    /// <summary>Pages of an octree's hierarchy that are known but not read, by the level of the nodes that they begin with, and
+    /// within a level in the order of discovery.</summary>
     internal sealed class UnreadPages
     {
         readonly Queue<UnreadPage>[] m_ofLevel;

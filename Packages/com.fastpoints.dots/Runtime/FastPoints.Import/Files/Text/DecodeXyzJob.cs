@@ -18,10 +18,8 @@ namespace FastPoints.Files
             10000000000000000000,
         };
 
-        /// <summary>
-        /// Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop has to
-        /// check for the buffer's end.
-        /// </summary>
+        /// <summary>Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop
+        /// has to check for the buffer's end.</summary>
         public NativeArray<byte> Input;
         public long InputOffset;
         public int InputBytes;
@@ -244,9 +242,8 @@ namespace FastPoints.Files
         /// <summary>Whether a line without the value, or with text in its place, is not a point.</summary>
         public bool IsPosition;
 
-        /// <summary>
-        /// Whether the batch has the column: coordinates are always read, so that the same lines are points whatever is wanted.
-        /// </summary>
+        /// <summary>Whether the batch has the column: coordinates are always read, so that the same lines are points whatever is
+        /// wanted.</summary>
         public bool IsStored;
 
         /// <summary>Offset of its column in the batch.</summary>

@@ -4,9 +4,7 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.
-    /// </summary>
+    /// <summary>Names the columns of a text file: by names that it or the caller gives, or by guessing from the values.</summary>
     static class XyzNames
     {
         static readonly Dictionary<string, string> s_names = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase)
@@ -66,9 +64,7 @@ namespace FastPoints.Files
         public static bool HavePosition(string[] names) => Array.IndexOf(names, AttributeNames.X) >= 0 &&
             Array.IndexOf(names, AttributeNames.Y) >= 0 && Array.IndexOf(names, AttributeNames.Z) >= 0;
 
-        /// <summary>
-        /// Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.
-        /// </summary>
+        /// <summary>Guesses x y z, and then by count and values: intensity, colour, normals, or columns without a name.</summary>
         /// <param name="unitLength">For each column, the share of sampled rows that have a vector of length 1 from there
         /// on.</param>
         public static string[] Guess(XyzColumn[] columns, double[] unitLength)

@@ -10,15 +10,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is stated in
-    /// <see cref="SourceInfo.Facts"/>; <see cref="ReadOptions.TextColumns"/> overrides it.
-    /// </summary>
-    /// <remarks>
-    /// Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the digits in a
-    /// sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by
-    /// counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.
-    /// </remarks>
+    /// <summary>Reads text of one point a line: XYZ, TXT, ASC, CSV, PTS. Separators and columns are guessed, and the guess is
+    /// stated in <see cref="SourceInfo.Facts"/>; <see cref="ReadOptions.TextColumns"/> overrides it.</summary>
+    /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
+    /// digits in a sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found
+    /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
     internal sealed class XyzReader : PointReader
     {
         public const int MaxBlockBytes = 256 << 10;

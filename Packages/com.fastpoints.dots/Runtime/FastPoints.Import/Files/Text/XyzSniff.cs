@@ -5,10 +5,8 @@ using FastPoints.Base;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from its
-    /// beginning and some stretches farther on.
-    /// </summary>
+    /// <summary>Finds out whether a file is lines of numbers, and which: separators, header lines, columns and their ranges, from
+    /// its beginning and some stretches farther on.</summary>
     sealed unsafe class XyzSniff
     {
         const int HeadBytes = 64 << 10;
@@ -140,10 +138,8 @@ namespace FastPoints.Files
             return seen > 0;
         }
 
-        /// <summary>
-        /// Whether three or more values are separated by blanks, none with more than one comma, none with one at an end. A line
-        /// without commas does not speak against it.
-        /// </summary>
+        /// <summary>Whether three or more values are separated by blanks, none with more than one comma, none with one at an end.
+        /// A line without commas does not speak against it.</summary>
         static bool AreDecimalCommas(byte[] bytes, int first, int end)
         {
             int values = 0;

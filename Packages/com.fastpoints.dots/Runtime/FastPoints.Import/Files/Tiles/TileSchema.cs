@@ -5,10 +5,8 @@ using FastPoints.Points;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The common attributes and positions of several files: all attributes of all of them, with types that hold every file's
-    /// values, and one transform for all positions.
-    /// </summary>
+    /// <summary>The common attributes and positions of several files: all attributes of all of them, with types that hold every
+    /// file's values, and one transform for all positions.</summary>
     sealed class TileSchema
     {
         readonly List<Tile> m_tiles;

@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A slot of <see cref="TiledReader"/>: a slot of the tile that contains its range, and a job that converts the tile's
-    /// columns to the cloud's.
-    /// </summary>
+    /// <summary>A slot of <see cref="TiledReader"/>: a slot of the tile that contains its range, and a job that converts the
+    /// tile's columns to the cloud's.</summary>
     sealed class TiledRead : SlotRead
     {
         readonly TiledReader m_reader;
@@ -78,9 +76,8 @@ namespace FastPoints.Files
             m_columns = new NativeArray<TileColumn>(columns.ToArray(), m_allocator);
         }
 
-        /// <summary>
-        /// The wanted attributes that the tile has; if it has none, an attribute that suffices to count its points.
-        /// </summary>
+        /// <summary>The wanted attributes that the tile has; if it has none, an attribute that suffices to count its
+        /// points.</summary>
         PointSchema WantedOf(Tile tile)
         {
             var names = new string[Points.Schema.Count];

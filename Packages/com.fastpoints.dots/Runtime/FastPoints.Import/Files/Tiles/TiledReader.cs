@@ -7,14 +7,11 @@ using Unity.Collections;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Reads several files as one cloud: their blocks one after the other, all attributes of all of them, positions on one grid
-    /// that holds every file's numbers exactly.
-    /// </summary>
-    /// <remarks>
-    /// Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most <see
-    /// cref="MaxOpen"/> stay open (or one for each slot if there are more slots), so many files do not take many handles.
-    /// </remarks>
+    /// <summary>Reads several files as one cloud: their blocks one after the other, all attributes of all of them, positions on
+    /// one grid that holds every file's numbers exactly.</summary>
+    /// <remarks>Each header is read once, at the beginning. A file is opened again when its blocks are read, and at most
+    /// <see cref="MaxOpen"/> stay open (or one for each slot if there are more slots), so many files do not take many
+    /// handles.</remarks>
     internal sealed class TiledReader : PointReader
     {
         /// <summary>The most files that stay open.</summary>
@@ -55,10 +52,8 @@ namespace FastPoints.Files
             return new TiledReader(name, false, options).OpenAll(paths);
         }
 
-        /// <summary>
-        /// Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in folders
-        /// within. Files that cannot be read are left out with a warning.
-        /// </summary>
+        /// <summary>Opens all point clouds that lie in a folder, in the order of their names (by character code), not those in
+        /// folders within. Files that cannot be read are left out with a warning.</summary>
         /// <exception cref="PointCloudException">The folder cannot be read, or has no point cloud.</exception>
         public static TiledReader OpenFolder(string folder, ReadOptions options = null)
         {

@@ -4,10 +4,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Follows the generations of a cloud's folder that may still be in the making: looks for a newer one once a second, on a
-    /// thread of the pool, and keeps it until it is taken. Main thread; only <see cref="Dispose"/> waits.
-    /// </summary>
+    /// <summary>Follows the generations of a cloud's folder that may still be in the making: looks for a newer one once a second,
+    /// on a thread of the pool, and keeps it until it is taken. Main thread; only <see cref="Dispose"/> waits.</summary>
     internal sealed class FolderGenerations : IDisposable
     {
         /// <summary>Frames between two looks at the folder: a second.</summary>
@@ -76,9 +74,7 @@ namespace FastPoints.Streaming
         /// <summary>Looks again with the next update, even at a finished cloud, which may have been rebuilt.</summary>
         public void Refresh() => m_isAsked = true;
 
-        /// <summary>
-        /// Called once a frame. It does not look while a generation waits to be taken, and never waits itself.
-        /// </summary>
+        /// <summary>Called once a frame. It does not look while a generation waits to be taken, and never waits itself.</summary>
         /// <exception cref="PointCloudException">A look failed unexpectedly.</exception>
         public void Update()
         {

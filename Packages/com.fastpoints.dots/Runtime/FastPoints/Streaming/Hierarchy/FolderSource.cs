@@ -9,9 +9,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The source of a cloud's folder, finished or in the making; in the latter case, of the opened generation.
-    /// </summary>
+    /// <summary>The source of a cloud's folder, finished or in the making; in the latter case, of the opened
+    /// generation.</summary>
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
@@ -43,9 +42,8 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>
-        /// Opens a folder, finished or in the making, with all planes except averages. Reads two small files, on any thread.
-        /// </summary>
+        /// <summary>Opens a folder, finished or in the making, with all planes except averages. Reads two small files, on any
+        /// thread.</summary>
         /// <exception cref="PointCloudException">It is not a cloud, or is damaged.</exception>
         public static FolderSource OpenWhole(string path)
         {

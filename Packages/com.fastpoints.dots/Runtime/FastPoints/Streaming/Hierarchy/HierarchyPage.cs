@@ -6,10 +6,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// A part of a cloud's hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk (pages 1 and on). Its
-    /// box is known before its nodes are. Blittable; owns its memory.
-    /// </summary>
+    /// <summary>A part of a cloud's hierarchy that is loaded as a whole: the upper levels (page 0), or one chunk (pages 1 and
+    /// on). Its box is known before its nodes are. Blittable; owns its memory.</summary>
     public unsafe struct HierarchyPage
     {
         /// <summary>Null while the page is not loaded, as are the other pointers.</summary>
@@ -34,9 +32,8 @@ namespace FastPoints.Streaming
         /// <summary>Number of its nodes in flight or in the cache.</summary>
         public int NodesInCache;
 
-        /// <summary>
-        /// Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is tried.
-        /// </summary>
+        /// <summary>Consecutive failed reads of its file, the frame of the last failure, and the frame until which none is
+        /// tried.</summary>
         public int Failures;
         public uint LastFailureFrame;
         public uint RetryFrame;
@@ -47,9 +44,8 @@ namespace FastPoints.Streaming
 
         public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
-        /// <summary>
-        /// Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without it.
-        /// </summary>
+        /// <summary>Whether a node will never be loaded: it takes nothing of the budget, and what is below it is shown without
+        /// it.</summary>
         public bool IsHole(int node) =>
             States[node].Slot == NodeState.NoSlot && (IsBroken || States[node].Failures == NodeState.IsHole);
 
@@ -148,9 +144,8 @@ namespace FastPoints.Streaming
     /// <summary>What the selection knows of a node: 64 bytes, one line of the cache.</summary>
     public struct StreamNode
     {
-        /// <summary>
-        /// Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS units.
-        /// </summary>
+        /// <summary>Centre of the box around the points of the node and all below it, from the corner of the root cube, in CRS
+        /// units.</summary>
         public double3 Center;
         public float3 Half;
 

@@ -8,12 +8,10 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes in
-    /// pages, the first one with the source itself. A node's planes are pieces of its page's file, packed in blocks, and are
+    /// <summary>Anything with a hierarchy and nodes that can be read: what streaming needs to know of a cloud. A hierarchy comes
+    /// in pages, the first one with the source itself. A node's planes are pieces of its page's file, packed in blocks, and are
     /// shown as they lie there. If they are not stored like that (<see cref="MakesNodes"/>), a <see cref="NodeMaker"/> makes
-    /// them.
-    /// </summary>
+    /// them.</summary>
     public abstract class NodeSource : IDisposable
     {
         /// <summary>The path for messages.</summary>
@@ -34,16 +32,13 @@ namespace FastPoints.Streaming
         /// <summary>One for each plane of <see cref="Layout"/>; the position's is that of nodes that are not wide.</summary>
         public abstract NativeArray<PlaneShape> Shapes { get; }
 
-        /// <summary>
-        /// Number of known pages. Where nodes are made, building a page may make more known, behind the others.
-        /// </summary>
+        /// <summary>Number of known pages. Where nodes are made, building a page may make more known, behind the
+        /// others.</summary>
         public abstract int PageCount { get; }
 
-        /// <summary>
-        /// Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far. Then <see
-        /// cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about files and
-        /// tables have no meaning.
-        /// </summary>
+        /// <summary>Whether nodes are made on demand, from pages of the part of the hierarchy that the source has read so far.
+        /// Then <see cref="PlaneRange.LengthBytes"/> of a node is an upper bound until it was made once, and the members about
+        /// files and tables have no meaning.</summary>
         public virtual bool MakesNodes => false;
 
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
@@ -63,15 +58,11 @@ namespace FastPoints.Streaming
         /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
-        /// <summary>
-        /// For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
-        /// missing.
-        /// </summary>
+        /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
+        /// missing.</summary>
         public virtual bool CanBuild(int page) => true;
 
-        /// <summary>
-        /// For sources that make nodes: registers a page that was built, and numbers the pages attached to it.
-        /// </summary>
+        /// <summary>For sources that make nodes: registers a page that was built, and numbers the pages attached to it.</summary>
         public virtual void Adopt(int page, in HierarchyPage built)
         {
         }
@@ -94,17 +85,13 @@ namespace FastPoints.Streaming
         {
         }
 
-        /// <summary>
-        /// For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed. The
-        /// caller owns it and disposes it before the source.
-        /// </summary>
+        /// <summary>For sources that make nodes: creates a maker of every plane of <see cref="Layout"/>, whichever are streamed.
+        /// The caller owns it and disposes it before the source.</summary>
         public virtual NodeMaker CreateWholeMaker() => throw new NotSupportedException();
 
-        /// <summary>
-        /// Opens the same cloud once more to examine single points, as work for a pump: with positions and classes, and all
-        /// other planes of attributes if they lie in files or <see cref="CreateWholeMaker"/> makes them. It opens files on
-        /// another thread. It has no result if the cloud was in memory alone and its source is disposed.
-        /// </summary>
+        /// <summary>Opens the same cloud once more to examine single points, as work for a pump: with positions and classes, and
+        /// all other planes of attributes if they lie in files or <see cref="CreateWholeMaker"/> makes them. It opens files on
+        /// another thread. It has no result if the cloud was in memory alone and its source is disposed.</summary>
         /// <param name="opened">Receives the source and owns it.</param>
         /// <exception cref="PointCloudException">The cloud no longer exists, or is damaged.</exception>
         public abstract IEnumerator<Work> OpenForPicking(Action<NodeSource> opened);

@@ -3,10 +3,8 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The nodes that have memory, from the least to the most useful: first those that no selection has wanted for longest,
-    /// then those that the last one wanted, in reverse order. Main thread.
-    /// </summary>
+    /// <summary>The nodes that have memory, from the least to the most useful: first those that no selection has wanted for
+    /// longest, then those that the last one wanted, in reverse order. Main thread.</summary>
     internal sealed class NodeCache : IDisposable
     {
         public const int None = -1;
@@ -191,10 +189,8 @@ namespace FastPoints.Streaming
         /// <summary>Whether it is kept as long as there is any memory for it.</summary>
         public bool IsPinned;
 
-        /// <summary>
-        /// Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte; white leaves them
-        /// unchanged.
-        /// </summary>
+        /// <summary>Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte; white leaves them
+        /// unchanged.</summary>
         public uint Tint;
 
         /// <summary>Neighbours in the order of usefulness.</summary>

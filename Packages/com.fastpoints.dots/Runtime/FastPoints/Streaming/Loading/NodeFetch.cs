@@ -8,11 +8,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes are
-    /// read in as few pieces as possible, or a node that is made. Main thread; where there are job workers, only
-    /// <see cref="Await"/> waits.
-    /// </summary>
+    /// <summary>One read, from its beginning until its memory can be reused: a page's table, some nodes of one file, whose planes
+    /// are read in as few pieces as possible, or a node that is made. Main thread; where there are job workers, only
+    /// <see cref="Await"/> waits.</summary>
     internal sealed unsafe class NodeFetch : IDisposable
     {
         NativeArray<byte> m_bytes;

@@ -5,10 +5,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Makes nodes of a source whose files do not hold them packed, one at a time: a read, then jobs that decode and pack, in
-    /// memory that is reused from node to node. Main thread; only <see cref="Dispose"/> waits.
-    /// </summary>
+    /// <summary>Makes nodes of a source whose files do not hold them packed, one at a time: a read, then jobs that decode and
+    /// pack, in memory that is reused from node to node. Main thread; only <see cref="Dispose"/> waits.</summary>
     public abstract class NodeMaker : IDisposable
     {
         /// <summary>The handle of what was begun last.</summary>
@@ -17,9 +15,8 @@ namespace FastPoints.Streaming
         /// <summary>Bytes read from files for the node that was made last.</summary>
         public abstract long BytesRead { get; }
 
-        /// <summary>
-        /// The planes that it makes, one behind the other with space after them, valid until the next node begins.
-        /// </summary>
+        /// <summary>The planes that it makes, one behind the other with space after them, valid until the next node
+        /// begins.</summary>
         public abstract NativeArray<byte> Planes { get; }
 
         /// <summary>Begins a node; the one before must have ended.</summary>

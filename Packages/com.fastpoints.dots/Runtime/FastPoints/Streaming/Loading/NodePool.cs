@@ -4,10 +4,9 @@ using Unity.Collections;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The memory that nodes are drawn from: banks of one size, cut into pages, which are allocated when needed and freed when
-    /// empty. It never exceeds its limit. The derived class decides where the memory lies (here, or on a graphics card).
-    /// </summary>
+    /// <summary>The memory that nodes are drawn from: banks of one size, cut into pages, which are allocated when needed and
+    /// freed when empty. It never exceeds its limit. The derived class decides where the memory lies (here, or on a graphics
+    /// card).</summary>
     public abstract unsafe class NodePool : IDisposable
     {
         /// <summary>Bytes of a page. A node's last page is half empty on average, which is 1 % of a node of 50 KB.</summary>
@@ -32,10 +31,8 @@ namespace FastPoints.Streaming
 
         public int BankBytes => m_pagesPerBank * PageBytes;
 
-        /// <summary>
-        /// The limit; banks are always whole. After lowering it, nodes in banks beyond <see cref="BankLimit"/> must be
-        /// released.
-        /// </summary>
+        /// <summary>The limit; banks are always whole. After lowering it, nodes in banks beyond <see cref="BankLimit"/> must be
+        /// released.</summary>
         public long LimitBytes
         {
             get => m_limitBytes;
@@ -124,15 +121,12 @@ namespace FastPoints.Streaming
         {
         }
 
-        /// <summary>
-        /// Begins the one upload that may be in flight, if there is memory to write to. It takes at least one node.
-        /// </summary>
+        /// <summary>Begins the one upload that may be in flight, if there is memory to write to. It takes at least one
+        /// node.</summary>
         public virtual bool TryBeginUpload() => true;
 
-        /// <summary>
-        /// The address where the upload's job writes the contents of a range, front to back and without reading. Null if the
-        /// upload has no more room.
-        /// </summary>
+        /// <summary>The address where the upload's job writes the contents of a range, front to back and without reading. Null if
+        /// the upload has no more room.</summary>
         /// <param name="bytes">A multiple of 16.</param>
         public abstract byte* AddressForUpload(PoolRange run, long bytes);
 

@@ -6,10 +6,8 @@ using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads are
-    /// cancelled when their data is no longer wanted; failed ones are retried, then reported.
-    /// </summary>
+    /// <summary>The reads of all clouds. Only a few are in flight at a time, so that the most needed data never waits long. Reads
+    /// are cancelled when their data is no longer wanted; failed ones are retried, then reported.</summary>
     internal sealed unsafe class NodeReads : IDisposable
     {
         readonly StreamContext m_stream;
@@ -75,10 +73,8 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>
-        /// Begins reads: first the tables that the selection missed, then its missing nodes, then what will be needed soon. It
-        /// makes room in the pool for each node first.
-        /// </summary>
+        /// <summary>Begins reads: first the tables that the selection missed, then its missing nodes, then what will be needed
+        /// soon. It makes room in the pool for each node first.</summary>
         public void Request(ref FrameStats stats)
         {
             // All are made at once in the first frame, so that later ones make no garbage.
@@ -132,9 +128,8 @@ namespace FastPoints.Streaming
                 m_wanted.Dispose();
         }
 
-        /// <summary>
-        /// Lists nodes without a slot in the cache; <see cref="SelectedNode.Parent"/> of a listed node is its rank.
-        /// </summary>
+        /// <summary>Lists nodes without a slot in the cache; <see cref="SelectedNode.Parent"/> of a listed node is its
+        /// rank.</summary>
         void ListWanted(NativeArray<SelectedNode> nodes)
         {
             m_wanted.Clear();

@@ -152,9 +152,8 @@ namespace FastPoints.Streaming
         public int Upload;
     }
 
-    /// <summary>
-    /// Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
-    /// </summary>
+    /// <summary>Copies planes into the pool unchanged, and reports of each whether it is what was written and can be
+    /// drawn.</summary>
     [BurstCompile]
     internal unsafe struct UploadPlanesJob : IJobFor
     {

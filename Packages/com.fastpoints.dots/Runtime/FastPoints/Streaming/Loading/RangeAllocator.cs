@@ -4,14 +4,11 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory they
-    /// stand for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its free
-    /// neighbours. Both take constant time.
-    /// </summary>
-    /// <remarks>
-    /// The first and the last slot of a range hold its length: positive if it is taken, negative if it is free.
-    /// </remarks>
+    /// <summary>Gives out ranges of consecutive slots and takes them back: it keeps books on abstract indices, whatever memory
+    /// they stand for. Free ranges lie in lists by the power of two of their length; a range that is given back merges with its
+    /// free neighbours. Both take constant time.</summary>
+    /// <remarks>The first and the last slot of a range hold its length: positive if it is taken, negative if it is
+    /// free.</remarks>
     internal struct RangeAllocator : IDisposable
     {
         const int None = -1;

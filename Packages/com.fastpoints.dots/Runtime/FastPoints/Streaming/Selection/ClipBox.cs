@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// A box in the world, freely rotated and sheared, that clouds are clipped by. Boxes that cut remove what is inside; other
-    /// boxes keep only what is inside at least one of them. Blittable.
-    /// </summary>
+    /// <summary>A box in the world, freely rotated and sheared, that clouds are clipped by. Boxes that cut remove what is inside;
+    /// other boxes keep only what is inside at least one of them. Blittable.</summary>
     public struct ClipBox
     {
         public double3 CenterWorld;
@@ -24,10 +22,8 @@ namespace FastPoints.Streaming
         }
     }
 
-    /// <summary>
-    /// A <see cref="ClipBox"/> in one cloud's own space: inside the box, no coordinate of <see cref="ToBox"/> * place + <see
-    /// cref="Offset"/> is farther than a half from 0. Blittable, for jobs.
-    /// </summary>
+    /// <summary>A <see cref="ClipBox"/> in one cloud's own space: inside the box, no coordinate of <see cref="ToBox"/> * place +
+    /// <see cref="Offset"/> is farther than a half from 0. Blittable, for jobs.</summary>
     internal unsafe struct LocalClip
     {
         public double3x3 ToBox;

@@ -3,11 +3,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double, where
-    /// local is in CRS units from the corner of the cloud's root cube. Any affine transform is allowed: moves, rotations,
-    /// mirrors, scales.
-    /// </summary>
+    /// <summary>Where a cloud stands in the world: world = <see cref="Linear"/> * local + <see cref="OriginWorld"/>, in double,
+    /// where local is in CRS units from the corner of the cloud's root cube. Any affine transform is allowed: moves, rotations,
+    /// mirrors, scales.</summary>
     public struct CloudPlacement
     {
         public double3x3 Linear;

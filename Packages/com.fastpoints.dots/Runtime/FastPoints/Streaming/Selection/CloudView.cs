@@ -3,10 +3,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// A <see cref="StreamView"/> in one cloud's own space, where boxes are aligned with the axes. Planes stay exact under any
-    /// affine transform. Blittable, for jobs.
-    /// </summary>
+    /// <summary>A <see cref="StreamView"/> in one cloud's own space, where boxes are aligned with the axes. Planes stay exact
+    /// under any affine transform. Blittable, for jobs.</summary>
     internal unsafe struct CloudView
     {
         public double3 Eye;
@@ -14,10 +12,8 @@ namespace FastPoints.Streaming
         public int PlaneCount;
         public double ScalePx;
 
-        /// <summary>
-        /// World length of a unit along each of the cloud's axes. If the transform shears, distances are those of the cloud
-        /// without shear.
-        /// </summary>
+        /// <summary>World length of a unit along each of the cloud's axes. If the transform shears, distances are those of the
+        /// cloud without shear.</summary>
         public double3 AxisScale;
         public double LargestScale;
 
@@ -46,9 +42,7 @@ namespace FastPoints.Streaming
             }
         }
 
-        /// <summary>
-        /// Whether a box reaches inside every plane. It may be true for one just outside an edge of the view.
-        /// </summary>
+        /// <summary>Whether a box reaches inside every plane. It may be true for one just outside an edge of the view.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Sees(double3 center, double3 half)
         {
@@ -67,10 +61,8 @@ namespace FastPoints.Streaming
         public double DistanceTo(double3 center, double3 half) =>
             IsOrthographic ? 1 : math.length(math.max(math.abs(Eye - center) - half, 0) * AxisScale);
 
-        /// <summary>
-        /// Length on the screen of something at a distance. Nearer than its own length it counts as <see cref="ScalePx"/>:
-        /// nodes around a camera are ordered by their size.
-        /// </summary>
+        /// <summary>Length on the screen of something at a distance. Nearer than its own length it counts as
+        /// <see cref="ScalePx"/>: nodes around a camera are ordered by their size.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double LengthPx(double lengthWorld, double distanceWorld) =>
             lengthWorld * ScalePx / (IsOrthographic ? 1 : math.max(distanceWorld, lengthWorld));

@@ -4,10 +4,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The memory of selections from frame to frame: it takes clouds and views, and produces chosen nodes and missing pages.
-    /// Main thread.
-    /// </summary>
+    /// <summary>The memory of selections from frame to frame: it takes clouds and views, and produces chosen nodes and missing
+    /// pages. Main thread.</summary>
     internal sealed unsafe class NodeSelector : IDisposable
     {
         NativeList<SelectionCloud> m_clouds;
@@ -44,9 +42,8 @@ namespace FastPoints.Streaming
         /// <summary>Chosen nodes, parents before children, the most needed first.</summary>
         public NativeArray<SelectedNode> Selected => m_selected.AsArray();
 
-        /// <summary>
-        /// Nodes of the last <see cref="Forecast"/> that were not chosen already; their parent indices mean nothing.
-        /// </summary>
+        /// <summary>Nodes of the last <see cref="Forecast"/> that were not chosen already; their parent indices mean
+        /// nothing.</summary>
         public NativeArray<SelectedNode> Forecasted => m_forecast.AsArray();
 
         /// <summary>Missing pages, the most needed first.</summary>

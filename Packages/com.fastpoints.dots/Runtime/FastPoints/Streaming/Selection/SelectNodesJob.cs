@@ -6,11 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// Chooses the nodes of some clouds that some views need most: those whose parents' points lie farthest apart on a screen
-    /// first, until one budget of points for all clouds is used up. A parent always comes before its children. It examines only
-    /// what it chooses and the children of that, however large the clouds are.
-    /// </summary>
+    /// <summary>Chooses the nodes of some clouds that some views need most: those whose parents' points lie farthest apart on a
+    /// screen first, until one budget of points for all clouds is used up. A parent always comes before its children. It examines
+    /// only what it chooses and the children of that, however large the clouds are.</summary>
     [BurstCompile]
     internal unsafe struct SelectNodesJob : IJob
     {
@@ -28,17 +26,15 @@ namespace FastPoints.Streaming
         /// <summary>See <see cref="NodeSelector.Frame"/>.</summary>
         public uint Frame;
 
-        /// <summary>
-        /// Whether it chooses for future views, on top of what this frame's selection chose, without changing any node's state.
-        /// </summary>
+        /// <summary>Whether it chooses for future views, on top of what this frame's selection chose, without changing any node's
+        /// state.</summary>
         public bool IsForecast;
 
         /// <summary>A forecast ends after this many points that were not chosen before.</summary>
         public long ForecastPoints;
 
-        /// <summary>
-        /// Ends the choice when this many pages are missing; what was chosen until then is the start of the full choice.
-        /// </summary>
+        /// <summary>Ends the choice when this many pages are missing; what was chosen until then is the start of the full
+        /// choice.</summary>
         public int MissingToStopAt;
 
         public SelectionHeap Heap;

@@ -4,9 +4,8 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// The candidates of a selection, best on top: a binary heap in a list that keeps its memory from frame to frame.
-    /// </summary>
+    /// <summary>The candidates of a selection, best on top: a binary heap in a list that keeps its memory from frame to
+    /// frame.</summary>
     internal unsafe struct SelectionHeap
     {
         NativeList<SelectionCandidate> m_items;

@@ -6,18 +6,15 @@ namespace FastPoints.Streaming
         /// <summary>The point budget of all clouds together. The first root is chosen however many points it has.</summary>
         public long PointBudget;
 
-        /// <summary>
-        /// A node is left out if the points above it lie closer than this on the screen: it would add nothing visible.
-        /// </summary>
+        /// <summary>A node is left out if the points above it lie closer than this on the screen: it would add nothing
+        /// visible.</summary>
         public float FinestSpacingPx;
 
         /// <summary>A node is left out if its box is smaller than this on the screen.</summary>
         public float SmallestNodePx;
 
-        /// <summary>
-        /// Nodes chosen last time count as this many times as coarse, so that nodes at the edge of the budget do not flicker
-        /// with every small movement. 1 turns this off.
-        /// </summary>
+        /// <summary>Nodes chosen last time count as this many times as coarse, so that nodes at the edge of the budget do not
+        /// flicker with every small movement. 1 turns this off.</summary>
         public float Hysteresis;
 
         public static SelectionSettings Default => new SelectionSettings

@@ -2,10 +2,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes face
-    /// inwards and count from the eye, so that nothing is lost far from the world's origin.
-    /// </summary>
+    /// <summary>One camera as the selection sees it, in world space: what it sees, and how large things are on its screen. Planes
+    /// face inwards and count from the eye, so that nothing is lost far from the world's origin.</summary>
     public unsafe struct StreamView
     {
         public const int MaxPlanes = 6;

@@ -3,11 +3,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Streaming
 {
-    /// <summary>
-    /// A cloud's own space in Unity's axes: left-handed, Y up, in metres if the unit is known, from an origin near the cloud,
-    /// so that a scan with map coordinates stands where its transform is. East is Unity's X, north its Z, up its Y (<see
-    /// cref="UpAxes"/>).
-    /// </summary>
+    /// <summary>A cloud's own space in Unity's axes: left-handed, Y up, in metres if the unit is known, from an origin near the
+    /// cloud, so that a scan with map coordinates stands where its transform is. East is Unity's X, north its Z, up its Y
+    /// (<see cref="UpAxes"/>).</summary>
     public struct UnitySpace
     {
         /// <summary>The georeferenced position that lies at (0, 0, 0).</summary>

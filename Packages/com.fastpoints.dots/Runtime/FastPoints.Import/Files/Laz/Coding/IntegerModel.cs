@@ -2,11 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// An integer coded as its difference from a prediction (Isenburg 2013, section 5): first the number k of bits of the
-    /// difference, in one of several contexts, then its place among the numbers of that many bits, the upper eight bits of it
-    /// modelled, the others raw. HPC#.
-    /// </summary>
+    /// <summary>An integer coded as its difference from a prediction (Isenburg 2013, section 5): first the number k of bits of
+    /// the difference, in one of several contexts, then its place among the numbers of that many bits, the upper eight bits of it
+    /// modelled, the others raw. HPC#.</summary>
     /// <remarks><code>
     /// byte   0  uint  bit k set: the corrector of k has been made (a chunk uses few of them; 1.5 KB each)
     ///        8  BitModel of k = 0

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The middle one of five values, sorted, of which the largest and the smallest are given up in turn as new ones come:
-    /// LASzip's prediction of coordinate differences. Six ints: the values and which end is next. HPC#.
-    /// </summary>
+    /// <summary>The middle one of five values, sorted, of which the largest and the smallest are given up in turn as new ones
+    /// come: LASzip's prediction of coordinate differences. Six ints: the values and which end is next. HPC#.</summary>
     internal static unsafe class Median5
     {
         public const int Ints = 6;
@@ -20,10 +18,8 @@ namespace FastPoints.Files
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Get(int* median) => median[2];
 
-        /// <summary>
-        /// Inserts without a branch: of the four values that stay, each place gets clamp(added, left, right) =
-        /// added + min(right - added, 0) + max(left - added, 0), at most one of which is not zero.
-        /// </summary>
+        /// <summary>Inserts without a branch: of the four values that stay, each place gets clamp(added, left, right) = added +
+        /// min(right - added, 0) + max(left - added, 0), at most one of which is not zero.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Add(int* median, int added)
         {

@@ -3,16 +3,12 @@ using Unity.Mathematics;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The range decoder under all of LAZ (Said 2004, "Introduction to arithmetic coding"; Isenburg 2013, "LASzip"): 32-bit value
-    /// and length, renewed by whole bytes, most significant first. HPC#.
-    /// </summary>
-    /// <remarks>
-    /// Value, length and pointer go as three locals through inlined methods: as one struct passed by reference .NET's compiler
-    /// kept them on the stack, a third slower. Value stays below length, whatever the input, so that every table lookup stays
-    /// inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
-    /// <see cref="PaddingBytes"/> readable bytes.
-    /// </remarks>
+    /// <summary>The range decoder under all of LAZ (Said 2004, "Introduction to arithmetic coding"; Isenburg 2013, "LASzip"):
+    /// 32-bit value and length, renewed by whole bytes, most significant first. HPC#.</summary>
+    /// <remarks>Value, length and pointer go as three locals through inlined methods: as one struct passed by reference .NET's
+    /// compiler kept them on the stack, a third slower. Value stays below length, whatever the input, so that every table lookup
+    /// stays inside its table. Nothing here checks the input's end: callers do so once a point, and their input is followed by
+    /// <see cref="PaddingBytes"/> readable bytes.</remarks>
     internal static unsafe class RangeCode
     {
         /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>

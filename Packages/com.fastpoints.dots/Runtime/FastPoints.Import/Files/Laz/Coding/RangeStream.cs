@@ -1,9 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; only <see
-    /// cref="Offset"/> is kept, since the input may lie elsewhere the next time.
-    /// </summary>
+    /// <summary>A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; only
+    /// <see cref="Offset"/> is kept, since the input may lie elsewhere the next time.</summary>
     internal unsafe struct RangeStream
     {
         public uint Value;
@@ -20,11 +18,9 @@ namespace FastPoints.Files
 
         public bool IsAtEnd => Next >= End;
 
-        /// <summary>
-        /// Whether an encoder can have ended here: it adds a part of its interval to the base, writes the one or two bytes that
-        /// the part leaves above zero, and three or two zeros, so that a decoder ends with the stream. Of a stream that goes on
-        /// at most the points that take no byte, less than eight bits together, leave it so.
-        /// </summary>
+        /// <summary>Whether an encoder can have ended here: it adds a part of its interval to the base, writes the one or two
+        /// bytes that the part leaves above zero, and three or two zeros, so that a decoder ends with the stream. Of a stream
+        /// that goes on at most the points that take no byte, less than eight bits together, leave it so.</summary>
         /// <param name="input">No byte before it is looked at.</param>
         public bool CanEnd(byte* input)
         {

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one stretch of native
-    /// memory without pointers, so that a decoder's state can be copied as bytes. HPC#.
-    /// </summary>
+    /// <summary>An adaptive model of an alphabet of up to 1,024 symbols: a header in front of its tables, all in one stretch of
+    /// native memory without pointers, so that a decoder's state can be copied as bytes. HPC#.</summary>
     /// <remarks><code>
     /// byte   0  header (this struct)
     ///       16  ushort Distribution[capacity + 1]  where each symbol's interval starts, of 32,768; 65,535 behind the last

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Bytes behind a point format's own fields, item BYTE in versions 1 and 2: each byte as its difference from the last point's
-    /// same byte. HPC#. The state is the last bytes and, behind them, the models.
-    /// </summary>
+    /// <summary>Bytes behind a point format's own fields, item BYTE in versions 1 and 2: each byte as its difference from the
+    /// last point's same byte. HPC#. The state is the last bytes and, behind them, the models.</summary>
     /// <remarks>Records may have thousands of them, so this decoder looks at the input's end after every byte.</remarks>
     internal static unsafe class ExtraBytesItem
     {

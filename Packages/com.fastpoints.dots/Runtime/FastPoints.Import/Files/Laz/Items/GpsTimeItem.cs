@@ -3,13 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// GPS times of 8 bytes: item GPSTIME11 in version 2, and the time layer of POINT14. Doubles are predicted as their bits,
-    /// by multiples of the last difference, in up to four interleaved sequences. HPC#.
-    /// </summary>
-    /// <remarks>
-    /// POINT14 says elsewhere whether the time changed at all, so its symbols lack "unchanged". Otherwise the two are one.
-    /// </remarks>
+    /// <summary>GPS times of 8 bytes: item GPSTIME11 in version 2, and the time layer of POINT14. Doubles are predicted as their
+    /// bits, by multiples of the last difference, in up to four interleaved sequences. HPC#.</summary>
+    /// <remarks>POINT14 says elsewhere whether the time changed at all, so its symbols lack "unchanged". Otherwise the two are
+    /// one.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct GpsTimeItem
     {

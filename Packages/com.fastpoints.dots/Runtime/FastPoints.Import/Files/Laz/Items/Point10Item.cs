@@ -3,14 +3,11 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The 20 bytes that all of point formats 0 to 5 begin with, item POINT10 in version 2. HPC#; the state is this struct and,
-    /// behind it, the models.
-    /// </summary>
-    /// <remarks>
-    /// The return counts choose the contexts: 16 for differences in x and y and for intensities, 8 (how far the return lies from
-    /// its pulse's last) for heights. Intensity, class and so on are coded only where a mask of six bits says that they changed.
-    /// </remarks>
+    /// <summary>The 20 bytes that all of point formats 0 to 5 begin with, item POINT10 in version 2. HPC#; the state is this
+    /// struct and, behind it, the models.</summary>
+    /// <remarks>The return counts choose the contexts: 16 for differences in x and y and for intensities, 8 (how far the return
+    /// lies from its pulse's last) for heights. Intensity, class and so on are coded only where a mask of six bits says that they
+    /// changed.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct Point10Item
     {

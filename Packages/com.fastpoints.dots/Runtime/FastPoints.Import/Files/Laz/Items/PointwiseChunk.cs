@@ -3,14 +3,10 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The decoder of pointwise compressed chunks (point formats 0 to 5): the first point as it is, then one range-coded stream
-    /// in which the items of each point follow each other. HPC#.
-    /// </summary>
-    /// <remarks>
-    /// All state is this struct and what lies behind it in one stretch of native memory without pointers: a chunk is
-    /// decoded in slices of any number of points, and a copy of the bytes is a place to go on from.
-    /// </remarks>
+    /// <summary>The decoder of pointwise compressed chunks (point formats 0 to 5): the first point as it is, then one range-coded
+    /// stream in which the items of each point follow each other. HPC#.</summary>
+    /// <remarks>All state is this struct and what lies behind it in one stretch of native memory without pointers: a chunk is
+    /// decoded in slices of any number of points, and a copy of the bytes is a place to go on from.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct PointwiseChunk
     {
@@ -37,10 +33,8 @@ namespace FastPoints.Files
         /// <summary>Whether the input and the stream end with the last point that was decoded.</summary>
         public bool IsAtEnd => m_pointsDone > 0 && m_lastEnd == m_pointsDone;
 
-        /// <summary>
-        /// Number of the last decoded points behind the first place where the stream can have ended: if there are fewer points
-        /// than claimed, these may not exist. They took no byte, and less than eight bits together.
-        /// </summary>
+        /// <summary>Number of the last decoded points behind the first place where the stream can have ended: if there are fewer
+        /// points than claimed, these may not exist. They took no byte, and less than eight bits together.</summary>
         public int PointsInDoubt => m_firstEnd == 0 ? 0 : m_pointsDone - m_firstEnd;
 
         /// <summary>Bytes of decoder state for a list of items.</summary>

@@ -3,10 +3,9 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Colours of three 16-bit values: item RGB12 in version 2, and the colour layer of RGB14 and RGBNIR14. A mask says which of
-    /// the six bytes changed and whether the colour is not grey; green is predicted from red's change, blue from both. HPC#.
-    /// </summary>
+    /// <summary>Colours of three 16-bit values: item RGB12 in version 2, and the colour layer of RGB14 and RGBNIR14. A mask says
+    /// which of the six bytes changed and whether the colour is not grey; green is predicted from red's change, blue from both.
+    /// HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RgbItem
     {

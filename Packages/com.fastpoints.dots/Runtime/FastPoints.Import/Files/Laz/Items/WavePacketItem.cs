@@ -3,10 +3,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Wave packets of 29 bytes: item WAVEPACKET13, and the layer of WAVEPACKET14. The record's descriptor index comes first;
-    /// the offset into the waveforms follows the last packet, repeats it, or steps. HPC#.
-    /// </summary>
+    /// <summary>Wave packets of 29 bytes: item WAVEPACKET13, and the layer of WAVEPACKET14. The record's descriptor index comes
+    /// first; the offset into the waveforms follows the last packet, repeats it, or steps. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct WavePacketItem
     {

@@ -1,9 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The layers of colour and near infrared. HPC#. In version 3 a point whose scanner channel changes to one that came before
-    /// is predicted from, and remembered as, the last colour of the channel that it leaves.
-    /// </summary>
+    /// <summary>The layers of colour and near infrared. HPC#. In version 3 a point whose scanner channel changes to one that came
+    /// before is predicted from, and remembered as, the last colour of the channel that it leaves.</summary>
     static unsafe class ColorLayer
     {
         public const int RgbContextBytes = RgbItem.StateBytes;

@@ -2,10 +2,9 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The layers of intensity, scan angle and point source: 16 bits a point. Intensity is coded for every point, predicted by
-    /// the last one at the same place in the pulse; the others only where the first layer says that they change. HPC#.
-    /// </summary>
+    /// <summary>The layers of intensity, scan angle and point source: 16 bits a point. Intensity is coded for every point,
+    /// predicted by the last one at the same place in the pulse; the others only where the first layer says that they change.
+    /// HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     unsafe struct Integer16Layer
     {

@@ -3,10 +3,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// One layer within a <see cref="LayeredChunk"/>'s state: its stream, and its contexts, one a scanner channel, made when
-    /// the channel first comes as a copy of what the last point had. HPC#.
-    /// </summary>
+    /// <summary>One layer within a <see cref="LayeredChunk"/>'s state: its stream, and its contexts, one a scanner channel, made
+    /// when the channel first comes as a copy of what the last point had. HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct LayerState
     {

@@ -3,16 +3,12 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The decoder of layered chunks (point formats 6 to 10): the first point as it is, the number of points, each layer's size,
-    /// then the layers, each a range-coded stream of its own. HPC#.
-    /// </summary>
-    /// <remarks>
-    /// A tile of points is decoded layer by layer, not point by point: the first layer leaves a <see cref="PointContext"/> for
-    /// each point, the others read these, and each keeps its stream in registers through the tile. Layers that are not wanted
-    /// are not touched (their bytes keep whatever the caller's records hold), nor need they be in the input. All state is this
-    /// struct and what lies behind it, without pointers.
-    /// </remarks>
+    /// <summary>The decoder of layered chunks (point formats 6 to 10): the first point as it is, the number of points, each
+    /// layer's size, then the layers, each a range-coded stream of its own. HPC#.</summary>
+    /// <remarks>A tile of points is decoded layer by layer, not point by point: the first layer leaves a
+    /// <see cref="PointContext"/> for each point, the others read these, and each keeps its stream in registers through the tile.
+    /// Layers that are not wanted are not touched (their bytes keep whatever the caller's records hold), nor need they be in the
+    /// input. All state is this struct and what lies behind it, without pointers.</remarks>
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct LayeredChunk
     {
@@ -103,10 +99,8 @@ namespace FastPoints.Files
             }
         }
 
-        /// <summary>
-        /// Whether what lies there can be the chunk that a table or a hierarchy says it is: its own count is the same, or its
-        /// layers together are as long. If neither holds, it would decode to points that were never written.
-        /// </summary>
+        /// <summary>Whether what lies there can be the chunk that a table or a hierarchy says it is: its own count is the same,
+        /// or its layers together are as long. If neither holds, it would decode to points that were never written.</summary>
         /// <param name="points">Of the chunk, as told.</param>
         /// <param name="bytes">Of the chunk, as told.</param>
         public static bool IsThere(LayeredChunk* chunk, byte* input, long inputBytes, long points, long bytes)

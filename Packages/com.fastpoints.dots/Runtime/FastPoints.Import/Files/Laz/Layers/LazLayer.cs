@@ -22,10 +22,8 @@ namespace FastPoints.Files
         ExtraByte,
     }
 
-    /// <summary>
-    /// One layer of layered chunks (point formats 6 to 10): a stream of its own, so that a reader skips unwanted ones.
-    /// All but the first hold some bytes of the record; the first also says what the others' contexts are.
-    /// </summary>
+    /// <summary>One layer of layered chunks (point formats 6 to 10): a stream of its own, so that a reader skips unwanted ones.
+    /// All but the first hold some bytes of the record; the first also says what the others' contexts are.</summary>
     internal struct LazLayer
     {
         /// <summary>Bytes that a stream takes before its first symbol.</summary>
@@ -33,7 +31,7 @@ namespace FastPoints.Files
 
         public LazLayerKind Kind;
 
-        /// <summary>Offset of the layer's first byte in a record; the first layer also has the bytes 14 and 15 (in part).</summary>
+        /// <summary>Offset of the layer's first byte in a record; the first layer also has bytes 14 and 15 (in part).</summary>
         public int RecordOffset;
 
         public int RecordBytes;

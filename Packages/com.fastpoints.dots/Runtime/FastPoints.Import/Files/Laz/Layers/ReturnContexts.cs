@@ -1,9 +1,7 @@
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// Which contexts a point takes by its return number r and its pulse's number of returns n: LASzip's tables, which are part
-    /// of the format. Odd combinations (r of 0, r above n) have contexts too.
-    /// </summary>
+    /// <summary>Which contexts a point takes by its return number r and its pulse's number of returns n: LASzip's tables, which
+    /// are part of the format. Odd combinations (r of 0, r above n) have contexts too.</summary>
     /// <remarks>
     /// Written into a decoder's state at its start, since code compiled by Burst or .NET reaches native memory with less
     /// checking than a managed array. One entry a combination:

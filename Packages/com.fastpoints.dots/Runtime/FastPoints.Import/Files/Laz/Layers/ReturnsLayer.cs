@@ -2,9 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The first layer of POINT14: scanner channel, return counts, X and Y, and which of the other attributes change. HPC#.
-    /// </summary>
+    /// <summary>The first layer of POINT14: scanner channel, return counts, X and Y, and which of the other attributes change.
+    /// HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     unsafe struct ReturnsLayer
     {

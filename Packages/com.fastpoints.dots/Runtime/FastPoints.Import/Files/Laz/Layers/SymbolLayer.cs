@@ -2,9 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace FastPoints.Files
 {
-    /// <summary>
-    /// The layers of classification, flags and user data: a symbol a point, in up to 64 contexts by the last one. HPC#.
-    /// </summary>
+    /// <summary>The layers of classification, flags and user data: a symbol a point, in up to 64 contexts by the last one.
+    /// HPC#.</summary>
     [StructLayout(LayoutKind.Sequential)]
     unsafe struct SymbolLayer
     {
