@@ -73,8 +73,6 @@ namespace FastPoints.Convert
 
         /// <summary>Work for a pump: queues the journal behind everything that it refers to, so that this reaches the disk before
         /// the journal does. Does nothing if points are in memory.</summary>
-        /// <param name="attributes">The statistics of each attribute so far.</param>
-        /// <param name="chunks">The current chunks, from <see cref="BuildJournal.Stage.Split"/> on.</param>
         public IEnumerator<Work> Begin()
         {
             if (m_files == null)
@@ -93,14 +91,14 @@ namespace FastPoints.Convert
             Dispose();
         }
 
-        /// <summary>Writes the last journal when all files of the cloud are complete.</summary>
+        /// <summary>Work for a pump: writes the journal and waits until it is on disk.</summary>
         public IEnumerator<Work> Write()
         {
             yield return Work.Of(Begin());
             yield return Work.Of(End());
         }
 
-        /// <summary>Writes the last journal there is: all files of the cloud are whole.</summary>
+        /// <summary>Writes the last journal when all files of the cloud are complete.</summary>
         public void Finish(int levelCount, long[] bytesOfPlane)
         {
             Journal.LevelCount = levelCount;

@@ -72,7 +72,7 @@ namespace FastPoints.Convert
         }
 
         /// <summary>Warns about what is missing or inexact in the cloud, for each source.</summary>
-        /// <param name="findings">One for each reader.</param>
+        /// <param name="statistics">One for each reader.</param>
         static void Warn(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics, in CloudGrid grid)
         {
             for (int i = 0; i < readers.Count; i++)

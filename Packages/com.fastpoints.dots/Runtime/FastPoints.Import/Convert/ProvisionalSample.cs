@@ -23,9 +23,7 @@ namespace FastPoints.Convert
         readonly NativeReference<RecordPagePool> m_pool;
         RecordPages m_pages;
 
-        /// <param name="readers">Readers whose blocks are known.</param>
-        /// <param name="map">Points outside its cube are left out.</param>
-        /// <param name="mostPoints">The approximate number of points.</param>
+        /// <summary>The readers' blocks are known. Points outside the partition's cube will be left out.</summary>
         public ProvisionalSample(BuildContext build)
         {
             m_build = build;

@@ -31,11 +31,11 @@ namespace FastPoints.Files
         ulong m_rows;
         bool m_isInText;
 
+        /// <param name="reader">Its <see cref="PointReader.MostJobs"/> limits the jobs in flight.</param>
         /// <param name="offset">Offset of the first line.</param>
         /// <param name="blockBytes">Bytes of a stretch.</param>
         /// <param name="rowsBefore">Leading lines that are not points.</param>
         /// <param name="rowsEnd">Lines up to the last point's; a number beyond the file's for all.</param>
-        /// <param name="mostJobs">The most jobs in flight; 0 for as many as keep all workers busy.</param>
         public AsciiRowScan(PointReader reader, FileHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;

@@ -28,7 +28,6 @@ namespace FastPoints.Files
         ReadHandle m_read;
         bool m_isReading;
 
-        /// <param name="dataOffset">Offset of the file's first record.</param>
         /// <param name="target">The batch that the points go to, whose schema says what is wanted.</param>
         /// <param name="maxRuns">The most runs in one request.</param>
         /// <param name="maxBytes">The most bytes in one request, at least those of the longest run.</param>
