@@ -11,10 +11,21 @@ namespace FastPoints.RepoTools.Reference
     {
         private static readonly Dictionary<string, string> s_keywords = new Dictionary<string, string>
         {
-            ["System.Void"] = "void", ["System.Object"] = "object", ["System.String"] = "string", ["System.Boolean"] = "bool",
-            ["System.Char"] = "char", ["System.SByte"] = "sbyte", ["System.Byte"] = "byte", ["System.Int16"] = "short",
-            ["System.UInt16"] = "ushort", ["System.Int32"] = "int", ["System.UInt32"] = "uint", ["System.Int64"] = "long",
-            ["System.UInt64"] = "ulong", ["System.Single"] = "float", ["System.Double"] = "double",
+            ["System.Void"] = "void",
+            ["System.Object"] = "object",
+            ["System.String"] = "string",
+            ["System.Boolean"] = "bool",
+            ["System.Char"] = "char",
+            ["System.SByte"] = "sbyte",
+            ["System.Byte"] = "byte",
+            ["System.Int16"] = "short",
+            ["System.UInt16"] = "ushort",
+            ["System.Int32"] = "int",
+            ["System.UInt32"] = "uint",
+            ["System.Int64"] = "long",
+            ["System.UInt64"] = "ulong",
+            ["System.Single"] = "float",
+            ["System.Double"] = "double",
         };
 
         public static string Of(MethodDefinition method)
