@@ -23,6 +23,7 @@ namespace FastPoints.RepoTools
               meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
               api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
                         (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
+                        with --check, stand-ins show no type or member that neither the package, the host nor any test names
               threads   Headless/Api/threads.tsv: on which threads the members of Unity that the package uses may be called, from
                         these builds and the full table beside that list
               hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]

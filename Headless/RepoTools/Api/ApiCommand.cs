@@ -24,6 +24,8 @@ namespace FastPoints.RepoTools.Api
 
             UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
             List<string> problems = Check(repository, api);
+            if (check)
+                problems.AddRange(StandInUse.Check(repository));
             if (!check)
             {
                 string text = Compose(api.Touched);

@@ -20,15 +20,5 @@ namespace Unity.Burst
         public FloatMode FloatMode { get; set; }
 
         public FloatPrecision FloatPrecision { get; set; }
-
-        public bool CompileSynchronously { get; set; }
-
-        public bool Debug { get; set; }
-
-        public bool DisableSafetyChecks { get; set; }
-
-        public bool DisableDirectCall { get; set; }
-
-        public OptimizeFor OptimizeFor { get; set; }
     }
 }

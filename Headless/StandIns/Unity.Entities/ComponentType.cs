@@ -25,8 +25,6 @@ namespace Unity.Entities
 
         public static ComponentType ReadOnly<T>() => new ComponentType(typeof(T), AccessMode.ReadOnly);
 
-        public static ComponentType Exclude<T>() => new ComponentType(typeof(T), AccessMode.Exclude);
-
         public static implicit operator ComponentType(Type type) => new ComponentType(type);
 
         public static bool operator ==(ComponentType lhs, ComponentType rhs) => lhs.Equals(rhs);

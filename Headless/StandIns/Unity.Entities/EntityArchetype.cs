@@ -7,8 +7,6 @@ namespace Unity.Entities
     {
         internal Archetype Stored;
 
-        public bool Valid => Stored != null;
-
         public bool Equals(EntityArchetype entityArchetype) => Stored == entityArchetype.Stored;
 
         public override bool Equals(object compare) => compare is EntityArchetype other && Equals(other);

@@ -109,10 +109,6 @@ namespace Unity.Entities
         public EntityQuery CreateEntityQuery(params ComponentType[] requiredComponents) =>
             new EntityQuery(Store, QueryTerms.Of(requiredComponents));
 
-        public void CompleteAllTrackedJobs()
-        {
-        }
-
         public bool Equals(EntityManager other) => Store == other.Store;
 
         public override bool Equals(object obj) => obj is EntityManager other && Equals(other);

@@ -18,17 +18,6 @@ namespace Unity.Entities
 
         public bool IsEmpty => CalculateEntityCount() == 0;
 
-        public bool IsEmptyIgnoreFilter
-        {
-            get
-            {
-                for (int a = 0; a < Alive.ArchetypeCount; a++)
-                    if (m_store.ArchetypeAt(a).Count > 0 && m_terms.MayMatch(m_store.ArchetypeAt(a)))
-                        return false;
-                return true;
-            }
-        }
-
         public int CalculateEntityCount()
         {
             int count = 0;

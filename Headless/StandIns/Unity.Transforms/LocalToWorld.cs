@@ -6,7 +6,5 @@ namespace Unity.Transforms
     public struct LocalToWorld : IComponentData
     {
         public float4x4 Value;
-
-        public float3 Position => Value.c3.xyz;
     }
 }

@@ -13,14 +13,11 @@ namespace UnityEditor.AssetImporters
 
         public ScriptedImporterAttribute(int version, string[] exts, string[] overrideExts)
         {
-            this.version = version;
             fileExtensions = exts;
             overrideFileExtensions = overrideExts;
         }
 
         public bool AllowCaching;
-
-        public int version { get; }
 
         public string[] fileExtensions { get; }
 

@@ -43,8 +43,6 @@ namespace UnityEditor
     {
         public static Matrix4x4 matrix { get; set; } = Matrix4x4.identity;
 
-        public static Color color { get; set; } = Color.white;
-
         public static void DrawLine(Vector3 p1, Vector3 p2)
         {
         }

@@ -22,12 +22,5 @@ namespace Unity.Burst.Intrinsics
             return x * y;
 #endif
         }
-
-        public static void Pause()
-        {
-#if NET
-            System.Threading.Thread.SpinWait(1);
-#endif
-        }
     }
 }

@@ -8,8 +8,6 @@ namespace Unity.Entities
 
         protected abstract void OnUpdate();
 
-        protected void CompleteDependency() => Dependency.Complete();
-
         public sealed override void Update()
         {
             if (!Begin())

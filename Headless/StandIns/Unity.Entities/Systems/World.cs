@@ -12,7 +12,6 @@ namespace Unity.Entities
         public World(string name, WorldFlags flags = WorldFlags.Simulation)
         {
             Name = name;
-            Flags = flags;
             EntityManager = new EntityManager(this, m_store);
         }
 
@@ -20,7 +19,6 @@ namespace Unity.Entities
         public static World DefaultGameObjectInjectionWorld { get; set; }
 
         public string Name { get; }
-        public WorldFlags Flags { get; }
         public EntityManager EntityManager { get; }
         public bool IsCreated => !m_store.IsDisposed;
 

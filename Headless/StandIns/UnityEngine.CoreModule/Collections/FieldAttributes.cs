@@ -21,20 +21,4 @@ namespace Unity.Collections
     public sealed class NativeDisableParallelForRestrictionAttribute : Attribute
     {
     }
-
-    [AttributeUsage(AttributeTargets.Field)]
-    public sealed class NativeMatchesParallelForLengthAttribute : Attribute
-    {
-    }
-
-    [AttributeUsage(AttributeTargets.Field)]
-    public sealed class NativeFixedLengthAttribute : Attribute
-    {
-        public int FixedLength;
-
-        public NativeFixedLengthAttribute(int fixedLength)
-        {
-            FixedLength = fixedLength;
-        }
-    }
 }

@@ -41,12 +41,6 @@ namespace Unity.Collections
                 get => m_Length;
             }
 
-            public bool IsCreated
-            {
-                [MethodImpl(MethodImplOptions.AggressiveInlining)]
-                get => m_Buffer != null;
-            }
-
             public T this[int index]
             {
                 [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -55,19 +49,6 @@ namespace Unity.Collections
                     CheckElement(index);
                     return SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(m_Buffer), index);
                 }
-            }
-
-            public ref readonly T UnsafeElementAt(int index) => ref SystemUnsafe.Add(ref SystemUnsafe.AsRef<T>(m_Buffer), index);
-
-            public void CopyTo(T[] array) => Copy(this, array);
-
-            public void CopyTo(NativeArray<T> array) => Copy(this, array);
-
-            public T[] ToArray()
-            {
-                var array = new T[m_Length];
-                Copy(this, array, m_Length);
-                return array;
             }
 
             public NativeArray<U>.ReadOnly Reinterpret<U>() where U : struct

@@ -211,12 +211,6 @@ namespace Unity.Collections
             return SystemUnsafe.ReadUnaligned<U>((byte*)m_Buffer + (long)sourceIndex * SystemUnsafe.SizeOf<T>());
         }
 
-        public void ReinterpretStore<U>(int destIndex, U data) where U : struct
-        {
-            CheckReinterpretRange<U>(destIndex, write: true);
-            SystemUnsafe.WriteUnaligned((byte*)m_Buffer + (long)destIndex * SystemUnsafe.SizeOf<T>(), data);
-        }
-
         public Enumerator GetEnumerator() => new Enumerator(ref this);
 
         IEnumerator<T> IEnumerable<T>.GetEnumerator() => GetEnumerator();

@@ -5,15 +5,6 @@ namespace Unity.Collections.LowLevel.Unsafe
 {
     public static unsafe class NativeArrayUnsafeUtility
     {
-        public static AtomicSafetyHandle GetAtomicSafetyHandle<T>(NativeArray<T> array) where T : struct
-        {
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
-            return array.m_Safety;
-#else
-            return default;
-#endif
-        }
-
         public static void SetAtomicSafetyHandle<T>(ref NativeArray<T> array, AtomicSafetyHandle safety) where T : struct
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -7,10 +7,7 @@ namespace UnityEngine.Serialization
     {
         public FormerlySerializedAsAttribute(string oldName)
         {
-            this.oldName = oldName;
         }
-
-        public string oldName { get; }
     }
 }
 
@@ -29,18 +26,6 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
     public abstract class PropertyAttribute : Attribute
     {
-        protected PropertyAttribute()
-        {
-        }
-
-        protected PropertyAttribute(bool applyToCollection)
-        {
-            this.applyToCollection = applyToCollection;
-        }
-
-        public bool applyToCollection { get; }
-
-        public int order { get; set; }
     }
 
     [AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]

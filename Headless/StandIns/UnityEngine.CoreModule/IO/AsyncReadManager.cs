@@ -61,8 +61,5 @@ namespace Unity.IO.LowLevel.Unsafe
             request.EnqueueInfo(result);
             return new ReadHandle(request);
         }
-
-        /// <summary>Files are not kept open between reads by name.</summary>
-        public static JobHandle CloseCachedFileAsync(string fileName, JobHandle dependency = default) => dependency;
     }
 }

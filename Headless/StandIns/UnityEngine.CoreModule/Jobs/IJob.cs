@@ -14,10 +14,6 @@ namespace Unity.Jobs
             public void Execute(ref T job, int begin, int end) => job.Execute();
         }
 
-        public static void EarlyJobInit<T>() where T : struct, IJob
-        {
-        }
-
         public static JobHandle Schedule<T>(this T jobData, JobHandle dependsOn = default) where T : struct, IJob =>
             JobScheduler.Schedule<T, Kind<T>>(ref jobData, 1, 1, false, dependsOn);
 

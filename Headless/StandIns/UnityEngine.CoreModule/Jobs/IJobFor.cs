@@ -18,29 +18,14 @@ namespace Unity.Jobs
             }
         }
 
-        public static void EarlyJobInit<T>() where T : struct, IJobFor
-        {
-        }
-
         public static JobHandle Schedule<T>(this T jobData, int arrayLength, JobHandle dependency) where T : struct, IJobFor =>
-            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, arrayLength, false, dependency);
-
-        public static JobHandle ScheduleByRef<T>(this ref T jobData, int arrayLength, JobHandle dependency)
-            where T : struct, IJobFor =>
             JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, arrayLength, false, dependency);
 
         public static JobHandle ScheduleParallel<T>(this T jobData, int arrayLength, int innerloopBatchCount,
             JobHandle dependency) where T : struct, IJobFor =>
             JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependency);
 
-        public static JobHandle ScheduleParallelByRef<T>(this ref T jobData, int arrayLength, int innerloopBatchCount,
-            JobHandle dependency) where T : struct, IJobFor =>
-            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependency);
-
         public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobFor =>
-            JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, false);
-
-        public static void RunByRef<T>(this ref T jobData, int arrayLength) where T : struct, IJobFor =>
             JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, false);
     }
 }

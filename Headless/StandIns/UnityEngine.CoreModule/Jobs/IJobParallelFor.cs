@@ -18,22 +18,8 @@ namespace Unity.Jobs
             }
         }
 
-        public static void EarlyJobInit<T>() where T : struct, IJobParallelFor
-        {
-        }
-
         public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount,
             JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
             JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
-
-        public static JobHandle ScheduleByRef<T>(this ref T jobData, int arrayLength, int innerloopBatchCount,
-            JobHandle dependsOn = default) where T : struct, IJobParallelFor =>
-            JobScheduler.Schedule<T, Kind<T>>(ref jobData, arrayLength, innerloopBatchCount, true, dependsOn);
-
-        public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobParallelFor =>
-            JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, true);
-
-        public static void RunByRef<T>(this ref T jobData, int arrayLength) where T : struct, IJobParallelFor =>
-            JobScheduler.Run<T, Kind<T>>(ref jobData, arrayLength, true);
     }
 }

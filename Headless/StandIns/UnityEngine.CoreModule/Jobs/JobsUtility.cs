@@ -21,23 +21,6 @@ namespace Unity.Jobs.LowLevel.Unsafe
 
         public static int ThreadIndexCount => JobWorkers.MaximumCount + 1;
 
-        public static bool IsExecutingJob => JobThread.IsExecuting;
-
-        public static bool JobDebuggerEnabled { get; set; } = true;
-
-        public static bool JobCompilerEnabled { get; set; }
-
         public static void ResetJobWorkerCount() => JobWorkers.Count = JobWorkers.DefaultCount;
-    }
-
-    [AttributeUsage(AttributeTargets.Interface)]
-    public sealed class JobProducerTypeAttribute : Attribute
-    {
-        public JobProducerTypeAttribute(Type producerType)
-        {
-            ProducerType = producerType;
-        }
-
-        public Type ProducerType { get; }
     }
 }

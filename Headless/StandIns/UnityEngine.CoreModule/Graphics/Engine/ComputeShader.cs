@@ -35,22 +35,12 @@ namespace UnityEngine
 
         public bool HasKernel(string name) => m_kernels.Exists(k => k.Name == name);
 
-        public bool IsSupported(int kernelIndex)
-        {
-            if (GpuDevice.TryGet(out _) == null)
-                return false;
-            Kernel(kernelIndex).Program(m_keywords);
-            return true;
-        }
-
         public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>
             (x, y, z) = Kernel(kernelIndex).Program(m_keywords).GroupSize;
 
         public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
 
         public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
-
-        public bool IsKeywordEnabled(string keyword) => m_keywords.Contains(keyword);
 
         public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
 

@@ -29,13 +29,5 @@ namespace UnityEngine
             GraphicsFence.Execute(fence.Id, Math.Max(1, GpuDevice.Current.Queue.Flush()));
             return fence;
         }
-
-        /// <summary>All of one buffer into another of the same size.</summary>
-        public static void CopyBuffer(GraphicsBuffer source, GraphicsBuffer dest)
-        {
-            using var commands = new CommandBuffer();
-            commands.CopyBuffer(source, dest);
-            ExecuteCommandBuffer(commands);
-        }
     }
 }

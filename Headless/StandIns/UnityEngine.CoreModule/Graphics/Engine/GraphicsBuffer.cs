@@ -71,8 +71,6 @@ namespace UnityEngine
 
         public bool IsValid() => m_buffer != null;
 
-        public void Release() => Dispose();
-
         public void Dispose()
         {
             if (m_buffer == null)

@@ -39,34 +39,17 @@ namespace UnityEngine
         public int FindPass(string passName) =>
             m_shader.Source.Passes.FindIndex(p => string.Equals(p.Name, passName, StringComparison.OrdinalIgnoreCase));
 
-        public string GetPassName(int pass) => m_shader.Source.Passes[pass].Name;
-
         public void EnableKeyword(string keyword) => Keywords.Set(keyword, true);
 
         public void DisableKeyword(string keyword) => Keywords.Set(keyword, false);
-
-        public bool IsKeywordEnabled(string keyword) => Keywords.Contains(keyword);
 
         public void SetFloat(int nameID, float value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
         public void SetFloat(string name, float value) => SetFloat(Shader.PropertyToID(name), value);
 
-        /// <summary>As a float, which is what Unity makes of it: beyond 2^24 not exact. SetInteger is.</summary>
-        public void SetInt(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of((float)value));
-
-        public void SetInteger(int nameID, int value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
         public void SetVector(int nameID, Vector4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
 
         public void SetColor(int nameID, Color value) => Sheet.Set(nameID, PropertyValue.Of((Vector4)value));
-
-        public void SetMatrix(int nameID, Matrix4x4 value) => Sheet.Set(nameID, PropertyValue.Of(value));
-
-        public void SetFloatArray(int nameID, float[] values) => Sheet.Set(nameID, values);
-
-        public void SetVectorArray(int nameID, Vector4[] values) => Sheet.Set(nameID, values);
-
-        public void SetMatrixArray(int nameID, Matrix4x4[] values) => Sheet.Set(nameID, values);
 
         public void SetBuffer(int nameID, GraphicsBuffer value) => Sheet.Set(nameID, value);
 
@@ -78,12 +61,5 @@ namespace UnityEngine
             Sheet.Set(nameID, value, element == RenderTextureSubElement.Depth);
 
         public float GetFloat(int nameID) => m_shader.Source.Value(Sheet, nameID, out PropertyValue value) ? value.Vector.x : 0;
-
-        public int GetInteger(int nameID) => m_shader.Source.Value(Sheet, nameID, out PropertyValue value) ? value.Int : 0;
-
-        public Vector4 GetVector(int nameID) => m_shader.Source.Value(Sheet, nameID, out PropertyValue value) ? value.Vector
-            : default;
-
-        public bool HasProperty(int nameID) => m_shader.Source.Value(Sheet, nameID, out _);
     }
 }

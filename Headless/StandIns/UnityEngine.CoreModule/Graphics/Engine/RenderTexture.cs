@@ -81,7 +81,7 @@ namespace UnityEngine
             set => Change().enableRandomWrite = value;
         }
 
-        public new GraphicsFormat graphicsFormat
+        public GraphicsFormat graphicsFormat
         {
             get => m_descriptor.graphicsFormat;
             set => Change().graphicsFormat = value;
@@ -92,8 +92,6 @@ namespace UnityEngine
             get => m_descriptor.depthStencilFormat;
             set => Change().depthStencilFormat = value;
         }
-
-        public RenderTextureFormat format => TextureFormats.Of(m_descriptor.graphicsFormat);
 
         public bool sRGB => m_descriptor.sRGB;
 

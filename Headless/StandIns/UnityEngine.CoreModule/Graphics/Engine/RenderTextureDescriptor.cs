@@ -57,12 +57,6 @@ namespace UnityEngine
 
         public bool useMipMap { get; set; }
 
-        public int depthBufferBits
-        {
-            readonly get => depthStencilFormat == GraphicsFormat.None ? 0 : 32;
-            set => depthStencilFormat = TextureFormats.DepthOf(value);
-        }
-
         public bool sRGB
         {
             readonly get => graphicsFormat == GraphicsFormat.R8G8B8A8_SRGB;

@@ -13,37 +13,17 @@ namespace UnityEngine
 
         public static bool supportsComputeShaders => HasDevice;
 
-        public static bool supportsIndirectArgumentsBuffer => HasDevice;
-
-        public static bool supportsInstancing => HasDevice;
-
-        public static bool supportsAsyncGPUReadback => HasDevice;
-
         public static bool supportsGraphicsFence => HasDevice;
-
-        public static bool supports2DArrayTextures => HasDevice;
 
         public static bool supportsRenderTargetArrayIndexFromVertexShader => GpuDevice.TryGet(out _)?.ChoosesSlices ?? false;
 
         /// <summary>Not by this host: its render passes have no view masks.</summary>
         public static bool supportsMultiview => false;
 
-        public static bool usesReversedZBuffer => true;
-
         public static bool graphicsUVStartsAtTop => true;
 
         /// <summary>In bytes: what one shader may see of a buffer.</summary>
         public static long maxGraphicsBufferSize => GpuDevice.TryGet(out _)?.Limits.maxStorageBufferRange ?? 0;
-
-        public static int maxComputeBufferInputsVertex => StorageBuffers;
-
-        public static int maxComputeBufferInputsFragment => StorageBuffers;
-
-        public static int maxComputeBufferInputsCompute => StorageBuffers;
-
-        public static int maxComputeWorkGroupSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxComputeWorkGroupInvocations ?? 0);
-
-        public static int maxTextureSize => (int)(GpuDevice.TryGet(out _)?.Limits.maxImageDimension2D ?? 0);
 
         public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) => usage switch
         {

@@ -22,8 +22,6 @@ namespace UnityEngine
 
         public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
 
-        public virtual GraphicsFormat graphicsFormat => Format;
-
         public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
 
         public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;

@@ -16,7 +16,5 @@ namespace UnityEngine.Rendering
         public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex = 0,
             Action<AsyncGPUReadbackRequest> callback = null) =>
             ReadbackTable.Add(src, callback);
-
-        public static void WaitAllRequests() => ReadbackTable.WaitAll();
     }
 }

@@ -18,17 +18,6 @@ namespace UnityEngine.Rendering
 
         public bool hasError => ReadbackTable.Find(m_id) == null;
 
-        public int width => ReadbackTable.Find(m_id)?.Width ?? 0;
-
-        public int height => ReadbackTable.Find(m_id)?.Height ?? 0;
-
-        public int layerCount => ReadbackTable.Find(m_id)?.Layers ?? 0;
-
-        /// <summary>In bytes.</summary>
-        public int layerDataSize => ReadbackTable.Find(m_id)?.LayerBytes ?? 0;
-
-        public void Update() => ReadbackTable.Find(m_id)?.Poll();
-
         public void WaitForCompletion() => ReadbackTable.Find(m_id)?.Wait();
 
         /// <exception cref="System.InvalidOperationException">Not done, or the data is gone.</exception>

@@ -10,12 +10,6 @@ namespace UnityEngine.Rendering
         public void SetComputeIntParam(ComputeShader computeShader, int nameID, int val) =>
             SetConstant(computeShader, nameID, PropertyValue.Of(val));
 
-        public void SetComputeIntParams(ComputeShader computeShader, int nameID, params int[] values) =>
-            SetConstant(computeShader, nameID, PropertyValue.Of(values));
-
-        public void SetComputeFloatParam(ComputeShader computeShader, int nameID, float val) =>
-            SetConstant(computeShader, nameID, PropertyValue.Of(val));
-
         public void SetComputeVectorParam(ComputeShader computeShader, int nameID, Vector4 val) =>
             SetConstant(computeShader, nameID, PropertyValue.Of(val));
 
@@ -24,9 +18,6 @@ namespace UnityEngine.Rendering
 
         public void SetComputeVectorArrayParam(ComputeShader computeShader, int nameID, Vector4[] values) =>
             AddArray(computeShader, nameID, MemoryMarshal.Cast<Vector4, float>(values));
-
-        public void SetComputeMatrixArrayParam(ComputeShader computeShader, int nameID, Matrix4x4[] values) =>
-            AddArray(computeShader, nameID, MemoryMarshal.Cast<Matrix4x4, float>(values));
 
         public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer) =>
             Add(new RecordedCommand

@@ -56,15 +56,6 @@ namespace UnityEngine.Rendering
             return fence;
         }
 
-        public void RequestAsyncReadback(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback) =>
-            Add(new RecordedCommand { Kind = CommandKind.ReadBuffer, X = src, Y = callback, A = 0, B = (int)src.Bytes });
-
-        public void RequestAsyncReadback(GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback) =>
-            Add(new RecordedCommand { Kind = CommandKind.ReadBuffer, X = src, Y = callback, A = offset, B = size });
-
-        public void RequestAsyncReadback(Texture src, Action<AsyncGPUReadbackRequest> callback) =>
-            Add(new RecordedCommand { Kind = CommandKind.ReadTexture, X = src, Y = callback });
-
         void AddUpload(GraphicsBuffer buffer, byte* data, int start, int count, int size)
         {
             if (buffer == null)

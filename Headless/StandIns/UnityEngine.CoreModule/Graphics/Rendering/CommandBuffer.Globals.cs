@@ -6,18 +6,7 @@ namespace UnityEngine.Rendering
     // SetGlobal: A is the name, Data the value.
     public partial class CommandBuffer
     {
-        public void SetGlobalFloat(int nameID, float value) => SetGlobal(nameID, PropertyValue.Of(value));
-
-        /// <summary>As a float, which is what Unity makes of it.</summary>
-        public void SetGlobalInt(int nameID, int value) => SetGlobal(nameID, PropertyValue.Of((float)value));
-
-        public void SetGlobalInteger(int nameID, int value) => SetGlobal(nameID, PropertyValue.Of(value));
-
         public void SetGlobalVector(int nameID, Vector4 value) => SetGlobal(nameID, PropertyValue.Of(value));
-
-        public void SetGlobalMatrix(int nameID, Matrix4x4 value) => SetGlobal(nameID, PropertyValue.Of(value));
-
-        public void SetGlobalFloatArray(int nameID, float[] values) => AddArray(null, nameID, values);
 
         public void SetGlobalVectorArray(int nameID, Vector4[] values) =>
             AddArray(null, nameID, MemoryMarshal.Cast<Vector4, float>(values));

@@ -36,13 +36,7 @@ namespace UnityEngine.Rendering
             BytesUsed = 0;
         }
 
-        public void Release() => Dispose();
-
         public void Dispose() => m_isReleased = true;
-
-        public void BeginSample(string name) => CheckReleased();
-
-        public void EndSample(string name) => CheckReleased();
 
         internal void CheckReleased()
         {

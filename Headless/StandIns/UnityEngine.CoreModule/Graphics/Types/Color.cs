@@ -35,9 +35,6 @@ namespace UnityEngine
 
         public static Color blue => new Color(0, 0, 1);
 
-        /// <summary>This colour, taken as sRGB, in linear light (IEC 61966-2-1).</summary>
-        public Color linear => new Color(ToLinear(r), ToLinear(g), ToLinear(b), a);
-
         public static implicit operator Vector4(Color c) => new Vector4(c.r, c.g, c.b, c.a);
 
         public static implicit operator Color(Vector4 v) => new Color(v.x, v.y, v.z, v.w);

@@ -40,8 +40,6 @@ namespace UnityEngine
 
         public Matrix4x4 inverse => Inverse(this);
 
-        public Matrix4x4 transpose => Transpose(this);
-
         public float this[int row, int column]
         {
             get => this[row + column * 4];
@@ -86,8 +84,6 @@ namespace UnityEngine
             return m;
         }
 
-        public static Matrix4x4 Transpose(Matrix4x4 m) => new Matrix4x4(m.GetRow(0), m.GetRow(1), m.GetRow(2), m.GetRow(3));
-
         public readonly Vector4 GetColumn(int index)
         {
             Matrix4x4 m = this;
@@ -111,13 +107,6 @@ namespace UnityEngine
         {
             for (int column = 0; column < 4; column++)
                 this[index, column] = row[column];
-        }
-
-        /// <summary>A point through a projection as well: divided by w.</summary>
-        public readonly Vector3 MultiplyPoint(Vector3 point)
-        {
-            Vector4 moved = this * new Vector4(point.x, point.y, point.z, 1);
-            return (Vector3)moved / moved.w;
         }
 
         public readonly Vector3 MultiplyPoint3x4(Vector3 point) => this * new Vector4(point.x, point.y, point.z, 1);

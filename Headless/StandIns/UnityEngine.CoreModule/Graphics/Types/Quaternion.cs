@@ -18,8 +18,6 @@ namespace UnityEngine
             this.w = w;
         }
 
-        public static Quaternion identity => new Quaternion(0, 0, 0, 1);
-
         /// <summary>Degrees: around Z first, then X, then Y.</summary>
         public static Quaternion Euler(float x, float y, float z) =>
             Around(Vector3.up, y) * Around(Vector3.right, x) * Around(Vector3.forward, z);

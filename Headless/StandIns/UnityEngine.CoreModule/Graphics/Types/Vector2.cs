@@ -14,41 +14,7 @@ namespace UnityEngine
             this.y = y;
         }
 
-        public static Vector2 zero => default;
-
-        public static Vector2 one => new Vector2(1, 1);
-
-        public float magnitude => MathF.Sqrt(sqrMagnitude);
-
         public float sqrMagnitude => x * x + y * y;
-
-        public Vector2 normalized => magnitude > 1e-5f ? this / magnitude : zero;
-
-        public float this[int index]
-        {
-            get => index switch
-            {
-                0 => x,
-                1 => y,
-                _ => throw new IndexOutOfRangeException("Invalid Vector2 index!"),
-            };
-            set
-            {
-                switch (index)
-                {
-                    case 0:
-                        x = value;
-                        break;
-                    case 1:
-                        y = value;
-                        break;
-                    default:
-                        throw new IndexOutOfRangeException("Invalid Vector2 index!");
-                }
-            }
-        }
-
-        public static float Dot(Vector2 lhs, Vector2 rhs) => lhs.x * rhs.x + lhs.y * rhs.y;
 
         public static Vector2 operator +(Vector2 a, Vector2 b) => new Vector2(a.x + b.x, a.y + b.y);
 

@@ -28,15 +28,9 @@ namespace UnityEngine
         {
         }
 
-        public static Vector4 zero => default;
-
         public static Vector4 one => new Vector4(1, 1, 1, 1);
 
-        public float magnitude => MathF.Sqrt(sqrMagnitude);
-
         public float sqrMagnitude => x * x + y * y + z * z + w * w;
-
-        public Vector4 normalized => magnitude > 1e-5f ? this / magnitude : zero;
 
         public float this[int index]
         {
@@ -69,8 +63,6 @@ namespace UnityEngine
                 }
             }
         }
-
-        public static float Dot(Vector4 a, Vector4 b) => a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 
         public static Vector4 operator +(Vector4 a, Vector4 b) => new Vector4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
 

@@ -1,9 +1,0 @@
-using System;
-
-namespace Unity.Burst.CompilerServices
-{
-    [AttributeUsage(AttributeTargets.Method)]
-    public class SkipLocalsInitAttribute : Attribute
-    {
-    }
-}
