@@ -1,5 +1,5 @@
-using FastPoints.Evaluation;
 using System.Collections.Generic;
+using FastPoints.Evaluation;
 using FastPoints.Preview;
 
 namespace FastPoints.Cli.Preview

@@ -24,65 +24,95 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static implicit operator double3(uint v) => new double3(v);
         [MethodImpl(Inlining.Always)] public static implicit operator double3(float3 v) => new double3(v);
         [MethodImpl(Inlining.Always)] public static implicit operator double3(int3 v) => new double3(v);
-        [MethodImpl(Inlining.Always)] public static double3 operator +(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator +(double lhs, double3 rhs) =>
             new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator +(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator +(double3 lhs, double rhs) =>
             new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)] public static double3 operator +(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator +(double3 lhs, double3 rhs) =>
             new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator /(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator /(double lhs, double3 rhs) =>
             new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator /(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator /(double3 lhs, double rhs) =>
             new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        [MethodImpl(Inlining.Always)] public static double3 operator /(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator /(double3 lhs, double3 rhs) =>
             new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(double lhs, double3 rhs) =>
             new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(double3 lhs, double rhs) =>
             new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(double3 lhs, double3 rhs) =>
             new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >(double lhs, double3 rhs) =>
             new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >(double3 lhs, double rhs) =>
             new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >(double3 lhs, double3 rhs) =>
             new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >=(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >=(double lhs, double3 rhs) =>
             new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >=(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >=(double3 lhs, double rhs) =>
             new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >=(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >=(double3 lhs, double3 rhs) =>
             new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(double lhs, double3 rhs) =>
             new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(double3 lhs, double rhs) =>
             new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(double3 lhs, double3 rhs) =>
             new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <(double lhs, double3 rhs) =>
             new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <(double3 lhs, double rhs) =>
             new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <(double3 lhs, double3 rhs) =>
             new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <=(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <=(double lhs, double3 rhs) =>
             new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <=(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <=(double3 lhs, double rhs) =>
             new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <=(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <=(double3 lhs, double3 rhs) =>
             new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator *(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator *(double lhs, double3 rhs) =>
             new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator *(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator *(double3 lhs, double rhs) =>
             new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        [MethodImpl(Inlining.Always)] public static double3 operator *(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator *(double3 lhs, double3 rhs) =>
             new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator -(double lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator -(double lhs, double3 rhs) =>
             new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        [MethodImpl(Inlining.Always)] public static double3 operator -(double3 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator -(double3 lhs, double rhs) =>
             new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        [MethodImpl(Inlining.Always)] public static double3 operator -(double3 lhs, double3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 operator -(double3 lhs, double3 rhs) =>
             new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
         [MethodImpl(Inlining.Always)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
 
@@ -119,25 +149,32 @@ namespace Unity.Mathematics
 
         public double2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public double2 xz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(x, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(x, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; z = value.y; }
         }
 
         public double2 yz
         {
-            [MethodImpl(Inlining.Always)] get => new double2(y, z);
-            [MethodImpl(Inlining.Always)] set { y = value.x; z = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new double2(y, z);
+            [MethodImpl(Inlining.Always)]
+            set { y = value.x; z = value.y; }
         }
 
         internal double3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new double3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            get => new double3(y, z, x);
         }
     }
 }

@@ -10,17 +10,21 @@ namespace Unity.Mathematics
         public double z;
         public double w;
 
-        [MethodImpl(Inlining.Always)] public double4(double x, double y, double z, double w) =>
+        [MethodImpl(Inlining.Always)]
+        public double4(double x, double y, double z, double w) =>
             (this.x, this.y, this.z, this.w) = (x, y, z, w);
         [MethodImpl(Inlining.Always)] public double4(double3 xyz, double w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
         [MethodImpl(Inlining.Always)] internal double4(float4 v) => (x, y, z, w) = (v.x, v.y, v.z, v.w);
 
         [MethodImpl(Inlining.Always)] public static implicit operator double4(float4 v) => new double4(v);
-        [MethodImpl(Inlining.Always)] public static double4 operator +(double4 lhs, double4 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double4 operator +(double4 lhs, double4 rhs) =>
             new double4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-        [MethodImpl(Inlining.Always)] public static double4 operator *(double4 lhs, double rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double4 operator *(double4 lhs, double rhs) =>
             new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-        [MethodImpl(Inlining.Always)] public static double4 operator -(double4 lhs, double4 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static double4 operator -(double4 lhs, double4 rhs) =>
             new double4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
 
         public unsafe double this[int index]
@@ -56,8 +60,10 @@ namespace Unity.Mathematics
 
         public double3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new double3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new double3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
     }
 }

@@ -13,7 +13,8 @@ namespace Unity.Mathematics
         public static readonly double4x4 identity = new double4x4(
             new double4(1, 0, 0, 0), new double4(0, 1, 0, 0), new double4(0, 0, 1, 0), new double4(0, 0, 0, 1));
 
-        [MethodImpl(Inlining.Always)] public double4x4(double4 c0, double4 c1, double4 c2, double4 c3) =>
+        [MethodImpl(Inlining.Always)]
+        public double4x4(double4 c0, double4 c1, double4 c2, double4 c3) =>
             (this.c0, this.c1, this.c2, this.c3) = (c0, c1, c2, c3);
         [MethodImpl(Inlining.Always)] public double4x4(float4x4 v) => (c0, c1, c2, c3) = (v.c0, v.c1, v.c2, v.c3);
 

@@ -22,37 +22,53 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static implicit operator float3(int v) => new float3(v);
         [MethodImpl(Inlining.Always)] public static implicit operator float3(float v) => new float3(v);
         [MethodImpl(Inlining.Always)] public static implicit operator float3(uint v) => new float3(v);
-        [MethodImpl(Inlining.Always)] public static float3 operator +(float lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator +(float lhs, float3 rhs) =>
             new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator +(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator +(float3 lhs, float rhs) =>
             new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)] public static float3 operator +(float3 lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator +(float3 lhs, float3 rhs) =>
             new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator /(float lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator /(float lhs, float3 rhs) =>
             new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator /(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator /(float3 lhs, float rhs) =>
             new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        [MethodImpl(Inlining.Always)] public static float3 operator /(float3 lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator /(float3 lhs, float3 rhs) =>
             new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >(float3 lhs, float rhs) =>
             new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >=(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >=(float3 lhs, float rhs) =>
             new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <(float3 lhs, float rhs) =>
             new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <=(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <=(float3 lhs, float rhs) =>
             new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        [MethodImpl(Inlining.Always)] public static float3 operator *(float lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator *(float lhs, float3 rhs) =>
             new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator *(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator *(float3 lhs, float rhs) =>
             new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        [MethodImpl(Inlining.Always)] public static float3 operator *(float3 lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator *(float3 lhs, float3 rhs) =>
             new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator -(float lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator -(float lhs, float3 rhs) =>
             new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        [MethodImpl(Inlining.Always)] public static float3 operator -(float3 lhs, float rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator -(float3 lhs, float rhs) =>
             new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        [MethodImpl(Inlining.Always)] public static float3 operator -(float3 lhs, float3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 operator -(float3 lhs, float3 rhs) =>
             new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
         [MethodImpl(Inlining.Always)] public static float3 operator -(float3 val) => new float3(-val.x, -val.y, -val.z);
 
@@ -88,13 +104,16 @@ namespace Unity.Mathematics
 
         public float2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new float2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new float2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         internal float3 yzx
         {
-            [MethodImpl(Inlining.Always)] get => new float3(y, z, x);
+            [MethodImpl(Inlining.Always)]
+            get => new float3(y, z, x);
         }
     }
 }

@@ -10,9 +10,11 @@ namespace Unity.Mathematics
         public float z;
         public float w;
 
-        [MethodImpl(Inlining.Always)] public float4(float x, float y, float z, float w) =>
+        [MethodImpl(Inlining.Always)]
+        public float4(float x, float y, float z, float w) =>
             (this.x, this.y, this.z, this.w) = (x, y, z, w);
-        [MethodImpl(Inlining.Always)] internal float4(double4 v) =>
+        [MethodImpl(Inlining.Always)]
+        internal float4(double4 v) =>
             (x, y, z, w) = ((float)v.x, (float)v.y, (float)v.z, (float)v.w);
         [MethodImpl(Inlining.Always)] internal float4(float3 xyz, float w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
 
@@ -33,8 +35,10 @@ namespace Unity.Mathematics
 
         public float3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new float3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new float3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
     }
 }

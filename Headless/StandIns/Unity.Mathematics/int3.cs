@@ -19,35 +19,50 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static explicit operator int3(double3 v) => new int3(v);
         [MethodImpl(Inlining.Always)] public static explicit operator int3(float3 v) => new int3(v);
         [MethodImpl(Inlining.Always)] public static implicit operator int3(int v) => new int3(v);
-        [MethodImpl(Inlining.Always)] public static int3 operator +(int lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 operator +(int lhs, int3 rhs) =>
             new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)] public static int3 operator +(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 operator +(int3 lhs, int rhs) =>
             new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)] public static int3 operator +(int3 lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 operator +(int3 lhs, int3 rhs) =>
             new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(int lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(int lhs, int3 rhs) =>
             new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(int3 lhs, int rhs) =>
             new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator ==(int3 lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator ==(int3 lhs, int3 rhs) =>
             new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >(int3 lhs, int rhs) =>
             new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator >=(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator >=(int3 lhs, int rhs) =>
             new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(int lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(int lhs, int3 rhs) =>
             new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(int3 lhs, int rhs) =>
             new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator !=(int3 lhs, int3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator !=(int3 lhs, int3 rhs) =>
             new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <(int3 lhs, int rhs) =>
             new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        [MethodImpl(Inlining.Always)] public static bool3 operator <=(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 operator <=(int3 lhs, int rhs) =>
             new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        [MethodImpl(Inlining.Always)] public static int3 operator %(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 operator %(int3 lhs, int rhs) =>
             new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-        [MethodImpl(Inlining.Always)] public static int3 operator *(int3 lhs, int rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 operator *(int3 lhs, int rhs) =>
             new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
         [MethodImpl(Inlining.Always)] public static int3 operator >>(int3 x, int n) => new int3(x.x >> n, x.y >> n, x.z >> n);
 
@@ -83,14 +98,18 @@ namespace Unity.Mathematics
 
         public int2 xy
         {
-            [MethodImpl(Inlining.Always)] get => new int2(x, y);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; }
+            [MethodImpl(Inlining.Always)]
+            get => new int2(x, y);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; }
         }
 
         public int3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
     }
 }

@@ -13,9 +13,11 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public int4(int x, int y, int z, int w) => (this.x, this.y, this.z, this.w) = (x, y, z, w);
         [MethodImpl(Inlining.Always)] public int4(int3 xyz, int w) => (x, y, z, this.w) = (xyz.x, xyz.y, xyz.z, w);
 
-        [MethodImpl(Inlining.Always)] public static bool4 operator ==(int4 lhs, int4 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool4 operator ==(int4 lhs, int4 rhs) =>
             new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        [MethodImpl(Inlining.Always)] public static bool4 operator !=(int4 lhs, int4 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool4 operator !=(int4 lhs, int4 rhs) =>
             new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
 
         [MethodImpl(Inlining.Always)] public bool Equals(int4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
@@ -33,8 +35,10 @@ namespace Unity.Mathematics
 
         public int3 xyz
         {
-            [MethodImpl(Inlining.Always)] get => new int3(x, y, z);
-            [MethodImpl(Inlining.Always)] set { x = value.x; y = value.y; z = value.z; }
+            [MethodImpl(Inlining.Always)]
+            get => new int3(x, y, z);
+            [MethodImpl(Inlining.Always)]
+            set { x = value.x; y = value.y; z = value.z; }
         }
     }
 }

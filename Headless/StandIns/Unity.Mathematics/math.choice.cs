@@ -10,13 +10,16 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static float min(float x, float y) => float.IsNaN(y) || x < y ? x : y;
         [MethodImpl(Inlining.Always)] public static uint min(uint x, uint y) => x < y ? x : y;
         [MethodImpl(Inlining.Always)] public static ulong min(ulong x, ulong y) => x < y ? x : y;
-        [MethodImpl(Inlining.Always)] public static double3 min(double3 x, double3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 min(double3 x, double3 y) =>
             new double3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
         [MethodImpl(Inlining.Always)] public static float2 min(float2 x, float2 y) => new float2(min(x.x, y.x), min(x.y, y.y));
-        [MethodImpl(Inlining.Always)] public static float3 min(float3 x, float3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 min(float3 x, float3 y) =>
             new float3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
         [MethodImpl(Inlining.Always)] public static int2 min(int2 x, int2 y) => new int2(min(x.x, y.x), min(x.y, y.y));
-        [MethodImpl(Inlining.Always)] public static int3 min(int3 x, int3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 min(int3 x, int3 y) =>
             new int3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));
 
         [MethodImpl(Inlining.Always)] public static double max(double x, double y) => double.IsNaN(y) || x > y ? x : y;
@@ -25,47 +28,65 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static float max(float x, float y) => float.IsNaN(y) || x > y ? x : y;
         [MethodImpl(Inlining.Always)] public static uint max(uint x, uint y) => x > y ? x : y;
         [MethodImpl(Inlining.Always)] public static ulong max(ulong x, ulong y) => x > y ? x : y;
-        [MethodImpl(Inlining.Always)] public static double3 max(double3 x, double3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 max(double3 x, double3 y) =>
             new double3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
         [MethodImpl(Inlining.Always)] public static float2 max(float2 x, float2 y) => new float2(max(x.x, y.x), max(x.y, y.y));
-        [MethodImpl(Inlining.Always)] public static float3 max(float3 x, float3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 max(float3 x, float3 y) =>
             new float3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
         [MethodImpl(Inlining.Always)] public static int2 max(int2 x, int2 y) => new int2(max(x.x, y.x), max(x.y, y.y));
-        [MethodImpl(Inlining.Always)] public static int3 max(int3 x, int3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 max(int3 x, int3 y) =>
             new int3(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
 
-        [MethodImpl(Inlining.Always)] public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static int clamp(int valueToClamp, int lowerBound, int upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static int clamp(int valueToClamp, int lowerBound, int upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static long clamp(long valueToClamp, long lowerBound, long upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static long clamp(long valueToClamp, long lowerBound, long upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static float clamp(float valueToClamp, float lowerBound, float upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static float clamp(float valueToClamp, float lowerBound, float upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static uint clamp(uint valueToClamp, uint lowerBound, uint upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint clamp(uint valueToClamp, uint lowerBound, uint upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static ulong clamp(ulong valueToClamp, ulong lowerBound, ulong upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static ulong clamp(ulong valueToClamp, ulong lowerBound, ulong upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static double3 clamp(double3 valueToClamp, double3 lowerBound, double3 upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static double3 clamp(double3 valueToClamp, double3 lowerBound, double3 upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static float3 clamp(float3 valueToClamp, float3 lowerBound, float3 upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 clamp(float3 valueToClamp, float3 lowerBound, float3 upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static int2 clamp(int2 valueToClamp, int2 lowerBound, int2 upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static int2 clamp(int2 valueToClamp, int2 lowerBound, int2 upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
-        [MethodImpl(Inlining.Always)] public static int3 clamp(int3 valueToClamp, int3 lowerBound, int3 upperBound) =>
+        [MethodImpl(Inlining.Always)]
+        public static int3 clamp(int3 valueToClamp, int3 lowerBound, int3 upperBound) =>
             max(lowerBound, min(upperBound, valueToClamp));
 
         [MethodImpl(Inlining.Always)] public static float saturate(float x) => clamp(x, 0.0f, 1.0f);
-        [MethodImpl(Inlining.Always)] public static float3 saturate(float3 x) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 saturate(float3 x) =>
             new float3(saturate(x.x), saturate(x.y), saturate(x.z));
 
-        [MethodImpl(Inlining.Always)] internal static float select(float falseValue, float trueValue, bool test) =>
+        [MethodImpl(Inlining.Always)]
+        internal static float select(float falseValue, float trueValue, bool test) =>
             test ? trueValue : falseValue;
-        [MethodImpl(Inlining.Always)] public static uint select(uint falseValue, uint trueValue, bool test) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint select(uint falseValue, uint trueValue, bool test) =>
             test ? trueValue : falseValue;
-        [MethodImpl(Inlining.Always)] internal static float3 select(float3 falseValue, float3 trueValue, bool test) =>
+        [MethodImpl(Inlining.Always)]
+        internal static float3 select(float3 falseValue, float3 trueValue, bool test) =>
             test ? trueValue : falseValue;
-        [MethodImpl(Inlining.Always)] public static float3 select(float3 falseValue, float3 trueValue, bool3 test) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 select(float3 falseValue, float3 trueValue, bool3 test) =>
             new float3(
                 select(falseValue.x, trueValue.x, test.x), select(falseValue.y, trueValue.y, test.y),
                 select(falseValue.z, trueValue.z, test.z));
@@ -107,9 +128,11 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static bool isfinite(double x) => abs(x) < double.PositiveInfinity;
         [MethodImpl(Inlining.Always)] public static bool isfinite(float x) => abs(x) < float.PositiveInfinity;
         [MethodImpl(Inlining.Always)] public static bool2 isfinite(double2 x) => new bool2(isfinite(x.x), isfinite(x.y));
-        [MethodImpl(Inlining.Always)] public static bool3 isfinite(double3 x) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 isfinite(double3 x) =>
             new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
-        [MethodImpl(Inlining.Always)] public static bool3 isfinite(float3 x) =>
+        [MethodImpl(Inlining.Always)]
+        public static bool3 isfinite(float3 x) =>
             new bool3(isfinite(x.x), isfinite(x.y), isfinite(x.z));
     }
 }

@@ -38,7 +38,8 @@ namespace Unity.Mathematics
 
         [MethodImpl(Inlining.Always)] public static double pow(double x, double y) => Math.Pow(x, y);
         [MethodImpl(Inlining.Always)] public static float pow(float x, float y) => (float)Math.Pow(x, y);
-        [MethodImpl(Inlining.Always)] public static float3 pow(float3 x, float3 y) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 pow(float3 x, float3 y) =>
             new float3(pow(x.x, y.x), pow(x.y, y.y), pow(x.z, y.z));
 
         [MethodImpl(Inlining.Always)] public static double sqrt(double x) => Math.Sqrt(x);
@@ -72,7 +73,8 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public static float radians(float x) => x * TORADIANS;
 
         [MethodImpl(Inlining.Always)] public static float lerp(float start, float end, float t) => start + t * (end - start);
-        [MethodImpl(Inlining.Always)] public static float3 lerp(float3 start, float3 end, float t) =>
+        [MethodImpl(Inlining.Always)]
+        public static float3 lerp(float3 start, float3 end, float t) =>
             new float3(lerp(start.x, end.x, t), lerp(start.y, end.y, t), lerp(start.z, end.z, t));
     }
 }

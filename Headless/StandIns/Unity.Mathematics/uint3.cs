@@ -13,13 +13,17 @@ namespace Unity.Mathematics
         [MethodImpl(Inlining.Always)] public uint3(uint x, uint y, uint z) => (this.x, this.y, this.z) = (x, y, z);
 
         [MethodImpl(Inlining.Always)] public static implicit operator uint3(uint v) => new uint3(v);
-        [MethodImpl(Inlining.Always)] public static uint3 operator +(uint lhs, uint3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint3 operator +(uint lhs, uint3 rhs) =>
             new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        [MethodImpl(Inlining.Always)] public static uint3 operator +(uint3 lhs, uint rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint3 operator +(uint3 lhs, uint rhs) =>
             new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        [MethodImpl(Inlining.Always)] public static uint3 operator +(uint3 lhs, uint3 rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint3 operator +(uint3 lhs, uint3 rhs) =>
             new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        [MethodImpl(Inlining.Always)] public static uint3 operator /(uint3 lhs, uint rhs) =>
+        [MethodImpl(Inlining.Always)]
+        public static uint3 operator /(uint3 lhs, uint rhs) =>
             new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
 
         public unsafe uint this[int index]
