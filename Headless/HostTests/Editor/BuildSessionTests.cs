@@ -3,6 +3,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
+using System.Threading;
 using FastPoints.Base;
 using FastPoints.Editor;
 using FastPoints.Writing;
@@ -52,7 +53,7 @@ namespace FastPoints.HostTests.Editor
             {
                 // What was read before the first checkpoint is read again, and there is nothing to continue.
                 string journal = Path.Combine(m_project.Target() + ".part", BuildFiles.JournalName);
-                UpdateUntil(first, () => first.Progress.Current == stage && File.Exists(journal));
+                UpdateUntil(first, () => first.Progress.Current == stage && Appears(journal));
                 first.Suspend();
                 Assert.That(first.State, Is.EqualTo(BuildState.Suspended));
                 Assert.That(first.Tick(1), Is.True, "it is over");
@@ -66,6 +67,9 @@ namespace FastPoints.HostTests.Editor
             Assert.That(second.Result.Note, Does.StartWith("continued a build"));
             m_project.AssertIsWhole(m_project.Target());
         }
+
+        /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late on a busy machine.</summary>
+        static bool Appears(string file) => SpinWait.SpinUntil(() => File.Exists(file), 20);
 
         [Test]
         public void Cancel_AtAnyMoment_LeavesNothing()

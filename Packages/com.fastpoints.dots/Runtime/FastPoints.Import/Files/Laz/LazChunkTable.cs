@@ -55,7 +55,7 @@ namespace FastPoints.Files
         public LazChunkList Chunks { get; } = new LazChunkList();
 
         /// <summary>Whether the table was unusable: <see cref="Chunks"/> holds what is known (perhaps nothing), and the rest must
-        /// be searched for from <see cref="EndOfKnown"/>.</summary>
+        /// be searched for from where the known ones end.</summary>
         public bool IsLost { get; private set; }
 
         /// <summary>Reads the table of a chunked file with points. Anomalies become warnings.</summary>
