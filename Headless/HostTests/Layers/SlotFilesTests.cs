@@ -8,7 +8,7 @@ namespace FastPoints.HostTests.Layers
     /// <summary>Slots begin on the main thread, for every node that is streamed: their files come by AsyncReadManager.</summary>
     public sealed class SlotFilesTests
     {
-        static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|RunRead|EptRead|PotreeRead|PlyRead|PlyRunRead)\b");
+        static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|SlotRead|RunRead|EptRead|PotreeRead|PlyRead)\b");
 
         static readonly Regex s_managedFile =
             new Regex(@"\b(FileSource|FileInfo|FileStream|Directory|LasReader\.Open|System\.IO)\b");

@@ -96,7 +96,7 @@ namespace FastPoints.HostTests.Preview
             AreCut(runs, waves * Slices(points, MostPlaces), "GatherPlacesJob", "ListBlockRunsJob");
             AreCut(runs, Slices(points, MostPlaces), "CompactSampleJob");
             AreCut(runs, Slices(all, MostPlaces), "SampleBlockJob");
-            AreCut(runs, Slices(all / 2, MostLookedUp), "AppendBareCellsJob");
+            AreCut(runs, Slices(all / 2, MostLookedUp), "AppendEmptyCellsJob");
         }
     }
 }
