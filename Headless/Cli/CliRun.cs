@@ -2,15 +2,17 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using System.Threading;
 using FastPoints.Base;
+using FastPoints.Cli.Output;
 using FastPoints.Files;
 
 namespace FastPoints.Cli
 {
     /// <summary>One call of a verb: where it speaks to, how far it is, and what its summary will say.</summary>
-    public sealed class CliRun(TextWriter output, TextWriter error, bool quiet, CancellationToken cancellation)
+    public sealed class CliRun(TextWriter output, TextWriter error, bool quiet, string? json, CancellationToken cancellation)
     {
         readonly Stopwatch m_watch = Stopwatch.StartNew();
         readonly HashSet<string> m_warned = [];
@@ -26,6 +28,15 @@ namespace FastPoints.Cli
 
         /// <summary>Writes the verb's own keys; set as soon as they are known, so that a failed run says what it found.</summary>
         public Action<Utf8JsonWriter>? WriteKeys { get; set; }
+
+        /// <summary>Takes down what is read and what will be written, before either is done.</summary>
+        /// <exception cref="UsageException">An output would be written over an input.</exception>
+        public void Begin(IEnumerable<string> inputs, params IEnumerable<string> outputs)
+        {
+            Inputs.AddRange(inputs);
+            foreach (string path in json is null or "-" ? outputs : outputs.Append(json))
+                OutputNames.RefuseInputs(path, Inputs);
+        }
 
         /// <summary>Runs work on this thread until it is done, or cancelled.</summary>
         public void Pump(IEnumerator<Work> work) => WorkPump.RunToEnd(work, Cancellation);

@@ -80,13 +80,15 @@ namespace FastPoints.Cli
         {
             string? json = parsed.GetValue(verb.JsonOption);
             bool quiet = parsed.GetValue(verb.QuietOption);
-            var run = new CliRun(json == "-" ? TextWriter.Null : output, error, quiet, cancellation);
+            var run = new CliRun(json == "-" ? TextWriter.Null : output, error, quiet, json, cancellation);
             using var display = quiet ? null : new ProgressDisplay(run.Progress, error, errorIsTerminal);
             int status;
             Failure? failure = null;
             try
             {
                 Threads.Use(parsed.GetValue(verb.ThreadsOption));
+                if (json != null)
+                    OutputNames.RefuseCloud("--json", "a summary", json);
                 verb.Run(parsed, run);
                 // What a job throws is logged, and the work goes on: what comes of it is not to be trusted.
                 LoggedExceptions.ThrowFirst();

@@ -87,10 +87,11 @@ namespace FastPoints.Cli.Verbs
             };
             if (parsed.GetValue(m_memory) is { } memory)
                 settings.MemoryBytes = Memory.ForBuild(memory);
-            run.Inputs.AddRange(files);
+            string output = parsed.GetRequiredValue(m_output);
+            OutputNames.RefuseFile(output);
+            run.Begin(files, output);
             using var reader = PointReaders.Open(files, m_source.Read(parsed));
             run.Warn(reader.Info);
-            string output = parsed.GetRequiredValue(m_output);
             if (settings.Attributes?.FirstOrDefault(a => !reader.Info.Schema.Has(a)) is { } unknown)
                 throw new UsageException("--attributes: " + reader.Info.Path + " has no " + unknown + "; it has "
                     + string.Join(", ", reader.Info.Schema.Select(a => a.Name)));

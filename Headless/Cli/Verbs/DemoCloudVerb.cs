@@ -45,6 +45,7 @@ namespace FastPoints.Cli.Verbs
             Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
                 + "steps; to .las, or from LAZ to .laz without decoding.",
         };
+        readonly Option<bool> m_force = new("--force") { Description = "Replace a scan that this tool did not make." };
         readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
 
         public DemoCloudVerb() : base(
@@ -57,6 +58,7 @@ namespace FastPoints.Cli.Verbs
             Command.Add(m_order);
             Command.Add(m_tile);
             Command.Add(m_times);
+            Command.Add(m_force);
             AddCommonOptions();
         }
 
@@ -77,7 +79,7 @@ namespace FastPoints.Cli.Verbs
                 int times = parsed.GetValue(m_times);
                 if (times < 1)
                     throw new UsageException("--tile wants --times, at least 1");
-                run.Inputs.Add(tile);
+                run.Begin([tile], output);
                 written = Tile(tile, output, times, run);
             }
             else
@@ -95,6 +97,7 @@ namespace FastPoints.Cli.Verbs
                         + Human.Count(DemoCloud.MostOrderedPoints));
                 if (!HasExtension(output, ".las") && !HasExtension(output, ".laz") && !HasExtension(output, ".ply"))
                     throw new UsageException("--output: wanted a name that ends in .las, .laz or .ply, got " + output);
+                OutputNames.RefuseForeign(output, parsed.GetValue(m_force));
                 DemoCloud.Write(output, written, parsed.GetValue(m_seed), order, run);
             }
             long bytes = new FileInfo(output).Length;

@@ -105,7 +105,10 @@ namespace FastPoints.Cli.Verbs
         public override void Run(ParseResult parsed, CliRun run)
         {
             var clouds = parsed.GetRequiredValue(m_clouds);
-            run.Inputs.AddRange(clouds);
+            string? output = parsed.GetValue(m_output);
+            if (output != null)
+                OutputNames.RefuseCloud("--output", "a folder of pictures", output);
+            run.Begin(clouds, output != null ? [output] : []);
             var options = m_picture.Read(parsed);
             int every = parsed.GetValue(m_every), asked = parsed.GetValue(m_frames);
             if (asked < 0 || parsed.GetValue(m_budget) < 1 || parsed.GetValue(m_pool) < 1 || parsed.GetValue(m_upload) < 1)
@@ -114,7 +117,6 @@ namespace FastPoints.Cli.Verbs
                 throw new UsageException("--every: wanted 1 to " + MostFramesAPicture);
             if (parsed.GetValue(m_cpu) && parsed.GetValue(m_gpu))
                 throw new UsageException("--cpu or --gpu, not both");
-            string? output = parsed.GetValue(m_output);
             if (output != null)
                 Directory.CreateDirectory(output);
 

@@ -49,7 +49,7 @@ namespace FastPoints.Cli.Verbs
         {
             var files = parsed.GetRequiredValue(m_files);
             bool scan = parsed.GetValue(m_scan);
-            run.Inputs.AddRange(files);
+            run.Begin(files);
             var all = new List<SourceFacts>();
             var clouds = parsed.GetValue(m_asOne) ? [files] : files.Select(f => new[] { f }).ToArray();
             run.WriteKeys = json => WriteKeys(json, clouds.Length, all);

@@ -89,7 +89,7 @@ namespace FastPoints.Cli.Verbs
                 DemoCloud.Write(demo, points, parsed.GetValue(m_seed), Scenes.ScanOrder.Strip, run);
                 reports.Add(Report.Make([demo], new ReadOptions(), folder, run));
             }
-            run.Inputs.AddRange(files);
+            run.Begin(files);
             foreach (var cloud in clouds)
             {
                 string own = CloudName.Of(cloud[0]) + "-report";

@@ -72,9 +72,8 @@ namespace FastPoints.Cli.Verbs
             long budget = parsed.GetValue(m_budget);
             if (budget < 0)
                 throw new UsageException("--budget is at least 1");
-            run.Inputs.AddRange(clouds);
-            if (against != null)
-                run.Inputs.Add(against);
+            OutputNames.RefuseCloud("--output", "a picture", output);
+            run.Begin(against != null ? clouds.Append(against) : clouds, output);
             var reference = against != null ? Png.Read(against) : null;
             if (reference != null && (reference.Width != options.WidthPx || reference.Height != options.HeightPx))
                 throw PointCloudException.Wanted(FailureCode.BadInput, against, -1, "size",

@@ -84,12 +84,13 @@ namespace FastPoints.Cli.Verbs
             string? outFolder = parsed.GetValue(m_out);
             if (outFolder != null && !parsed.GetValue(m_report))
                 throw new UsageException("--out belongs to --report");
-            run.Inputs.AddRange(files);
+            string output = parsed.GetRequiredValue(m_output);
+            OutputNames.RefuseCloud("--output", "a picture", output);
+            run.Begin(files, output);
             var source = m_source.Read(parsed);
             using var reader = PointReaders.Open(files, source);
             run.Warn(reader.Info);
             var result = PreviewStep.Run(reader, options, run);
-            string output = parsed.GetRequiredValue(m_output);
             OutputFile.Write(output, result.Png);
             run.WriteKeys = json => result.WriteKeys(json);
             if (parsed.GetValue(m_report))

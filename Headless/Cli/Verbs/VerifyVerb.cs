@@ -43,7 +43,7 @@ namespace FastPoints.Cli.Verbs
         public override void Run(ParseResult parsed, CliRun run)
         {
             string cloud = parsed.GetRequiredValue(m_cloud);
-            run.Inputs.Add(cloud);
+            run.Begin([cloud]);
             var result = new VerifyResult();
             var readers = new List<PointReader>();
             run.WriteKeys = json => WriteKeys(json, result);
@@ -51,7 +51,7 @@ namespace FastPoints.Cli.Verbs
             {
                 if (parsed.GetValue(m_against) is { Length: > 0 } files)
                 {
-                    run.Inputs.AddRange(files);
+                    run.Begin(files);
                     readers.Add(PointReaders.Open(files, m_source.Read(parsed)));
                     run.Warn(readers[0].Info);
                 }

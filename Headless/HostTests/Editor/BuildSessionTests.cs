@@ -68,7 +68,7 @@ namespace FastPoints.HostTests.Editor
             m_project.AssertIsWhole(m_project.Target());
         }
 
-        /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late on a busy machine.</summary>
+        /// <summary>Whether the file is there, or comes at once: the thread that writes it may be late.</summary>
         static bool Appears(string file) => SpinWait.SpinUntil(() => File.Exists(file), 20);
 
         [Test]
