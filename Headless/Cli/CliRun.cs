@@ -1,13 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
 
 namespace FastPoints.Cli
 {

@@ -1,15 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Cli.Sources;
 using FastPoints.Cli.Verbs;
 using StandIns.Engine;
 

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.Base;
-
 namespace FastPoints.Cli
 {
     /// <summary>How a run ended that did not end well: what is printed, what the summary says, what the process

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.CommandLine;
-using System.IO;
-using System.Linq;
 using FastPoints.Cli.Verbs;
 
 namespace FastPoints.Cli

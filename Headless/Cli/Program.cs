@@ -1,8 +1,4 @@
-using System;
-using System.IO;
 using System.Runtime.InteropServices;
-using System.Text;
-using System.Threading;
 
 namespace FastPoints.Cli
 {

@@ -1,5 +1,3 @@
-using System;
-
 namespace FastPoints.Cli
 {
     /// <summary>Options that parse, but cannot be meant together or are out of range.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
 using FastPoints.RepoTools.Layers;
 
 namespace FastPoints.RepoTools

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Behaviour;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Hlsl;

@@ -1,5 +1,3 @@
-using System;
-
 namespace FastPoints.RepoTools
 {
     /// <summary>A tool cannot do its work; the message says what to do about it.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using FastPoints.Benchmarks;
-
 namespace FastPoints.Cli.Bench
 {
     /// <summary>An earlier run to compare with, and what of it a comparison may believe.</summary>

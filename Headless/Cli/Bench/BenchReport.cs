@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using FastPoints.Benchmarks;
-using FastPoints.Cli.Charts;
-using FastPoints.Cli.Output;
-
 namespace FastPoints.Cli.Bench
 {
     /// <summary>The page of a bench run: every sample of every workload, its error beside its time, and the earlier

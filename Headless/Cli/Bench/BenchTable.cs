@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using FastPoints.Benchmarks;
-using FastPoints.Cli.Output;
-
 namespace FastPoints.Cli.Bench
 {
     /// <summary>Workloads as rows of text, for a terminal and for a page.</summary>

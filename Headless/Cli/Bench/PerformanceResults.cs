@@ -1,14 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text.Encodings.Web;
-using System.Text.Json;
-using FastPoints.Base;
-using FastPoints.Benchmarks;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
 
 namespace FastPoints.Cli.Bench
 {

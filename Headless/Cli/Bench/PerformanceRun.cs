@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 // The classes are the Performance Testing package's own JSON (Unity.PerformanceTesting.Data.Run, version 3), field by field: what
 // reads its PerformanceTestResults.json reads a run of ours.
 namespace FastPoints.Cli.Bench

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.Benchmarks;
-
 namespace FastPoints.Cli.Bench
 {
     /// <summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace FastPoints.Cli.Charts
 {
     /// <summary>From values to pixels.</summary>

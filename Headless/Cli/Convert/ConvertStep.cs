@@ -1,11 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli.Output;
-using FastPoints.Convert;
-using FastPoints.Files;
-
 namespace FastPoints.Cli.Convert
 {
     /// <summary>A cloud that was converted, and what is to be said of it.</summary>

@@ -1,13 +1,4 @@
-using System;
-using System.Collections.Generic;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Store;
-using FastPoints.Verify;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.Mathematics;
 
 namespace FastPoints.Cli.Convert
 {

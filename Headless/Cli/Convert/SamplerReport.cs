@@ -1,20 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.Cli.Charts;
-using FastPoints.Cli.Draw;
-using FastPoints.Cli.Output;
-using FastPoints.Convert;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Samplers;
-using FastPoints.Store;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Convert
 {
     /// <summary>Error beside run time: one cloud built by each sampler and with several spacings, the spacing of each level

@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using FastPoints.Cli.Output;
 using FastPoints.LazEncoding;
-using FastPoints.Scenes;
 
 namespace FastPoints.Cli.Demo
 {

@@ -1,11 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.Globalization;
-using System.IO;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
 
 namespace FastPoints.Cli.Demo
 {

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using FastPoints.Files;
-using FastPoints.Points;
-using Unity.Jobs;
-
 namespace FastPoints.Cli.Demo
 {
     /// <summary>A LAZ file's points as plain LAS records, in their order: attributes, grid and WKT come along, other header

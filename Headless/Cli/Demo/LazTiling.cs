@@ -1,11 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
 using FastPoints.LazEncoding;
 
 namespace FastPoints.Cli.Demo

@@ -1,12 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.Globalization;
-using System.IO;
-using System.Text;
-using FastPoints.Points;
-using FastPoints.Scenes;
-using Unity.Collections;
-using Unity.Mathematics;
 
 namespace FastPoints.Cli.Demo
 {

@@ -1,12 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using FastPoints.Base;
-using FastPoints.Picture;
-using FastPoints.Points;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>

@@ -1,6 +1,3 @@
-using FastPoints.Picture;
-using FastPoints.Streaming;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>Software pictures of all clouds that are streamed.</summary>

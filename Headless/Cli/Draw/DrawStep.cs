@@ -1,17 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Text.Json;
-using System.Threading;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Store;
-using FastPoints.Streaming;
-using Unity.Collections;
-using Unity.Jobs;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>A picture that was drawn from a source file or a converted cloud, and what is to be said of it.</summary>

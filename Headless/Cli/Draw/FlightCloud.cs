@@ -1,16 +1,4 @@
-using System;
-using System.IO;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Rendering;
 using FastPoints.SourceFeeds;
-using FastPoints.Store;
-using FastPoints.Streaming;
-using Unity.Collections;
 
 namespace FastPoints.Cli.Draw
 {

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text;
-using FastPoints.Streaming;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>What the frames of a flight did.</summary>

@@ -1,6 +1,3 @@
-using System;
-using FastPoints.Picture;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>Draws what a stream's last frame listed.</summary>

@@ -1,10 +1,4 @@
-using System;
 using FastPoints.Gpu;
-using FastPoints.Headless.Graphics;
-using FastPoints.Picture;
-using FastPoints.Rendering;
-using FastPoints.Streaming;
-using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;

@@ -1,8 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Headless.Graphics;
-using FastPoints.Rendering;
-using FastPoints.Streaming;
 using UnityEngine;
 
 namespace FastPoints.Cli.Draw

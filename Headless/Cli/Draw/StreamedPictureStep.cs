@@ -1,16 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Draw;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Streaming;
-using Unity.Collections;
-using Unity.Jobs;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Draw
 {
     /// <summary>A picture of clouds that bring octrees along, of several kinds at once: they are streamed for the camera until

@@ -1,8 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Base;
-using FastPoints.Picture;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Globalization;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>Numbers as people read them.</summary>

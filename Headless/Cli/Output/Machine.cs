@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Runtime.InteropServices;
-using FastPoints.Cli.Settings;
 
 namespace FastPoints.Cli.Output
 {

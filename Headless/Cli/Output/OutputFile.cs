@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Files;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.Store;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>Names that an output may have: never that of an input, and none that promises another kind of file.</summary>

@@ -1,8 +1,4 @@
-using System.Collections.Generic;
-using System.Globalization;
 using System.Net;
-using System.Text;
-using FastPoints.Cli.Charts;
 
 namespace FastPoints.Cli.Output
 {

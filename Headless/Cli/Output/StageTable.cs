@@ -1,7 +1,3 @@
-using System.Globalization;
-using System.Linq;
-using FastPoints.Base;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>What took how long.</summary>

@@ -1,13 +1,5 @@
-using System;
 using System.Buffers;
-using System.Globalization;
-using System.IO;
-using System.Text;
 using System.Text.Encodings.Web;
-using System.Text.Json;
-using FastPoints.Base;
-using FastPoints.Points;
-using Unity.Mathematics;
 
 namespace FastPoints.Cli.Output
 {

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace FastPoints.Cli.Output
 {
     /// <summary>Columns for a terminal: the first to the left, the others to the right.</summary>

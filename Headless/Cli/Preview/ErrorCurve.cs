@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using FastPoints.Evaluation;
-using FastPoints.Preview;
-
 namespace FastPoints.Cli.Preview
 {
     /// <summary>How the error of one way of sampling goes down with time.</summary>

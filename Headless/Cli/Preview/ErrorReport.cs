@@ -1,12 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.Cli.Charts;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
-
 namespace FastPoints.Cli.Preview
 {
     /// <summary>The page of <c>preview --report</c>, with its charts, pictures and table as files beside it.</summary>

@@ -1,14 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli.Output;
-using FastPoints.Draw;
-using FastPoints.Evaluation;
-using FastPoints.Files;
-using FastPoints.Picture;
-
 namespace FastPoints.Cli.Preview
 {
     /// <summary>The errors of a preview over its time, beside those of other ways of sampling: what <c>preview --report</c>

@@ -1,11 +1,3 @@
-using System.Collections.Generic;
-using System.Text.Json;
-using FastPoints.Cli.Output;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Preview;
-
 namespace FastPoints.Cli.Preview
 {
     /// <summary>A preview that was taken, and what is to be said of it.</summary>

@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using FastPoints.Draw;
-using FastPoints.Evaluation;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Preview;
 
 namespace FastPoints.Cli.Preview
 {

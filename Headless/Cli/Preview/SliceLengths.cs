@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli.Output;
 using StandIns.Scheduling;
 
 namespace FastPoints.Cli.Preview

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using FastPoints.Points;
-using FastPoints.Preview;
-
 namespace FastPoints.Cli.Preview
 {
     /// <summary>A sample that is to be measured, in waves: each the beginning of a batch, there after some seconds.</summary>

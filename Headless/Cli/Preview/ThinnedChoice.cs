@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Preview;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Preview

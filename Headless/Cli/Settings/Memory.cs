@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace FastPoints.Cli.Settings
 {
     /// <summary>What <c>--memory</c> means.</summary>

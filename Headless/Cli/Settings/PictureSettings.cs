@@ -1,9 +1,3 @@
-using System.CommandLine;
-using System.Globalization;
-using FastPoints.Picture;
-using FastPoints.Streaming;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Settings
 {
     /// <summary>The options of the verbs that draw, and what they come to.</summary>

@@ -1,6 +1,3 @@
-using System.CommandLine;
-using FastPoints.Files;
-
 namespace FastPoints.Cli.Settings
 {
     /// <summary>The options of the verbs that read point clouds: what the caller knows of the files.</summary>

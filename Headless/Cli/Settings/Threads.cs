@@ -1,4 +1,3 @@
-using System.Globalization;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Cli.Settings

@@ -1,12 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Text.Json;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
-using FastPoints.Points;
-using FastPoints.Verify;
-
 namespace FastPoints.Cli.Sources
 {
     /// <summary>What a source is, for people and for the summary: its header's claims, and what a scan found.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using FastPoints.Files;
-
 namespace FastPoints.Cli.Sources
 {
     /// <summary>A source's own octree as far as it was read, for when the source itself is closed.</summary>

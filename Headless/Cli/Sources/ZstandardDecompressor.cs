@@ -1,6 +1,4 @@
-using System;
 using System.Runtime.InteropServices;
-using FastPoints.Files;
 
 namespace FastPoints.Cli.Sources
 {

@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Threading;
-using FastPoints.Cli.Draw;
-using FastPoints.Picture;
-using FastPoints.Streaming;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>What a camera needs of a stored cloud, drawn by the renderer that a game would use, beside the software

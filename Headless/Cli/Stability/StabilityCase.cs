@@ -1,5 +1,3 @@
-using System;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>An extreme of input, made from a seed, and what must come of it.</summary>

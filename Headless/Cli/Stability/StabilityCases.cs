@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>The extremes of input that must end in a whole cloud or in a clear error.</summary>

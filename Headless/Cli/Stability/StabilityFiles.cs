@@ -1,8 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Files;
-using Unity.Mathematics;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>Small writers of the files of stability cases.</summary>

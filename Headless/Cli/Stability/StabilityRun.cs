@@ -1,18 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Globalization;
-using System.IO;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Convert;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Headless.Graphics;
-using FastPoints.Picture;
-using FastPoints.Samplers;
-using FastPoints.Store;
-using FastPoints.Verify;
 
 namespace FastPoints.Cli.Stability
 {

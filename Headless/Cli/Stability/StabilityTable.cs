@@ -1,13 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Headless.Graphics;
-using FastPoints.Samplers;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>All cases, as a table.</summary>

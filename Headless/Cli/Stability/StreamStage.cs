@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-using FastPoints.Cli.Draw;
-using FastPoints.Picture;
-using FastPoints.Streaming;
-using Unity.Collections;
-
 namespace FastPoints.Cli.Stability
 {
     /// <summary>A stored cloud streamed until nothing more comes: all of it, then what a camera needs.</summary>

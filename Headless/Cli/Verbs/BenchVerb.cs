@@ -1,13 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Benchmarks;
 using FastPoints.Cli.Bench;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
 using FastPoints.Cli.Stability;
 
 namespace FastPoints.Cli.Verbs

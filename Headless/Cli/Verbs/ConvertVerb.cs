@@ -1,13 +1,4 @@
-using System.Collections.Generic;
-using System.CommandLine;
-using System.IO;
-using System.Linq;
 using FastPoints.Cli.Convert;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Convert;
-using FastPoints.Files;
-using FastPoints.Samplers;
 
 namespace FastPoints.Cli.Verbs
 {

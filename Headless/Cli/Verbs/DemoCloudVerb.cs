@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
-using System.IO;
-using FastPoints.Base;
 using FastPoints.Cli.Demo;
-using FastPoints.Cli.Output;
-using FastPoints.Files;
-using FastPoints.Scenes;
 
 namespace FastPoints.Cli.Verbs
 {

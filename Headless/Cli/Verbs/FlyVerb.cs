@@ -1,21 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
 using System.Diagnostics;
-using System.Globalization;
-using System.IO;
-using System.Text.Json;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Cli.Draw;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Streaming;
-using Unity.Collections;
-using Unity.Jobs;
-using Unity.Mathematics;
 
 namespace FastPoints.Cli.Verbs
 {

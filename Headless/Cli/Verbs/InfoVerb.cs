@@ -1,13 +1,3 @@
-using System.Collections.Generic;
-using System.CommandLine;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Cli.Sources;
-using FastPoints.Files;
-using FastPoints.Verify;
-
 namespace FastPoints.Cli.Verbs
 {
     /// <summary>What files say of themselves, and, with a scan, what they hold.</summary>

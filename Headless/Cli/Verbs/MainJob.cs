@@ -1,22 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
 using FastPoints.Cli.Convert;
 using FastPoints.Cli.Demo;
-using FastPoints.Cli.Draw;
-using FastPoints.Cli.Output;
 using FastPoints.Cli.Preview;
-using FastPoints.Cli.Settings;
-using FastPoints.Cli.Sources;
-using FastPoints.Convert;
-using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Headless.Graphics;
-using FastPoints.Picture;
-using FastPoints.Store;
 
 namespace FastPoints.Cli.Verbs
 {

@@ -1,14 +1,4 @@
-using System.Collections.Generic;
-using System.CommandLine;
-using System.Linq;
-using FastPoints.Base;
-using FastPoints.Cli.Draw;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Files;
 using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Store;
 
 namespace FastPoints.Cli.Verbs
 {

@@ -1,10 +1,4 @@
-using System.Collections.Generic;
-using System.CommandLine;
-using FastPoints.Cli.Output;
 using FastPoints.Cli.Preview;
-using FastPoints.Cli.Settings;
-using FastPoints.Draw;
-using FastPoints.Files;
 
 namespace FastPoints.Cli.Verbs
 {

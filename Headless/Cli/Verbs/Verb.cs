@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.CommandLine;
-
 namespace FastPoints.Cli.Verbs
 {
     /// <summary>One verb: its options, its examples, and what it does. A new one is a class and a line in

@@ -1,13 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.CommandLine;
-using System.Text.Json;
-using FastPoints.Base;
-using FastPoints.Cli.Output;
-using FastPoints.Cli.Settings;
-using FastPoints.Files;
-using FastPoints.Verify;
-
 namespace FastPoints.Cli.Verbs
 {
     /// <summary>The proof that a converted cloud is whole, and the same as its sources.</summary>

@@ -1,8 +1,5 @@
-using System.Linq;
 using FastPoints.Benchmarks;
 using FastPoints.Cli.Bench;
-using NUnit.Framework;
-using Unity.Burst;
 using Unity.PerformanceTesting;
 
 namespace FastPoints.HostTests.Benchmarks

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Text;
 using FastPoints.Cli.Output;
-using FastPoints.Picture;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,13 +1,7 @@
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using System.Text.Json;
 using System.Xml.Linq;
 using FastPoints.Benchmarks;
-using FastPoints.Cli;
 using FastPoints.Cli.Bench;
-using FastPoints.RepoTools.Api;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

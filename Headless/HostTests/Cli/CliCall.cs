@@ -1,9 +1,3 @@
-using System;
-using System.IO;
-using System.Text.Json;
-using System.Threading;
-using FastPoints.Cli;
-
 namespace FastPoints.HostTests.Cli
 {
     /// <summary>One call of the command line within the test's process: what it returned and what it said.</summary>

@@ -1,8 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     public sealed class DemoCloudTests

@@ -1,11 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using System.Threading;
-using FastPoints.Cli;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     public sealed class FailureTests

@@ -1,11 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli;
-using FastPoints.Picture;
-using FastPoints.Tests;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     public sealed class FlyTests

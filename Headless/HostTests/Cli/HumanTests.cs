@@ -1,5 +1,4 @@
 using FastPoints.Cli.Output;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

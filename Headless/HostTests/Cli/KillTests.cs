@@ -1,10 +1,5 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Text.Json;
-using FastPoints.Cli;
-using FastPoints.Writing;
-using NUnit.Framework;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.Cli
 {

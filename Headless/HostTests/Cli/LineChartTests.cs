@@ -1,8 +1,5 @@
-using System.Linq;
-using System.Text;
 using System.Xml.Linq;
 using FastPoints.Cli.Charts;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,8 +1,3 @@
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     /// <summary>No verb writes over an input, nor under a name that promises another kind of file.</summary>

@@ -1,9 +1,5 @@
-using System.Globalization;
-using System.Linq;
-using System.Text;
 using System.Xml.Linq;
 using FastPoints.Cli.Charts;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,6 +1,4 @@
-using System.Linq;
 using FastPoints.Cli.Bench;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

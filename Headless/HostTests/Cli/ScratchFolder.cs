@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     /// <summary>A folder of a test's own, gone afterwards.</summary>

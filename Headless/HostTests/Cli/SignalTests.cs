@@ -1,9 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Threading;
-using FastPoints.Cli;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,8 +1,5 @@
-using System.Collections.Generic;
-using System.IO;
 using FastPoints.Cli.Stability;
 using FastPoints.Samplers;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,10 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using FastPoints.Cli;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     /// <summary>The keys that scripts rely on: each there, each of its type.</summary>

@@ -1,9 +1,4 @@
-using System.Linq;
 using FastPoints.Cli.Preview;
-using FastPoints.Picture;
-using FastPoints.Points;
-using NUnit.Framework;
-using Unity.Collections;
 
 namespace FastPoints.HostTests.Cli
 {

@@ -1,6 +1,3 @@
-using FastPoints.Cli;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     public sealed class UsageTests

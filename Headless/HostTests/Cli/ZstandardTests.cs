@@ -1,9 +1,3 @@
-using System;
-using System.IO;
-using System.Text.Json;
-using FastPoints.Tests;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Cli
 {
     /// <summary>The one sample in zstandard, by the system's libzstd, against its twin.</summary>

@@ -1,7 +1,3 @@
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Conformance
 {
     public sealed class ApiRowTests

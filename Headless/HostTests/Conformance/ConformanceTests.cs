@@ -1,8 +1,4 @@
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
 using Mono.Cecil.Cil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Conformance
 {

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Conformance
 {
     public sealed class DocIdTests

@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools;
-using FastPoints.RepoTools.Api;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Conformance
 {
     /// <summary>The package as each generation of Unity compiles it, against what that generation has.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using FastPoints.RepoTools;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
 using Mono.Cecil.Cil;
 
 namespace FastPoints.HostTests.Conformance

@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Conformance
 {
     public sealed class StandInAuditTests

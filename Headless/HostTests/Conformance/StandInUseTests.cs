@@ -1,9 +1,4 @@
-using System;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
 using Mono.Cecil.Cil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Conformance
 {

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Text;
-using FastPoints.Editor;
-using NUnit.Framework;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.Editor
 {

@@ -1,12 +1,6 @@
-using System;
-using System.IO;
-using FastPoints.Editor;
 using FastPoints.Samplers;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEditor.Build;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

@@ -1,13 +1,5 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Threading;
-using FastPoints.Base;
-using FastPoints.Editor;
-using FastPoints.Writing;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Editor
 {

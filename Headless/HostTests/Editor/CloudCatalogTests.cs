@@ -1,12 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Base;
-using FastPoints.Cli;
-using FastPoints.Editor;
-using FastPoints.HostTests.Cli;
-using FastPoints.Store;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Editor
 {
     public sealed class CloudCatalogTests

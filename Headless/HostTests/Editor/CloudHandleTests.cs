@@ -1,12 +1,3 @@
-using System.IO;
-using System.Linq;
-using FastPoints.Base;
-using FastPoints.Editor;
-using FastPoints.Files;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
-using Unity.Mathematics;
-
 namespace FastPoints.HostTests.Editor
 {
     public sealed class CloudHandleTests

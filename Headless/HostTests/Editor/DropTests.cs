@@ -1,12 +1,5 @@
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.AssetImporters;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

@@ -1,12 +1,6 @@
-using System;
-using System.Linq;
-using FastPoints.Editor;
 using FastPoints.Rendering.BuiltIn;
 using FastPoints.Rendering.Hdrp;
 using FastPoints.Rendering.Urp;
-using NUnit.Framework;
-using UnityEditor;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

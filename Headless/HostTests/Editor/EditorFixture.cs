@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using FastPoints.Editor;
-using NUnit.Framework;
-using UnityEngine;
-
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>Tests in a project that an editor has open, with settings as they come.</summary>

@@ -1,19 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.HostTests.Cli;
-using FastPoints.Points;
-using FastPoints.SourceFeeds;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Entities;
-using UnityEditor;
 using UnityEditor.AssetImporters;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

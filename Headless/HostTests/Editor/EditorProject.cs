@@ -1,13 +1,5 @@
-using System;
-using System.IO;
-using FastPoints.Editor;
-using FastPoints.Entities;
 using FastPoints.Feeds;
-using FastPoints.HostTests.Cli;
-using FastPoints.SourceFeeds;
-using UnityEditor;
 using UnityEditor.AssetImporters;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

@@ -1,11 +1,4 @@
-using System;
-using System.IO;
-using System.Threading;
-using FastPoints.Cli;
 using FastPoints.Convert;
-using FastPoints.Editor;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Editor
 {

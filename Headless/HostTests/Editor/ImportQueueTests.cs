@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.Editor;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Editor
 {
     public sealed class ImportQueueTests

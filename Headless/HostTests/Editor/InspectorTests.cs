@@ -1,14 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.Editor;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using UnityEditor;
-using UnityEngine;
-using Object = UnityEngine.Object;
-
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>What the inspectors tell and do, without their windows.</summary>

@@ -1,21 +1,4 @@
-using System;
-using System.Linq;
-using System.Threading;
-using FastPoints.Cli;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.HostTests.Cli;
 using FastPoints.Picking;
-using FastPoints.Points;
-using FastPoints.Rendering;
-using FastPoints.Store;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Entities;
-using Unity.Mathematics;
-using UnityEditor;
-using UnityEngine;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor

@@ -1,10 +1,4 @@
-using System.IO;
-using System.Linq;
 using System.Xml.Linq;
-using FastPoints.Editor;
-using FastPoints.Store;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.Build;
 using UnityEngine.SceneManagement;
 

@@ -1,17 +1,6 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Gpu;
-using FastPoints.Headless.Graphics;
-using FastPoints.Rendering;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.Build;
 using UnityEditor.Compilation;
 using UnityEditor.SceneManagement;
-using UnityEngine;
 using UnityEngine.SceneManagement;
 using KeywordVariant = StandIns.Graphics.KeywordVariant;
 

@@ -1,15 +1,4 @@
 using System.Reflection;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Entities;
-using Unity.Mathematics;
-using UnityEditor;
-using UnityEngine;
-using Object = UnityEngine.Object;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor

@@ -1,9 +1,4 @@
-using System;
-using System.IO;
-using FastPoints.Base;
-using FastPoints.Editor;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.Editor
 {

@@ -1,9 +1,5 @@
 using System.Collections;
-using System.Collections.Generic;
-using System.IO;
 using FastPoints.UnityTests;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Editor

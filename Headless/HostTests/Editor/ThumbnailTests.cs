@@ -1,15 +1,5 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Picture;
-using FastPoints.Tests;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.AssetImporters;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Editor
 {

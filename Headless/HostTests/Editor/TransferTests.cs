@@ -1,14 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
-using UnityEditor;
-using UnityEngine;
-
 namespace FastPoints.HostTests.Editor
 {
     /// <summary>Converted clouds that leave a project and come into it, and where they lie.</summary>

@@ -1,21 +1,5 @@
-using System;
-using System.Linq;
-using System.Threading;
-using FastPoints.Cli;
-using FastPoints.Entities;
-using FastPoints.Gpu;
-using FastPoints.HostTests.Cli;
-using FastPoints.Picture;
-using FastPoints.Points;
-using FastPoints.Store;
-using FastPoints.Streaming;
-using NUnit.Framework;
 using StandIns.Entities;
-using StandIns.Scene;
-using Unity.Entities;
-using Unity.Mathematics;
 using Unity.Transforms;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Entities
 {

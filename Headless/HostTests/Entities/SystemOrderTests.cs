@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Reflection;
-using FastPoints.Entities;
-using NUnit.Framework;
 using StandIns.Entities;
-using Unity.Entities;
 
 namespace FastPoints.HostTests.Entities
 {

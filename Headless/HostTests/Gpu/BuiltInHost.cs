@@ -1,5 +1,4 @@
 using FastPoints.Rendering.BuiltIn;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Gpu
 {

@@ -1,15 +1,5 @@
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
-using FastPoints.Picture;
-using FastPoints.Streaming;
-using FastPoints.Tests;
-using NUnit.Framework;
 using NUnit.Framework.Constraints;
-using Unity.Mathematics;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {
@@ -53,7 +43,7 @@ namespace FastPoints.HostTests.Gpu
 
         /// <summary>Pictures beside the tests' results, for people.</summary>
         /// <param name="mostPerChannel">Colours that differ by no more are the same.</param>
-        static void Compare(TwinStreams streams, Camera camera, string name, int mostPerChannel = 0)
+        static void Compare(TwinStreams streams, PictureCamera camera, string name, int mostPerChannel = 0)
         {
             var pictures = streams.Draw(camera);
             double share = streams.ShareThatDiffers(pictures, out int covered, mostPerChannel);
@@ -131,7 +121,7 @@ namespace FastPoints.HostTests.Gpu
             var camera = streams.Plan.Camera;
             var center = streams.Ranges.Robust.Center;
             Compare(streams, camera, "size-" + size + (isRound ? "-round" : ""));
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
                 streams.Ranges.Robust.Size.y), "size-" + size + (isRound ? "-round" : "") + "-flat");
         }
 
@@ -147,7 +137,7 @@ namespace FastPoints.HostTests.Gpu
             using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
             Compare(streams, streams.Plan.Camera, "edl-" + size);
             var center = streams.Ranges.Robust.Center;
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
                 streams.Ranges.Robust.Size.y), "edl-" + size + "-flat");
         }
 
@@ -189,7 +179,7 @@ namespace FastPoints.HostTests.Gpu
             string name = "splat-" + size.Replace(':', '-') + "-" + edlStrength;
             Compare(streams, streams.Plan.Camera, name, 1);
             var center = streams.Ranges.Robust.Center;
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
                 streams.Ranges.Robust.Size.y), name + "-flat", 1);
         }
 
@@ -206,7 +196,7 @@ namespace FastPoints.HostTests.Gpu
             string name = "paraboloid-" + size + "-" + edlStrength;
             Compare(streams, streams.Plan.Camera, name);
             var center = streams.Ranges.Robust.Center;
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
+            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0),
                 streams.Ranges.Robust.Size.y), name + "-flat");
         }
 
@@ -268,7 +258,7 @@ namespace FastPoints.HostTests.Gpu
             var point = outline[outline.Length / 2];
             Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
             var eye = point + new double3(-0.008, 0.006, 0.002);
-            Compare(streams, Camera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60), "beside");
+            Compare(streams, PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60), "beside");
         }
 
         [Test]
@@ -277,7 +267,7 @@ namespace FastPoints.HostTests.Gpu
             using var streams = new TwinStreams(m_demo, Options(1), Points);
             var camera = streams.Plan.Camera;
             var center = streams.Ranges.Robust.Center;
-            var far = Camera.Perspective(center + (camera.EyeGeo - center) * 300, center, new double3(0, 0, 1), 0.15);
+            var far = PictureCamera.Perspective(center + (camera.EyeGeo - center) * 300, center, new double3(0, 0, 1), 0.15);
             Compare(streams, far, "far");
         }
 
@@ -287,7 +277,7 @@ namespace FastPoints.HostTests.Gpu
             using var streams = new TwinStreams(m_demo, Options(2), Points);
             var center = streams.Ranges.Robust.Center;
             var size = streams.Ranges.Robust.Size;
-            Compare(streams, Camera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y),
+            Compare(streams, PictureCamera.Orthographic(center, center + new double3(0.3, 0.4, -1), new double3(0, 1, 0), size.y),
                 "orthographic");
         }
 
@@ -305,7 +295,7 @@ namespace FastPoints.HostTests.Gpu
             var camera = streams.Plan.Camera;
             var eye = math.mul(linear, camera.EyeGeo);
             var center = math.mul(linear, streams.Ranges.Robust.Center);
-            Compare(streams, Camera.Perspective(eye, center, new double3(0, 0, 1), 60), "placed-" + scale);
+            Compare(streams, PictureCamera.Perspective(eye, center, new double3(0, 0, 1), 60), "placed-" + scale);
         }
 
         [Category("Long")]
@@ -321,7 +311,7 @@ namespace FastPoints.HostTests.Gpu
             Compare(streams, streams.Plan.Camera, name + "-overview-" + sizePx);
             var camera = streams.Plan.Camera;
             var near = camera.EyeGeo + (streams.Ranges.Robust.Center - camera.EyeGeo) * 0.7;
-            Compare(streams, Camera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),
+            Compare(streams, PictureCamera.Perspective(near, streams.Ranges.Robust.Center, new double3(0, 0, 1), 60),
                 name + "-near-" + sizePx);
         }
     }

@@ -1,10 +1,4 @@
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
-using FastPoints.Picture;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Gpu
 {

@@ -1,20 +1,5 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using FastPoints.Cli;
 using FastPoints.Cli.Draw;
-using FastPoints.Gpu;
-using FastPoints.Headless.Graphics;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
-using FastPoints.Rendering;
-using FastPoints.Store;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Mathematics;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {
@@ -51,28 +36,28 @@ namespace FastPoints.HostTests.Gpu
         }
 
         /// <summary>All of the cloud.</summary>
-        Camera Above(StreamContext stream)
+        PictureCamera Above(StreamContext stream)
         {
             var source = stream.Clouds[0].Source;
             using var folder = CloudFolder.Open(m_cloud);
             var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
             var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
             var center = (low + high) / 2;
-            return Camera.Perspective(center + new double3(0, 0, math.cmax(high - low) * 2), center, new double3(0, 1, 0), 60);
+            return PictureCamera.Perspective(center + new double3(0, 0, math.cmax(high - low) * 2), center, new double3(0, 1, 0), 60);
         }
 
-        Camera Near(StreamContext stream, double share, double heading)
+        PictureCamera Near(StreamContext stream, double share, double heading)
         {
             var source = stream.Clouds[0].Source;
             using var folder = CloudFolder.Open(m_cloud);
             var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
             var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
             var eye = low + (high - low) * new double3(share, 1 - share, 0.7);
-            return Camera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5),
+            return PictureCamera.Perspective(eye, eye + new double3(math.cos(heading), math.sin(heading), -0.5),
                 new double3(0, 0, 1), 60);
         }
 
-        static FrameStats Frame(StreamContext stream, Camera camera)
+        static FrameStats Frame(StreamContext stream, PictureCamera camera)
         {
             using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(320, 180) };
             var stats = FrameStep.Run(stream, views);
@@ -80,7 +65,7 @@ namespace FastPoints.HostTests.Gpu
             return stats;
         }
 
-        static void Rest(StreamContext stream, Camera camera)
+        static void Rest(StreamContext stream, PictureCamera camera)
         {
             int quiet = 0;
             for (int frame = 0; frame < MostFrames && quiet < 10; frame++)

@@ -1,6 +1,4 @@
 using FastPoints.Rendering.Hdrp;
-using UnityEngine;
-using UnityEngine.Rendering;
 using UnityEngine.Rendering.HighDefinition;
 
 namespace FastPoints.HostTests.Gpu

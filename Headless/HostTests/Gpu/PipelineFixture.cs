@@ -1,23 +1,5 @@
-using System;
-using System.Threading;
-using FastPoints.Cli;
 using FastPoints.Cli.Draw;
-using FastPoints.Entities;
-using FastPoints.Gpu;
-using FastPoints.Headless.Graphics;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
-using FastPoints.Picture;
-using FastPoints.Rendering;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Entities;
-using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Rendering;
-using Camera = UnityEngine.Camera;
-using PictureCamera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {

@@ -1,7 +1,3 @@
-using System;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.Gpu
 {
     /// <summary>As much of a render pipeline as it takes to draw one camera in a scene without meshes.</summary>

@@ -1,18 +1,4 @@
-using System.IO;
-using System.Threading;
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Rendering;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
 using UnityEngine.Rendering.HighDefinition;
-using Camera = UnityEngine.Camera;
-using PictureCamera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {

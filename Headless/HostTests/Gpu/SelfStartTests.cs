@@ -1,20 +1,6 @@
-using System.Linq;
-using System.Threading;
-using FastPoints.Cli;
 using FastPoints.Cli.Draw;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Headless.Graphics;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.StandIns.Graphics;
-using FastPoints.Rendering;
 using FastPoints.Rendering.BuiltIn;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Entities;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
 
 namespace FastPoints.HostTests.Gpu
 {

@@ -1,16 +1,3 @@
-using System.IO;
-using FastPoints.Gpu;
-using FastPoints.Picture;
-using FastPoints.Rendering;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-using Camera = UnityEngine.Camera;
-using PictureCamera = FastPoints.Picture.Camera;
-
 namespace FastPoints.HostTests.Gpu
 {
     /// <summary>Both eyes of a headset in one target of two slices, against a camera at the place of each eye.</summary>

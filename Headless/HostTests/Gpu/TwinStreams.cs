@@ -1,12 +1,4 @@
-using System;
-using System.Linq;
-using System.Threading;
 using FastPoints.Cli.Draw;
-using FastPoints.Picture;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using Unity.Collections;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.HostTests.Gpu
 {
@@ -74,7 +66,7 @@ namespace FastPoints.HostTests.Gpu
         }
 
         /// <summary>Pictures of the same nodes, of the same camera.</summary>
-        public (RgbaImage Cpu, RgbaImage Gpu) Draw(Camera camera)
+        public (RgbaImage Cpu, RgbaImage Gpu) Draw(PictureCamera camera)
         {
             Settle(m_cpu, m_cpuPicture, camera);
             Settle(m_gpu, m_gpuPicture, camera);
@@ -98,7 +90,7 @@ namespace FastPoints.HostTests.Gpu
             m_gpu.Dispose();
         }
 
-        void Settle(StreamContext stream, FlightPicture picture, Camera camera)
+        void Settle(StreamContext stream, FlightPicture picture, PictureCamera camera)
         {
             using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
             var view = views;

@@ -1,6 +1,4 @@
 using FastPoints.Rendering.Urp;
-using UnityEngine;
-using UnityEngine.Rendering;
 using UnityEngine.Rendering.RenderGraphModule;
 using UnityEngine.Rendering.Universal;
 

@@ -1,9 +1,4 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using FastPoints.RepoTools.Hpc;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Hpc
 {

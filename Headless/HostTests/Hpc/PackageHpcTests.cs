@@ -1,8 +1,4 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Hpc;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Hpc
 {

@@ -1,8 +1,5 @@
-using System;
 using System.Runtime.CompilerServices;
-using Unity.Burst;
 using Unity.Burst.CompilerServices;
-using Unity.Jobs;
 
 #pragma warning disable CA1814, CA1823, CA1508, CA2101, CS0649, IDE0059, IDE0150
 

@@ -1,11 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Threading;
-using Unity.Burst;
-using Unity.Collections;
-using Unity.Jobs;
-using Unity.Mathematics;
 
 #pragma warning disable CA1822, CA1823, CA2211, CS0649, CS0169, CA2201, CA1508, IDE0059
 

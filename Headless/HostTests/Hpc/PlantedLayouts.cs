@@ -1,9 +1,5 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using Unity.Burst;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 
 #pragma warning disable CA1815, CA1823, CS0169, CS0649
 

@@ -1,7 +1,4 @@
-using System;
 using System.Runtime.InteropServices;
-using Unity.Burst;
-using Unity.Mathematics;
 
 #pragma warning disable CA1401, CA1823, CA2101, CA5392, CS0169, CS0649, SYSLIB1054
 

@@ -1,9 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Layers;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Layers
 {

@@ -1,8 +1,3 @@
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Layers
 {
     /// <summary>Code stripping leaves an assembly of a package out that nothing refers to, whatever it does when a player

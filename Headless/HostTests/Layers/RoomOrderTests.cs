@@ -1,9 +1,4 @@
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Layers;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Layers
 {

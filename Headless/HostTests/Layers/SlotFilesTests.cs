@@ -1,8 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Layers
 {
     /// <summary>Slots begin on the main thread, for every node that is streamed: their files come by AsyncReadManager.</summary>

@@ -1,12 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.HostTests.Cli;
-using FastPoints.Picture;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Manual
 {
     /// <summary>The command line as pages have it, against what it says of itself.</summary>

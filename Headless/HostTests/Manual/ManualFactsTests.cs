@@ -1,22 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using System.Text.Json;
-using System.Text.RegularExpressions;
-using FastPoints.Base;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Files;
-using FastPoints.Picture;
-using FastPoints.Rendering;
 using FastPoints.RepoTools.Reference;
 using FastPoints.Scenes;
-using FastPoints.SourceFeeds;
-using NUnit.Framework;
-using Unity.Entities;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Manual
 {

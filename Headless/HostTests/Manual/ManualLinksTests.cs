@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Manual
 {
     /// <summary>Where pages lead to.</summary>

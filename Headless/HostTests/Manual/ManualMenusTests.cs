@@ -1,14 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Reflection;
-using System.Text.RegularExpressions;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.SourceFeeds;
-using NUnit.Framework;
-using UnityEditor;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Manual
 {

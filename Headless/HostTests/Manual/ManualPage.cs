@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.HostTests.Manual
 {
     /// <summary>A page that users read: its text, headings, links and tables.</summary>

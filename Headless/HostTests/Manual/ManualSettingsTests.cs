@@ -1,15 +1,5 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using System.Text.RegularExpressions;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using NUnit.Framework;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Manual
 {

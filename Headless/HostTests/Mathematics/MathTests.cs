@@ -1,7 +1,4 @@
-using System;
 using System.Numerics;
-using NUnit.Framework;
-using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Mathematics
 {

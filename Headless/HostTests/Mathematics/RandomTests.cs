@@ -1,5 +1,4 @@
-using NUnit.Framework;
-using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
 
 namespace FastPoints.HostTests.Mathematics
 {

@@ -1,8 +1,3 @@
-using System;
-using System.Globalization;
-using NUnit.Framework;
-using Unity.Mathematics;
-
 namespace FastPoints.HostTests.Mathematics
 {
     public sealed class VectorTests

@@ -1,17 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.Base;
 using FastPoints.Draw;
-using FastPoints.Files;
-using FastPoints.Points;
 using FastPoints.Preview;
 using FastPoints.Tests.Support;
-using NUnit.Framework;
 using StandIns.Scheduling;
-using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Preview
 {

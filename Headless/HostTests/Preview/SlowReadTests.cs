@@ -1,14 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.Base;
-using FastPoints.Files;
-using FastPoints.Points;
 using FastPoints.Preview;
-using FastPoints.Tests;
-using NUnit.Framework;
 using StandIns.Io;
 
 namespace FastPoints.HostTests.Preview

@@ -1,8 +1,4 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Behaviour;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using FastPoints.RepoTools.Api;
-
 namespace FastPoints.HostTests
 {
     /// <summary>The checkout that the tests were built in.</summary>

@@ -1,8 +1,5 @@
-using System.Collections.Generic;
 using FastPoints.RepoTools.Formats;
 using FastPoints.RepoTools.Structs;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

@@ -1,8 +1,4 @@
-using System.IO;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Hlsl;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

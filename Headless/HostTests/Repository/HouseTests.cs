@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.House;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

@@ -1,8 +1,4 @@
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Meta;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

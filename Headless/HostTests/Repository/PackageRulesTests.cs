@@ -1,7 +1,4 @@
-using System.IO;
-using System.Linq;
 using FastPoints.RepoTools.Package;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

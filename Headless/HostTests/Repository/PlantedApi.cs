@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace FastPoints.HostTests.Repository.PlantedApi
 {
     /// <summary>Says <c>what</c> it is, of a

@@ -1,6 +1,4 @@
-using System;
 using System.Runtime.InteropServices;
-using Unity.Mathematics;
 
 namespace FastPoints.HostTests.Repository
 {

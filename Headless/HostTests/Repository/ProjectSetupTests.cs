@@ -1,8 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Repository
 {
     /// <summary>A project draws with the pipeline that its settings name, and not with one because its package is there. Its

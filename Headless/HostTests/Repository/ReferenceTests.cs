@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using FastPoints.HostTests.Repository.PlantedApi;
-using FastPoints.RepoTools;
 using FastPoints.RepoTools.Reference;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Repository
 {

@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Repository
 {
     public sealed class RepoToolsTests

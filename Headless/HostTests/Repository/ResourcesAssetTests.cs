@@ -1,9 +1,3 @@
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.Rendering;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Repository
 {
     /// <summary>The asset that refers to the shaders, which Unity reads by the guids of files.</summary>

@@ -1,11 +1,5 @@
 using System.Collections;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.RepoTools.Api;
 using FastPoints.RepoTools.Package;
-using Mono.Cecil;
-using NUnit.Framework;
 using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Repository

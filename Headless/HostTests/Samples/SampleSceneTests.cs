@@ -1,17 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using System.Text.Json;
-using FastPoints.Editor;
-using FastPoints.Entities;
 using FastPoints.HostTests.Editor;
 using FastPoints.Samples.AttributeColours;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEditor.SceneManagement;
-using UnityEngine;
 
 namespace FastPoints.HostTests.Samples
 {

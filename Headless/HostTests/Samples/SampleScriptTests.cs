@@ -1,19 +1,8 @@
-using System;
-using System.IO;
-using System.Linq;
-using FastPoints.Cli;
-using FastPoints.Entities;
-using FastPoints.HostTests.Cli;
-using FastPoints.Picture;
 using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EntitiesOnly;
-using FastPoints.Samples.ManyClouds;
 using FastPoints.Samples.RunTimeLoading;
 using FastPoints.Samples.StreamingFlight;
-using FastPoints.Store;
-using NUnit.Framework;
-using StandIns.Scene;
-using UnityEngine;
+using CloudGrid = FastPoints.Samples.ManyClouds.CloudGrid;
 
 namespace FastPoints.HostTests.Samples
 {

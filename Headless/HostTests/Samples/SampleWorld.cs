@@ -1,17 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
-using FastPoints.Entities;
-using FastPoints.HostTests.Cli;
-using FastPoints.Streaming;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Collections;
-using Unity.Entities;
-using Unity.Mathematics;
-using UnityEngine;
-
 namespace FastPoints.HostTests.Samples
 {
     /// <summary>A world that plays, with a camera that sees all, for the scripts of samples.</summary>

@@ -1,12 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using System.Threading.Tasks;
-using FastPoints.HostTests.Cli;
-using StandIns.Graphics;
-
 namespace FastPoints.HostTests.Shaders
 {
     /// <summary>

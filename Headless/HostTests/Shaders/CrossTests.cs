@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.Manual;
-using NUnit.Framework;
-using StandIns.Graphics;
 using StandIns.Vulkan;
 
 namespace FastPoints.HostTests.Shaders

@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using System.Text;
-using System.Text.RegularExpressions;
-using FastPoints.HostTests.Cli;
-using StandIns.Graphics;
 
 namespace FastPoints.HostTests.Shaders
 {

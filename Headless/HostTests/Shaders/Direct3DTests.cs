@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Shaders
 {
     /// <summary>Every variant of every shader of the package through Direct3D's compiler: ./test --d3d.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using StandIns.Graphics;
-
 namespace FastPoints.HostTests.Shaders
 {
     /// <summary>The repository's shaders, in every variant that can be asked for.</summary>

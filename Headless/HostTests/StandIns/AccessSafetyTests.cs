@@ -1,11 +1,5 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using System;
-using NUnit.Framework;
-using StandIns.Engine;
 using StandIns.Memory;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 
 namespace FastPoints.HostTests.StandIns
 {

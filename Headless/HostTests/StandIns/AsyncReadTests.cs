@@ -1,12 +1,6 @@
-using System;
-using System.IO;
-using System.Linq;
-using NUnit.Framework;
 using StandIns.Io;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.StandIns
 {

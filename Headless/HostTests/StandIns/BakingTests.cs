@@ -1,8 +1,5 @@
-using NUnit.Framework;
 using StandIns.Entities;
-using Unity.Entities;
 using Unity.Transforms;
-using UnityEngine;
 
 namespace FastPoints.HostTests.StandIns
 {

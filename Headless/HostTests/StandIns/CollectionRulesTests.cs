@@ -1,10 +1,5 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using System;
-using System.Collections.Generic;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.StandIns
 {

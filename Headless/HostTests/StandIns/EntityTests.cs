@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using NUnit.Framework;
-using StandIns.Engine;
-using Unity.Collections;
-using Unity.Entities;
-
 namespace FastPoints.HostTests.StandIns
 {
     /// <summary>Entities, queries, systems and groups: what Unity's do, of what the package uses.</summary>

@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using NUnit.Framework;
-using StandIns.Engine;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.StandIns
 {

@@ -1,6 +1,3 @@
-using StandIns.Engine;
-using Unity.Jobs;
-
 namespace FastPoints.HostTests.StandIns
 {
     static class JobHandles

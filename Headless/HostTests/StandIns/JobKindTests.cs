@@ -1,9 +1,3 @@
-using System.Linq;
-using System.Threading;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.HostTests.StandIns

@@ -1,19 +1,6 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
-using FastPoints.RepoTools.Threads;
-using Mono.Cecil;
 using Mono.Cecil.Cil;
-using NUnit.Framework;
-using Unity.Entities;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
-using UnityEditor;
-using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace FastPoints.HostTests.StandIns
 {

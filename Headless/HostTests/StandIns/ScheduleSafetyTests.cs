@@ -1,11 +1,4 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using System;
-using System.Threading;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
-
 namespace FastPoints.HostTests.StandIns
 {
     /// <summary>What Unity refuses when a job is scheduled, each rule with a job that breaks it and one that does not.</summary>

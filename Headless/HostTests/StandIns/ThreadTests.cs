@@ -1,15 +1,7 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using System;
-using System.IO;
-using System.Threading.Tasks;
-using NUnit.Framework;
 using StandIns.Memory;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
-using UnityEngine;
 
 namespace FastPoints.HostTests.StandIns
 {

@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Threads;
-using Mono.Cecil;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Threads
 {
     [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]

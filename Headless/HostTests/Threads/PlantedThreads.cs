@@ -1,16 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
-using FastPoints.Base;
 using FastPoints.HostTests.Hpc;
-using Unity.Burst;
-using Unity.Collections;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
-using Unity.Mathematics;
-using UnityEngine;
 
 #pragma warning disable CA1821, CA1822, CA1823, CS0649, CS0169, CS1998, CS4014, IDE0052, IDE0059, IDE0060
 

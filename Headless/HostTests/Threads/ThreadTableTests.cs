@@ -1,7 +1,3 @@
-using System.IO;
-using FastPoints.RepoTools.Threads;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Threads
 {
     public sealed class ThreadTableTests

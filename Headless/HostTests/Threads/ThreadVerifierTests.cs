@@ -1,11 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using FastPoints.HostTests.Hpc;
-using FastPoints.RepoTools.Threads;
-using Mono.Cecil;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Threads
 {

@@ -1,11 +1,3 @@
-using System;
-using System.IO;
-using FastPoints.Base;
-using FastPoints.HostTests.Cli;
-using FastPoints.Store;
-using FastPoints.Writing;
-using NUnit.Framework;
-
 namespace FastPoints.HostTests.Writing
 {
     /// <summary>Who may write a cloud's folder.</summary>

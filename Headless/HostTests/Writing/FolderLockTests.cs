@@ -1,11 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
-using FastPoints.HostTests.Cli;
-using FastPoints.Writing;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.Writing
 {

@@ -1,7 +1,4 @@
-using System;
-using System.Globalization;
-using FastPoints.Base;
-using NUnit.Framework;
+using Random = System.Random;
 
 namespace FastPoints.HostTests.Writing
 {

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>The package's assemblies as one generation of Unity compiles them, and the stand-ins beside them.</summary>

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>One naming of a type, method or field in an assembly.</summary>

@@ -1,5 +1,3 @@
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>Definitions behind references, where their assembly is at hand: .NET's own need not be.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Api
 {
     /// <summary>Whether type arguments satisfy the constraints that Unity's own definition has.</summary>

@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Structs;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Formats
 {
     /// <summary>Holds the description of the disk format to the structs that are written.</summary>

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.RepoTools.Structs;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Formats
 {
     /// <summary>

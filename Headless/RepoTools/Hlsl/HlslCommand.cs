@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Structs;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hlsl
 {
     /// <summary>Writes Shaders/Generated/*.hlsl, one a marked struct, and removes what no struct stands behind.</summary>

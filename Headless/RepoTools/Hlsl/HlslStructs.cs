@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
-using FastPoints.RepoTools.Structs;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hlsl
 {
     /// <summary>

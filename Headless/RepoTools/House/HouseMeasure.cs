@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace FastPoints.RepoTools.House
 {
     /// <summary>One figure of the house: what it counts, and where.</summary>

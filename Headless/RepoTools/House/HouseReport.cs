@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text;
-
 namespace FastPoints.RepoTools.House
 {
     /// <summary>The figures of a set of files beside the limits of a table, and what is beyond them.</summary>

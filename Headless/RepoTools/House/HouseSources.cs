@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace FastPoints.RepoTools.House
 {
     /// <summary>The files that the house looks into, each read and parsed once.</summary>

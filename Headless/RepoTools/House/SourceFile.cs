@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.RepoTools.House

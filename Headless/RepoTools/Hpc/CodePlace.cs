@@ -1,7 +1,3 @@
-using System.IO;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>Where an instruction stands, for messages: file and line, or its offset where there are no symbols.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>What a method's generic parameters stand for on one walk: Burst compiles each instance by itself.</summary>

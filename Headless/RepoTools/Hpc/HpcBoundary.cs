@@ -1,8 +1,3 @@
-using System;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>

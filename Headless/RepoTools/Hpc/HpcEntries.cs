@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>Where Burst starts: the jobs of an assembly and its methods with [BurstCompile].</summary>

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>Which types Burst can hold in a variable, a field or a parameter.</summary>

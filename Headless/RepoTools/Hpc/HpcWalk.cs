@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>A method to walk, what its generic parameters stand for, and the calls that led to it.</summary>

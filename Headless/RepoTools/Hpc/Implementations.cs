@@ -1,8 +1,3 @@
-using System;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>Which method of a type is called where the IL names one of its interfaces or of a type that it derives

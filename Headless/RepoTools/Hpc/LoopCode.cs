@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>Which instructions run again and again within one call of their method.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Hpc
 {
     /// <summary>

@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Layers
 {
     /// <summary>

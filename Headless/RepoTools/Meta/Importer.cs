@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace FastPoints.RepoTools.Meta
 {
     /// <summary>Unity's importer for a kind of file, with the block that it writes into a .meta when nothing was set by

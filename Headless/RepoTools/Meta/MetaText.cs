@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Meta
 {
     /// <summary>What matters of a .meta file's text: its guid, whose block follows, and whether Unity would read it.</summary>

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text.Json;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>Scripts and their assemblies (US-0038 of the validation suite), and that no player's code names the

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>CHANGELOG.md as US-0039 of the validation suite has it: <c>## [x.y.z] - YYYY-MM-DD</c>, newest first, with

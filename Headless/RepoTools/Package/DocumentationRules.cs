@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>What a user may put on a GameObject or find on an entity is on some page of the manual, and links of pages lead

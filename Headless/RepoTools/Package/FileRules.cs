@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>Which files a package has and where (US-0032, 0040, 0110, 0113 of the validation suite), and that there are no

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>The files of a package's folder, by their paths in it with '/'.</summary>

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.Json;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>package.json, held to US-0005, 0006 and 0007 of the validation suite but for the names that are Unity's

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace FastPoints.RepoTools.Package
 {
     /// <summary>package.json's samples and the folders of Samples~ are the same (US-0116 of the validation suite), each with a

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text.RegularExpressions;
-
 namespace FastPoints.RepoTools.Reference
 {
     /// <summary>The part of a page between two marks, which no person writes.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Reference
 {
     /// <summary>Members and types as one writes them in C#, without namespaces.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Structs
 {
     /// <summary>A field of a struct as it lies in memory: offset and size in bytes, Count elements of Type.</summary>

@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>An instruction and the method that it is in.</summary>

@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>

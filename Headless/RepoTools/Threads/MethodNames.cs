@@ -1,6 +1,3 @@
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>

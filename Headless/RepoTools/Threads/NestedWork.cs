@@ -1,6 +1,3 @@
-using System.Linq;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>Which instructions may have pushed what an instruction of a method takes from the stack.</summary>

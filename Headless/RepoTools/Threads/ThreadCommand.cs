@@ -1,10 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>.NET's and Unity's members that run a delegate on a thread that need not be the main one.</summary>

@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
-using FastPoints.RepoTools.Api;
-using Mono.Cecil;
 
 namespace FastPoints.RepoTools.Threads
 {

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Hpc;
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>What a type is derived from, with its arguments in place.</summary>

@@ -1,5 +1,3 @@
-using Mono.Cecil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>What a variable may hold, as far as the IL shows: an object of a type that is known, a delegate of a method

@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using FastPoints.RepoTools.Api;
-using FastPoints.RepoTools.Hpc;
-using Mono.Cecil;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.RepoTools.Threads
 {
     /// <summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Burst
 {
     /// <summary>Marks a job struct or a static method for Burst. Here it marks only: the host's own compiler runs the

@@ -1,4 +1,3 @@
-using System;
 using StandIns.Scene;
 using Unity.Entities;
 using UnityEngine;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Unity.Entities
 {
     public abstract class IBaker

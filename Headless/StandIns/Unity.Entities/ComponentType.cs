@@ -1,4 +1,3 @@
-using System;
 using StandIns.Entities;
 
 namespace Unity.Entities

@@ -1,4 +1,3 @@
-using System;
 using StandIns.Entities;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

@@ -1,7 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-
 namespace Unity.Mathematics
 {
     public struct bool4 : IEquatable<bool4>

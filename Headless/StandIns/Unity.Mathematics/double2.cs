@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public struct double2 : IEquatable<double2>, IFormattable

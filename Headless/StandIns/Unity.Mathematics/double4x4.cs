@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public struct double4x4 : IEquatable<double4x4>, IFormattable

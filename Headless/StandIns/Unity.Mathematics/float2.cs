@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public struct float2 : IEquatable<float2>, IFormattable

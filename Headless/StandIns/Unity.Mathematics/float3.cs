@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public struct float3 : IEquatable<float3>, IFormattable

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public static partial class math

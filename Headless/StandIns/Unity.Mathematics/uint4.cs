@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Mathematics
 {
     public struct uint4 : IEquatable<uint4>, IFormattable

@@ -1,4 +1,3 @@
-using System;
 using Unity.PerformanceTesting.Measurements;
 
 namespace Unity.PerformanceTesting

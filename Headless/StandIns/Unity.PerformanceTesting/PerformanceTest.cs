@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Unity.PerformanceTesting
 {
     /// <summary>The test that runs, and its samples.</summary>

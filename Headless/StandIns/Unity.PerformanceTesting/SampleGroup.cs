@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Unity.PerformanceTesting
 {
     public class SampleGroup

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal

@@ -1,5 +1,3 @@
-using System;
-using System.Reflection;
 using StandIns.Scene;
 
 namespace UnityEditor.AssetImporters

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 [assembly: InternalsVisibleTo("HostTests")]
 [assembly: InternalsVisibleTo("UnityEditor.AssetPipelineEditorModule")]
 [assembly: InternalsVisibleTo("UnityEditor.TestRunner")]

@@ -1,12 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Reflection;
-using System.Text;
-using UnityEngine;
-using Object = UnityEngine.Object;
-
 namespace UnityEditor
 {
     public class AssetImporter : Object

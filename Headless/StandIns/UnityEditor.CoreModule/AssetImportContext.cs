@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using UnityEngine;
-
 namespace UnityEditor.AssetImporters
 {
     /// <summary>What an importer said, for tests to look at.</summary>

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor.IMGUI.Controls
 {
     /// <summary>Nobody drags it: it stays as it is set.</summary>

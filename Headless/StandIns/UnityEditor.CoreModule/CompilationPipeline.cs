@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEditor.Compilation
 {
     public enum AssembliesType

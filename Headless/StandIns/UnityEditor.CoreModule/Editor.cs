@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Reflection;
 using StandIns.Scene;
-using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {

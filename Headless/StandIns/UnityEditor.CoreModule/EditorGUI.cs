@@ -1,7 +1,3 @@
-using System;
-using UnityEngine;
-using Object = UnityEngine.Object;
-
 namespace UnityEditor
 {
     public enum MessageType

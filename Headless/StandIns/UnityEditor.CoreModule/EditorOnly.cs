@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEditor
 {
     /// <summary>What only the package's tests for the Unity editor call: it is compiled here, and compared with Unity's

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using StandIns.Scene;
-using UnityEngine;
 using UnityEngine.SceneManagement;
 
 namespace UnityEditor

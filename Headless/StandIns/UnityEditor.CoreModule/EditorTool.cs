@@ -1,6 +1,3 @@
-using System;
-using UnityEngine;
-
 namespace UnityEditor.EditorTools
 {
     public abstract class ToolAttribute : Attribute

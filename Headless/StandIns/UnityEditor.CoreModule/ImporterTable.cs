@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using UnityEngine;
-
 namespace UnityEditor
 {
     /// <summary>Which importers there are for which extensions.</summary>

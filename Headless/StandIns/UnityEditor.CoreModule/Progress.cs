@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace UnityEditor
 {
     /// <summary>Keeps what was said, and lets a test press the buttons. What has ended is not spoken of again: Unity may have

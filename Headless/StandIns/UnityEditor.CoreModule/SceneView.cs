@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using StandIns.Scene;
-using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {

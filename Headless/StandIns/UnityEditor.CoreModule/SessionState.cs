@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEditor
 {
     /// <summary>Lasts until the editor quits: reloads of scripts leave it alone.</summary>

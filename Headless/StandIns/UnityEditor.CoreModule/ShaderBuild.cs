@@ -1,8 +1,5 @@
-using System.Collections.Generic;
-using System.Linq;
 using StandIns.Graphics;
 using UnityEditor.Rendering;
-using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace UnityEditor.Rendering

@@ -1,12 +1,3 @@
-using System;
-using System.Linq;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using Unity.Collections;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.StandIns.Graphics
 {
     public sealed class ComputeTests : GraphicsFixture

@@ -1,9 +1,3 @@
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.StandIns.Graphics
 {
     /// <summary>Squares in front of a camera at the origin that looks along -Z, as a view matrix of Unity's does.</summary>

@@ -1,11 +1,3 @@
-using System;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using Unity.Collections;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.StandIns.Graphics
 {
     /// <summary>Frames as a streaming scene has them: a ring of staging buffers, a copy into a pool, draws.</summary>

@@ -1,12 +1,3 @@
-using System;
-using System.Linq;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using Unity.Collections;
-using Unity.Jobs;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.StandIns.Graphics
 {
     public sealed class GraphicsBufferTests : GraphicsFixture

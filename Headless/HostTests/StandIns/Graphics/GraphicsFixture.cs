@@ -1,10 +1,3 @@
-using System.IO;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using Unity.Collections;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace FastPoints.HostTests.StandIns.Graphics
 {
     /// <summary>

@@ -1,8 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
 
 namespace FastPoints.HostTests.StandIns.Graphics
 {

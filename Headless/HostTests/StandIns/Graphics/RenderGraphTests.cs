@@ -1,5 +1,3 @@
-using NUnit.Framework;
-using UnityEngine.Rendering;
 using UnityEngine.Rendering.RenderGraphModule;
 
 namespace FastPoints.HostTests.StandIns.Graphics

@@ -1,12 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using FastPoints.HostTests.Cli;
-using NUnit.Framework;
-using StandIns.Graphics;
 using StandIns.Vulkan;
-using UnityEngine;
 
 namespace FastPoints.HostTests.StandIns.Graphics
 {

@@ -1,14 +1,6 @@
-using System.Collections.Generic;
 using System.ComponentModel;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using System.Text.RegularExpressions;
-using System.Threading.Tasks;
-using FastPoints.HostTests.Cli;
 using FastPoints.HostTests.Shaders;
-using NUnit.Framework;
-using StandIns.Graphics;
 
 namespace FastPoints.HostTests.StandIns.Graphics
 {

@@ -1,7 +1,3 @@
-using System;
-using FastPoints.Headless.Graphics;
-using NUnit.Framework;
-using StandIns.Graphics;
 using StandIns.Vulkan;
 
 namespace FastPoints.HostTests.StandIns.Graphics

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using NUnit.Framework;
-using StandIns.Scene;
-using UnityEngine;
-
 namespace FastPoints.HostTests.StandIns
 {
     /// <summary>Objects that go, and what behaviours are told of their lives.</summary>

@@ -1,16 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
-using FastPoints.Editor;
-using FastPoints.Entities;
-using FastPoints.Rendering;
-using NUnit.Framework;
-using StandIns.Scene;
-using Unity.Mathematics;
-using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace FastPoints.HostTests.StandIns
 {

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Unity.Burst.Intrinsics
 {
     public static unsafe partial class Common

@@ -1,4 +1,3 @@
-using System;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace Unity.Collections

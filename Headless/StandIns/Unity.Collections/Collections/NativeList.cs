@@ -1,8 +1,5 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
 using StandIns.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

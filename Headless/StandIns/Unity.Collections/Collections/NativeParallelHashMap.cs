@@ -1,4 +1,3 @@
-using System;
 using StandIns.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 

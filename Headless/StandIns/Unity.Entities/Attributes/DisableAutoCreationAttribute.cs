@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Entities
 {
     [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct, Inherited = false)]

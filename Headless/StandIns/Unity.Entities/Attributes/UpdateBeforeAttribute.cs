@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Entities
 {
     [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct, AllowMultiple = true)]

@@ -1,5 +1,3 @@
-using System;
-using System.Reflection;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 

@@ -1,6 +1,3 @@
-using System;
-using System.Reflection;
-
 namespace Unity.Entities
 {
     public static class DefaultWorldInitialization

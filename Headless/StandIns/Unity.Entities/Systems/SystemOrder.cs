@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Reflection;
 using Unity.Entities;
 
 namespace StandIns.Entities

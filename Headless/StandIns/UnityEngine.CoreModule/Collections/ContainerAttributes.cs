@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Collections.LowLevel.Unsafe
 {
     [AttributeUsage(AttributeTargets.Struct)]

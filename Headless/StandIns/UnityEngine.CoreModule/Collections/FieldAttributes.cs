@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Collections
 {
     [AttributeUsage(AttributeTargets.Field | AttributeTargets.Parameter)]

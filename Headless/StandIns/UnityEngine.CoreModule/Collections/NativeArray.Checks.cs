@@ -1,9 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using StandIns.Scheduling;
-using Unity.Collections.LowLevel.Unsafe;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace Unity.Collections
 {

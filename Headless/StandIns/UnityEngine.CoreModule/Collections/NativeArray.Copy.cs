@@ -1,7 +1,4 @@
-using System;
 using System.Diagnostics;
-using Unity.Collections.LowLevel.Unsafe;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace Unity.Collections
 {

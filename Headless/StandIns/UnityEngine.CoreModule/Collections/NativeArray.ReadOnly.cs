@@ -1,10 +1,5 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using Unity.Collections.LowLevel.Unsafe;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace Unity.Collections
 {

@@ -1,13 +1,6 @@
-using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
 using StandIns.Jobs;
-using StandIns.Safety;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace Unity.Collections
 {

@@ -1,7 +1,3 @@
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
-
 namespace StandIns.Jobs
 {
     /// <summary>What is left of an array that a job is to free; a container, so that the job counts as its writer.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Unity.Collections.LowLevel.Unsafe
 {
     public static unsafe class NativeArrayUnsafeUtility

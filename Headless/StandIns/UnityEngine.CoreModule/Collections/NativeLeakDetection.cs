@@ -1,5 +1,3 @@
-using StandIns.Memory;
-
 namespace Unity.Collections
 {
     public enum NativeLeakDetectionMode

@@ -1,6 +1,3 @@
-using System;
-using StandIns.Scene;
-
 namespace UnityEngine
 {
     public sealed class Application

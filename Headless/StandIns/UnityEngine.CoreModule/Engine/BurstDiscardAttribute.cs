@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Burst
 {
     /// <summary>Burst leaves out the calls of the method it marks; managed code makes them. In the engine's own

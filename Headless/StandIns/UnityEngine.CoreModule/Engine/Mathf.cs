@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine
 {
     public struct Mathf

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine.Scripting
 {
     /// <summary>Keeps a player's build from leaving out what nothing calls by name.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine
 {
     public sealed class Resources

@@ -1,8 +1,3 @@
-using System;
-using StandIns.Io;
-using StandIns.Scheduling;
-using Unity.Jobs;
-
 namespace Unity.IO.LowLevel.Unsafe
 {
     public readonly struct FileHandle

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace StandIns.Io
 {
     /// <summary>Objects behind the unmanaged handles that Unity gives out: an index and a version. Index 0 is nothing.</summary>

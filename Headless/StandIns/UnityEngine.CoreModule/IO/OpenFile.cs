@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using StandIns.Scheduling;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
 #if NET
 using Microsoft.Win32.SafeHandles;
 #endif

@@ -1,7 +1,3 @@
-using System;
-using StandIns.Io;
-using Unity.Jobs;
-
 namespace Unity.IO.LowLevel.Unsafe
 {
     public unsafe struct ReadHandle : IDisposable

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-using StandIns.Scheduling;
 using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs;
 
 namespace StandIns.Io
 {

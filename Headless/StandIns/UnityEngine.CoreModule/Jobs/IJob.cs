@@ -1,5 +1,3 @@
-using StandIns.Scheduling;
-
 namespace Unity.Jobs
 {
     public interface IJob

@@ -1,9 +1,3 @@
-using System;
-using StandIns.Safety;
-using StandIns.Scheduling;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Jobs
 {
     public unsafe struct JobHandle : IEquatable<JobHandle>

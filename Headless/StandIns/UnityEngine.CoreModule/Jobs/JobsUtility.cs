@@ -1,6 +1,3 @@
-using System;
-using StandIns.Scheduling;
-
 namespace Unity.Jobs.LowLevel.Unsafe
 {
     public static class JobsUtility

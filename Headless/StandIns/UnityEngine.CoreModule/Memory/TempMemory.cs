@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using StandIns.Safety;
-using StandIns.Scheduling;
 
 namespace StandIns.Memory
 {

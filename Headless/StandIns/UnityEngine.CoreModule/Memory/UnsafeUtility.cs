@@ -1,8 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using StandIns.Memory;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace Unity.Collections.LowLevel.Unsafe
 {

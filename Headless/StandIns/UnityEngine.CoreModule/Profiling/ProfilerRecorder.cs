@@ -1,5 +1,3 @@
-using System;
-
 namespace Unity.Profiling
 {
     public readonly struct ProfilerCategory

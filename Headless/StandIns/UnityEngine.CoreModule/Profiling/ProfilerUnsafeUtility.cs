@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using StandIns.Io;
 
 namespace Unity.Profiling.LowLevel.Unsafe
 {

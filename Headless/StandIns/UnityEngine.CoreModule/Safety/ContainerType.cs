@@ -1,9 +1,4 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
-using System.Reflection;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace StandIns.Safety
 {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Reflection;
 using System.Reflection.Emit;
 
 namespace StandIns.Safety

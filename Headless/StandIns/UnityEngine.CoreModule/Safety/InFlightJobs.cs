@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using StandIns.Scheduling;
-
 namespace StandIns.Safety
 {
     /// <summary>One container of one scheduled job.</summary>

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using StandIns.Scheduling;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
-using SystemUnsafe = System.Runtime.CompilerServices.Unsafe;
 
 namespace StandIns.Safety
 {

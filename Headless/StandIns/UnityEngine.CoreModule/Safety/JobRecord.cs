@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-using StandIns.Scheduling;
-using Unity.Jobs;
-
 namespace StandIns.Safety
 {
     /// <summary>

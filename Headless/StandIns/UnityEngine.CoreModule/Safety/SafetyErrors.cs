@@ -1,6 +1,3 @@
-using System;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace StandIns.Safety
 {
     /// <summary>What an access that is not allowed throws, in Unity's types and roughly Unity's words.</summary>

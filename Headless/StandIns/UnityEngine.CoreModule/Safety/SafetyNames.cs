@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace StandIns.Safety
 {
     /// <summary>Names of container types and job fields, as numbers that fit into a handle.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Memory;
-
 namespace StandIns.Safety
 {
     /// <summary>

@@ -1,5 +1,3 @@
-using StandIns.Scene;
-
 namespace UnityEngine
 {
     public class Behaviour : Component

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine
 {
     [AttributeUsage(AttributeTargets.Class, Inherited = false)]

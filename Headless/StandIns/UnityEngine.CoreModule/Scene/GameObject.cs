@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Reflection;
-using StandIns.Scene;
-
 namespace UnityEngine
 {
     public sealed class GameObject : Object

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Reflection;
-using UnityEngine;
-
 namespace StandIns.Scene
 {
     /// <summary>What the engine's loop tells behaviours: in play mode all of them, in an editor that does not play those that are

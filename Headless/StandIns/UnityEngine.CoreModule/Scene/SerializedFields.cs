@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Reflection;
-using UnityEngine;
-using Object = UnityEngine.Object;
-
 namespace StandIns.Scene
 {
     /// <summary>Which fields of an object Unity keeps: in scenes, in assets, in settings, over a reload.</summary>

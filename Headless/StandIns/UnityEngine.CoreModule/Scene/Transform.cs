@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine
 {
     /// <summary>A place that its parents do not move: the matrix is set by whoever tests.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Threading;
-using StandIns.Safety;
-
 namespace StandIns.Scheduling
 {
     /// <summary>

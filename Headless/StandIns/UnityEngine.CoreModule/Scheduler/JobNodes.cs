@@ -1,6 +1,3 @@
-using System;
-using System.Threading;
-
 namespace StandIns.Scheduling
 {
     /// <summary>All nodes, by the index that is in a JobHandle.</summary>

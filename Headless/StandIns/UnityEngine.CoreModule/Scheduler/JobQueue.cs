@@ -1,6 +1,3 @@
-using System.Threading;
-using StandIns.Io;
-
 namespace StandIns.Scheduling
 {
     /// <summary>Jobs that are ready, first come first served, and the threads that sleep until there are some.</summary>

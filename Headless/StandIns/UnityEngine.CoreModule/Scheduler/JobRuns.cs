@@ -1,5 +1,3 @@
-using System;
-
 namespace StandIns.Scheduling
 {
     /// <summary>How long runs of a job took.</summary>

@@ -1,11 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-using StandIns.Io;
-using StandIns.Memory;
-using StandIns.Safety;
-using Unity.Jobs;
-
 namespace StandIns.Scheduling
 {
     /// <summary>Schedules, runs and completes jobs. A job waits until what is scheduled is flushed, and starts as soon as its

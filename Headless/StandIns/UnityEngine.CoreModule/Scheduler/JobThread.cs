@@ -1,5 +1,3 @@
-using System;
-
 namespace StandIns.Scheduling
 {
     /// <summary>What a thread is to the job system.</summary>

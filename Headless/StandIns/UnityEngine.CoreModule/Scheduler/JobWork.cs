@@ -1,6 +1,3 @@
-using System;
-using StandIns.Safety;
-
 namespace StandIns.Scheduling
 {
     /// <summary>How one kind of job runs over a range: a struct, so that the call is a direct one.</summary>

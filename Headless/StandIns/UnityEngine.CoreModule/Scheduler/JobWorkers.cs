@@ -1,7 +1,3 @@
-using System;
-using System.Threading;
-using StandIns.Io;
-
 namespace StandIns.Scheduling
 {
     /// <summary>The worker threads. They start when the first job is scheduled, and are background threads.</summary>

@@ -1,7 +1,3 @@
-using System.Threading;
-using StandIns.Scheduling;
-using UnityEngine;
-
 namespace StandIns
 {
     /// <summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-#if NET
-using System.Reflection;
-#endif
-
 namespace StandIns.Vulkan
 {
     /// <summary>

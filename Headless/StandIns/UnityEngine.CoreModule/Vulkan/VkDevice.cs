@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-
 namespace StandIns.Vulkan
 {
     [StructLayout(LayoutKind.Explicit, Size = 220)]

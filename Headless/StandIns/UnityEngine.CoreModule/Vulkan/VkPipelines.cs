@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-
 namespace StandIns.Vulkan
 {
     enum VkPrimitiveTopology : int

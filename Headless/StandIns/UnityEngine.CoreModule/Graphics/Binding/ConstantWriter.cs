@@ -1,7 +1,3 @@
-using System;
-using Unity.Collections.LowLevel.Unsafe;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>Fills constant buffers from what is set by name; what is not set is zero.</summary>

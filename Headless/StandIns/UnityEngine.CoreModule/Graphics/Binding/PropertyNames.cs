@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>Numbers for names, the same for as long as the process lives.</summary>

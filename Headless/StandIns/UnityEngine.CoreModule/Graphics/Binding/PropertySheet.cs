@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.InteropServices;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>Values by name: of a material, a property block, a compute shader, or of all.</summary>

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     enum PropertyKind : byte

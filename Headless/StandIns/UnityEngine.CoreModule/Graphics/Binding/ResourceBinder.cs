@@ -1,8 +1,3 @@
-using System;
-using StandIns.Vulkan;
-using Unity.Collections.LowLevel.Unsafe;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>Brings a draw or dispatch what its shader names, by name, and refuses what does not fit.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Vulkan;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>

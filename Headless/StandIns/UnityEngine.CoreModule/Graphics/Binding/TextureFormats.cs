@@ -1,8 +1,3 @@
-using System;
-using StandIns.Vulkan;
-using UnityEngine;
-using UnityEngine.Experimental.Rendering;
-
 namespace StandIns.Graphics
 {
     /// <summary>Unity's formats and Vulkan's, as far as the package uses them.</summary>

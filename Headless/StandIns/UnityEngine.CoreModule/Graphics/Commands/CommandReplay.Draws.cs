@@ -1,7 +1,3 @@
-using System;
-using StandIns.Vulkan;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     sealed unsafe partial class CommandReplay

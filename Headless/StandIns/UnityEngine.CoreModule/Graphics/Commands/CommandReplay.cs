@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.InteropServices;
-using StandIns.Vulkan;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace StandIns.Graphics
 {
     /// <summary>

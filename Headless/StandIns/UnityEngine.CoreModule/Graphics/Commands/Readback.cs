@@ -1,6 +1,3 @@
-using System;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>Copies to where the host reads; what is copied is there when the copy's last use has passed.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using UnityEngine.Rendering;
-
 namespace StandIns.Graphics
 {
     /// <summary>One readback: memory that the device writes, then the host's until the end of a frame.</summary>

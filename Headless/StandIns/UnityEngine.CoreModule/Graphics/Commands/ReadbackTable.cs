@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace StandIns.Graphics
 {
     /// <summary>The readbacks under way and those whose data is still there.</summary>

@@ -1,7 +1,3 @@
-using System;
-using StandIns.Vulkan;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>What is drawn into, and the pass that is open on it while draws follow one another.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using UnityEngine;
-using UnityEngine.Rendering;
-
 namespace StandIns.Graphics
 {
     /// <summary>Textures that command buffers ask for by name and give back; those given back are used again.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Text;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

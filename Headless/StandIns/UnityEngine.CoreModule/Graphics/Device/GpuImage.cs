@@ -1,6 +1,4 @@
-using System;
 using System.Diagnostics;
-using StandIns.Vulkan;
 
 namespace StandIns.Graphics
 {

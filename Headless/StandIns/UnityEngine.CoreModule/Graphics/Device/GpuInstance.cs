@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.InteropServices;
-using System.Text;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>The connection to the Vulkan loader and, where asked for and there, to the validation layer.</summary>

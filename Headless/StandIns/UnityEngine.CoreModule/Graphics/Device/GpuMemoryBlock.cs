@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>One allocation of the driver's and the parts of it that are free, in order, none touching the next.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.InteropServices;
-
 namespace StandIns.Graphics
 {
     /// <summary>Text as C reads it, for the length of one call.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>Memory that the host writes and one submission reads: handed out in order, all given back at once.</summary>

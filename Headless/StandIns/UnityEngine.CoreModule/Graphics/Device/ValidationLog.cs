@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>What the validation layer found wrong: tests allow nothing here.</summary>

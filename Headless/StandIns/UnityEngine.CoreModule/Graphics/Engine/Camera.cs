@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>A host sets its matrices and its size; nothing is drawn by itself.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Graphics;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>A .compute file; a host loads it by its path (HeadlessShaders.LoadCompute).</summary>

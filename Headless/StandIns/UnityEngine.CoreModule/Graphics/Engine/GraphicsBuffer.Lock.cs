@@ -1,8 +1,3 @@
-using System;
-using StandIns.Graphics;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace UnityEngine
 {
     public sealed unsafe partial class GraphicsBuffer

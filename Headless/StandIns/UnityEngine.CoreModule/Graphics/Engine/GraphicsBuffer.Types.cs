@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-
 namespace UnityEngine
 {
     public sealed partial class GraphicsBuffer

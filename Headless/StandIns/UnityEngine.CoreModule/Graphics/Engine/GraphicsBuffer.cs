@@ -1,7 +1,4 @@
-using System;
 using System.Diagnostics;
-using StandIns.Graphics;
-using StandIns.Vulkan;
 
 namespace UnityEngine
 {

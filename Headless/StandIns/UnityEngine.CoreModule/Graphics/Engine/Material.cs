@@ -1,7 +1,3 @@
-using System;
-using StandIns.Graphics;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     public class Material : Object

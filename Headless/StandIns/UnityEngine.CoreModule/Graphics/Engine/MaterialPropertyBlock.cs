@@ -1,6 +1,3 @@
-using StandIns.Graphics;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>Values for one draw, before the material's.</summary>

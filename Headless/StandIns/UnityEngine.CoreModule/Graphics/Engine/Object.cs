@@ -1,8 +1,5 @@
-using System;
 using System.Diagnostics;
-using System.Threading;
 using StandIns;
-using StandIns.Scene;
 
 namespace UnityEngine
 {

@@ -1,8 +1,3 @@
-using System;
-using StandIns.Graphics;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>

@@ -1,7 +1,3 @@
-using StandIns.Graphics;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     public struct RenderTextureDescriptor

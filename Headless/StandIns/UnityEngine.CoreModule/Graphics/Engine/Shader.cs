@@ -1,7 +1,3 @@
-using System;
-using StandIns.Graphics;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>A .shader file; a host loads it by its path (HeadlessShaders.Load).</summary>

@@ -1,7 +1,3 @@
-using StandIns.Graphics;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     /// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>

@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using StandIns.Graphics;
-using UnityEngine.Experimental.Rendering;
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     public class Texture : Object

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using StandIns.Graphics;
-
 namespace FastPoints.Headless.Graphics
 {
     /// <summary>What a host asks about the graphics, and tells it: the engine's own loop does the same for a game.</summary>

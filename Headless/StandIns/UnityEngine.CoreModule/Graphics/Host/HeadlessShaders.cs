@@ -1,6 +1,3 @@
-using StandIns.Graphics;
-using UnityEngine;
-
 namespace FastPoints.Headless.Graphics
 {
     /// <summary>Shaders from their files, as Unity's importers make them of assets.</summary>

@@ -1,6 +1,3 @@
-using StandIns.Graphics;
-using Unity.Collections;
-
 namespace UnityEngine.Rendering
 {
     /// <summary>What was asked for, and the data when it is there: until the end of the frame that it came in.</summary>

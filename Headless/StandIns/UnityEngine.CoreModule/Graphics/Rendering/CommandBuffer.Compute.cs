@@ -1,7 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     // X is the shader; A the name, B the kernel of what is set; A the kernel of a dispatch.

@@ -1,9 +1,3 @@
-using System;
-using System.Runtime.InteropServices;
-using StandIns.Graphics;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace UnityEngine.Rendering
 {
     // Upload: X is the buffer, A where it begins, B how many elements, C of how many bytes; Data where the bytes are.

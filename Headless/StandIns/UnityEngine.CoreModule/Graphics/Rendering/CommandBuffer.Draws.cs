@@ -1,6 +1,3 @@
-using System;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     // SetInstanceMultiplier: A is the number.

@@ -1,6 +1,3 @@
-using System.Runtime.InteropServices;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     // SetGlobal: A is the name, Data the value.

@@ -1,5 +1,3 @@
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     // SetTarget: A colours from Data on and then one depth; B is the slice, or -1 for all.

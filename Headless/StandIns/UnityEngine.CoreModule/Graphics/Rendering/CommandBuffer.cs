@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     /// <summary>

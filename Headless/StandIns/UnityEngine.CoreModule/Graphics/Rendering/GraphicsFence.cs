@@ -1,6 +1,3 @@
-using System;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     /// <summary>Tells whether the device has come to a certain command.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     public readonly struct LocalKeyword

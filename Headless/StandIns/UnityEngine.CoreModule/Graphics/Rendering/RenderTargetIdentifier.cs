@@ -1,6 +1,3 @@
-using System;
-using StandIns.Graphics;
-
 namespace UnityEngine.Rendering
 {
     /// <summary>A texture, or the name that a command buffer gave a temporary one.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>One kernel of a compute shader and its variants, each compiled when it is first run.</summary>

@@ -1,5 +1,3 @@
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>A compiled variant of a kernel.</summary>

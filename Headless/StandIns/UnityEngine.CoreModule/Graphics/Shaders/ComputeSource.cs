@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace StandIns.Graphics
 {
     /// <summary>A .compute file: HLSL with the names of its kernels and its keywords in pragmas.</summary>

@@ -1,6 +1,3 @@
-using System;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>The fixed state of one draw, as Vulkan has it.</summary>

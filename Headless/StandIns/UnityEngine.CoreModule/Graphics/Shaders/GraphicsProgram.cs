@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

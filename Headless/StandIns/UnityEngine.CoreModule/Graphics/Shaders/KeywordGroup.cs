@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>One multi_compile line: of its keywords one is on, or none where it begins with an underscore.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>The keywords that are on.</summary>

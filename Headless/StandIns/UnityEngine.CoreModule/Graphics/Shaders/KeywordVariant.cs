@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>Which keyword of each group is on, as one number: a digit a group, the first group's the lowest.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Globalization;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using UnityEngine;
-
 namespace StandIns.Graphics
 {
     /// <summary>What a .shader file says: its properties, and the passes of its first SubShader.</summary>

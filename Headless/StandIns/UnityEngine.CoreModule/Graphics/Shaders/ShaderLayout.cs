@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

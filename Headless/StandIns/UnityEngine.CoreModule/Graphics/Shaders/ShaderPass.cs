@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace StandIns.Graphics
 {
     /// <summary>One pass of a shader and its variants, each compiled when it is first drawn with.</summary>

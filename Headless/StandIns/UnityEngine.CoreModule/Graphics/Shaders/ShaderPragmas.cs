@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace StandIns.Graphics
 {
     /// <summary>The pragmas in a shader's own text (Unity does not look for them in includes either).</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace StandIns.Graphics
 {
     /// <summary>One stage of one variant of a shader, or a kernel: what a compiler is given.</summary>

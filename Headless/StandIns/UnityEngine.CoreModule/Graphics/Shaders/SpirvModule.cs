@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Text;
-using StandIns.Vulkan;
-
 namespace StandIns.Graphics
 {
     /// <summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace StandIns.Graphics
 {
     /// <summary>A value of the fixed state: a number, or a property's.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Globalization;
-
 namespace UnityEngine
 {
     public struct Bounds : IEquatable<Bounds>, IFormattable

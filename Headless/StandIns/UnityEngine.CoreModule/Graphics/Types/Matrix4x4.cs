@@ -1,7 +1,3 @@
-using System;
-using System.Globalization;
-using System.Runtime.InteropServices;
-
 namespace UnityEngine
 {
     /// <summary>Columns one after the other in memory, for column vectors: m12 is row 1, column 2.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine
 {
     public unsafe partial struct Matrix4x4

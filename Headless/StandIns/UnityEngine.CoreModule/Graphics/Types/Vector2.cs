@@ -1,6 +1,3 @@
-using System;
-using System.Globalization;
-
 namespace UnityEngine
 {
     public struct Vector2 : IEquatable<Vector2>, IFormattable
