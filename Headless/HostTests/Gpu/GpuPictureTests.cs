@@ -258,7 +258,8 @@ namespace FastPoints.HostTests.Gpu
             var point = outline[outline.Length / 2];
             Assert.That(math.cmax(math.abs(point)), Is.GreaterThan(1e5), "no coordinates of a map");
             var eye = point + new double3(-0.008, 0.006, 0.002);
-            Compare(streams, PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60), "beside");
+            var camera = PictureCamera.Perspective(eye, eye + new double3(0.8, -0.6, -0.15), new double3(0, 0, 1), 60);
+            Compare(streams, camera, "beside");
         }
 
         [Test]

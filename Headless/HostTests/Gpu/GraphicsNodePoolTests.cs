@@ -43,7 +43,8 @@ namespace FastPoints.HostTests.Gpu
             var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
             var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
             var center = (low + high) / 2;
-            return PictureCamera.Perspective(center + new double3(0, 0, math.cmax(high - low) * 2), center, new double3(0, 1, 0), 60);
+            var eye = center + new double3(0, 0, math.cmax(high - low) * 2);
+            return PictureCamera.Perspective(eye, center, new double3(0, 1, 0), 60);
         }
 
         PictureCamera Near(StreamContext stream, double share, double heading)
