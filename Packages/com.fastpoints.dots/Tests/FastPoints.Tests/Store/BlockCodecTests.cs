@@ -1,4 +1,6 @@
 using System;
+using System.Linq;
+using FastPoints.Nodes;
 using FastPoints.Store;
 using NUnit.Framework;
 
@@ -74,6 +76,31 @@ namespace FastPoints.Tests.Store
                 BlockCodec.PackWide(w, 0, 128, width, pb);
             }
             Assert.That(b, Is.EqualTo(a));
+        }
+
+        /// <summary>Processors have different vectors: the stored bytes must not.</summary>
+        [Test]
+        public void FindRange_AnyCount_IsThatOfPlainCode()
+        {
+            var random = new Random(3);
+            for (int count = 1; count <= 128; count++)
+            {
+                var values = new uint[count];
+                for (int i = 0; i < count; i++)
+                    values[i] = (uint)random.Next(int.MinValue, int.MaxValue);
+                // Each place has the extremes once.
+                foreach (int extreme in new[] { 0, count / 3, count - 1 })
+                {
+                    values[extreme] = extreme % 2 == 0 ? 0 : uint.MaxValue;
+                    fixed (uint* v = values)
+                    {
+                        BlockWriting.FindRange(v, count, out uint least, out uint most);
+                        BlockWriting.FindRangePlain(v, 0, count, v[0], v[0], out uint plainLeast, out uint plainMost);
+                        Assert.That((least, most), Is.EqualTo((plainLeast, plainMost)));
+                        Assert.That((least, most), Is.EqualTo((values.Min(), values.Max())));
+                    }
+                }
+            }
         }
 
         [Test]

@@ -1,0 +1,55 @@
+#if NET
+using System.Runtime.Intrinsics;
+using Net = System.Runtime.Intrinsics.X86.Avx2;
+#endif
+
+namespace Unity.Burst.Intrinsics
+{
+    /// <summary>256 bits. Burst's has a field for each way to see them; nothing here looks into it but the functions
+    /// below.</summary>
+    public struct v256
+    {
+#if NET
+        internal Vector256<uint> Bits;
+
+        internal v256(Vector256<uint> bits) => Bits = bits;
+#endif
+    }
+
+    /// <summary>In Unity the functions are there in managed code as well, if slowly; here, without .NET's own, nothing calls
+    /// them.</summary>
+    public static unsafe partial class X86
+    {
+        public static class Avx
+        {
+#if NET
+            public static v256 mm256_loadu_si256(void* ptr) => new v256(Vector256.Load((uint*)ptr));
+
+            public static void mm256_storeu_si256(void* ptr, v256 v) => v.Bits.Store((uint*)ptr);
+#else
+            public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
+
+            public static void mm256_storeu_si256(void* ptr, v256 v) => throw new System.PlatformNotSupportedException();
+#endif
+        }
+
+        public static class Avx2
+        {
+            // Known when code is compiled, so that the other branch is left out. In Unity it is false where Burst does not
+            // compile; here it says what the processor has, so that what runs is what Burst makes.
+#if NET
+            public static bool IsAvx2Supported => Net.IsSupported;
+
+            public static v256 mm256_max_epu32(v256 a, v256 b) => new v256(Net.Max(a.Bits, b.Bits));
+
+            public static v256 mm256_min_epu32(v256 a, v256 b) => new v256(Net.Min(a.Bits, b.Bits));
+#else
+            public static bool IsAvx2Supported => false;
+
+            public static v256 mm256_max_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+
+            public static v256 mm256_min_epu32(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+#endif
+        }
+    }
+}
