@@ -8,10 +8,9 @@ using Unity.PerformanceTesting;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// Each workload as a performance test: warm-up, then samples in turns with the workload that bounds it. <c>fastpoints
-    /// bench</c> times the same workloads, and gives its results the same names, so that runs of both can be laid side by side.
-    /// </summary>
+    /// <summary>Each workload as a performance test: warm-up, then samples in turns with the workload that bounds it.
+    /// <c>fastpoints bench</c> times the same workloads, and gives its results the same names, so that runs of both can be laid
+    /// side by side.</summary>
     public sealed class WorkloadTests
     {
         /// <summary>Fewer than the command line's: the editor's safety checks take their time.</summary>
@@ -45,17 +44,14 @@ namespace FastPoints.Benchmarks
             try
             {
                 var context = new WorkloadContext { ScratchFolder = scratch, Points = Points, DataFolder = DataFolder() };
-                using (var allocated = new AllocatedBytes())
-                {
-                    var settings = new TurnSettings { AllocatedBytes = () => allocated.Now };
-                    WorkloadSamples samples = WorkloadTurns.Take(group, context, settings)
-                        .Single(s => s.Name == workload);
-                    if (!samples.HadInput)
-                        Assert.Ignore("wants real clouds: " + DataVariable + " names their folder");
-                    Save(samples.Series().Where(s => allocated.IsCounted || s.Name != WorkloadSamples.Garbage));
-                    if (samples.Note != null)
-                        TestContext.WriteLine(samples.Note);
-                }
+                using var allocated = new AllocatedBytes();
+                var settings = new TurnSettings { AllocatedBytes = () => allocated.Now };
+                WorkloadSamples samples = WorkloadTurns.Take(group, context, settings).Single(s => s.Name == workload);
+                if (!samples.HadInput)
+                    Assert.Ignore("wants real clouds: " + DataVariable + " names their folder");
+                Save(samples.Series().Where(s => allocated.IsCounted || s.Name != WorkloadSamples.Garbage));
+                if (samples.Note != null)
+                    TestContext.WriteLine(samples.Note);
             }
             finally
             {

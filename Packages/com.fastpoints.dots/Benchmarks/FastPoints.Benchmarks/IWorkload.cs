@@ -2,10 +2,8 @@ using System;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// One piece of work that is measured, prepared once, then run as often as the driver likes. The headless driver
-    /// and Unity's performance tests time the same ones.
-    /// </summary>
+    /// <summary>One piece of work that is measured, prepared once, then run as often as the driver likes. The headless driver and
+    /// Unity's performance tests time the same ones.</summary>
     public interface IWorkload : IDisposable
     {
         /// <summary>What is measured, for example <c>las columns</c>; unique over all workloads.</summary>

@@ -1,3 +1,5 @@
+using System.IO;
+
 namespace FastPoints.Benchmarks
 {
     /// <summary>What the driver gives a workload to prepare with.</summary>
@@ -13,5 +15,9 @@ namespace FastPoints.Benchmarks
         public int Points = 4_000_000;
 
         public uint Seed = 1;
+
+        /// <summary>Where an input of a kind lies or is to be made.</summary>
+        public string PathOf(string kind, string extension) =>
+            Path.Combine(ScratchFolder, kind + "-" + Points + "-" + Seed + extension);
     }
 }

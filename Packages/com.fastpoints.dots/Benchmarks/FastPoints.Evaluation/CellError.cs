@@ -2,10 +2,8 @@ namespace FastPoints.Evaluation
 {
     /// <summary>How evenly a sample covers the cells and regions of an <see cref="ErrorGrid"/> that the full cloud
     /// occupies.</summary>
-    /// <remarks>
-    /// What chance would give is for a simple random sample of as many points, drawn without replacement: the share taken of a
-    /// cell with f points then has the variance p (1 - p) / f, where p is the share taken of all.
-    /// </remarks>
+    /// <remarks>What chance would give is for a simple random sample of as many points, drawn without replacement: the share
+    /// taken of a cell with f points then has the variance p (1 - p) / f, where p is the share taken of all.</remarks>
     public struct CellError
     {
         /// <summary>Points of the full cloud that a block must hold to count for <see cref="Variation"/>.</summary>
@@ -31,21 +29,17 @@ namespace FastPoints.Evaluation
         public double Uncovered256;
         public double Uncovered512;
 
-        /// <summary>
-        /// Coefficient of variation of the share sampled: the root of the mean, over the 64th cells with at least
-        /// <see cref="FewestPointsOfBlock"/> points, of the squares of (share taken of the cell / share taken of all - 1).
-        /// NaN where there is no such cell, or no point sampled.
-        /// </summary>
+        /// <summary>Coefficient of variation of the share sampled: the root of the mean, over the 64th cells with at least
+        /// <see cref="FewestPointsOfBlock"/> points, of the squares of (share taken of the cell / share taken of all - 1). NaN
+        /// where there is no such cell, or no point sampled.</summary>
         public double Variation;
 
         /// <summary>What chance would give for <see cref="Variation"/>.</summary>
         public double VariationByChance;
 
-        /// <summary>
-        /// The largest |share taken of a region / share taken of all - 1| over the regions (an eighth of the grid's edge)
-        /// with at least one in <see cref="LeastRegion"/> of the full cloud's points; 1 for a region that was missed. NaN
-        /// without points.
-        /// </summary>
+        /// <summary>The largest |share taken of a region / share taken of all - 1| over the regions (an eighth of the grid's
+        /// edge) with at least one in <see cref="LeastRegion"/> of the full cloud's points; 1 for a region that was missed. NaN
+        /// without points.</summary>
         public double Bias;
 
         /// <summary>What chance would exceed in one sample of two for <see cref="Bias"/>: the median of the largest

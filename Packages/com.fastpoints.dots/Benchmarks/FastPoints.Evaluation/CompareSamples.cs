@@ -12,11 +12,10 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>
-    /// Measures how far samples of a source are from the full cloud: distances, cells left uncovered, evenness, pictures. The
-    /// full cloud is read in three scans (a fourth to look points up) in bounded memory, whatever its size: a uniform choice of
-    /// <see cref="MostQueries"/> points, occupied cells, three pictures. The results depend on no number of threads.
-    /// </summary>
+    /// <summary>Measures how far samples of a source are from the full cloud: distances, cells left uncovered, evenness,
+    /// pictures. The full cloud is read in three scans (a fourth to look points up) in bounded memory, whatever its size: a
+    /// uniform choice of <see cref="MostQueries"/> points, occupied cells, three pictures. The results depend on no number of
+    /// threads.</summary>
     public sealed class CompareSamples : IDisposable
     {
         /// <summary>Points of the full cloud from which distances are measured: all, or so many of a uniform choice.</summary>
@@ -85,10 +84,8 @@ namespace FastPoints.Evaluation
             using (var sampler = new UniformSampler(m_reader, MostQueries, QuerySeed))
             {
                 yield return Work.Of(sampler.Run(0, progress));
-                using (var sample = sampler.TakeSample())
-                {
-                    yield return Work.Of(Prepare(sample, progress));
-                }
+                using var sample = sampler.TakeSample();
+                yield return Work.Of(Prepare(sample, progress));
             }
             progress?.End();
         }
@@ -127,13 +124,11 @@ namespace FastPoints.Evaluation
 
             progress?.Begin("reference");
             m_cloud = new CellOccupancy(Allocator.Persistent);
-            using (var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx))
-            {
-                yield return Work.Of(pass.ChooseSizes(sample.Points, m_pointCount));
-                yield return Work.Of(pass.Run(progress));
-                yield return Work.Of(pass.Resolve(sample.Points, m_options.Background));
-                FullViews = pass.Images;
-            }
+            using var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx);
+            yield return Work.Of(pass.ChooseSizes(sample.Points, m_pointCount));
+            yield return Work.Of(pass.Run(progress));
+            yield return Work.Of(pass.Resolve(sample.Points, m_options.Background));
+            FullViews = pass.Images;
         }
 
         /// <summary>Work for a pump: measures a sample, which must be a part of the source; fills
@@ -175,41 +170,39 @@ namespace FastPoints.Evaluation
             JobHandle measured = default;
             var distancesSq = new NativeArray<double>(Math.Max(1, m_queryCount), Allocator.Persistent);
             var found = new NativeReference<DistanceError>(Allocator.Persistent);
-            using (var tree = new PointTree())
+            using var tree = new PointTree();
+            try
             {
-                try
+                yield return Work.Of(tree.Build(points, count, transform));
+                measured = new NearestDistancesJob
                 {
-                    yield return Work.Of(tree.Build(points, count, transform));
-                    measured = new NearestDistancesJob
-                    {
-                        Queries = m_queries,
-                        QueryCount = m_queryCount,
-                        Points = tree.Points,
-                        Nodes = tree.Nodes,
-                        Count = tree.Count,
-                        Levels = tree.Levels,
-                        DistancesSq = distancesSq,
-                    }.ScheduleParallel(NearestDistancesJob.PieceCount(m_queryCount), 1, default);
-                    measured = new RankDistancesJob
-                    {
-                        DistancesSq = distancesSq,
-                        Count = m_queryCount,
-                        Unit = math.length(Bounds.Size),
-                        Error = found,
-                    }.Schedule(measured);
-                    yield return measured;
-                    measured.Complete();
-                    error.Distance = found.Value;
-                    error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
-                    for (int i = 0; i < error.LookedUp; i++)
-                        m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
-                }
-                finally
+                    Queries = m_queries,
+                    QueryCount = m_queryCount,
+                    Points = tree.Points,
+                    Nodes = tree.Nodes,
+                    Count = tree.Count,
+                    Levels = tree.Levels,
+                    DistancesSq = distancesSq,
+                }.ScheduleParallel(NearestDistancesJob.PieceCount(m_queryCount), 1, default);
+                measured = new RankDistancesJob
                 {
-                    measured.Complete();
-                    distancesSq.Dispose();
-                    found.Dispose();
-                }
+                    DistancesSq = distancesSq,
+                    Count = m_queryCount,
+                    Unit = math.length(Bounds.Size),
+                    Error = found,
+                }.Schedule(measured);
+                yield return measured;
+                measured.Complete();
+                error.Distance = found.Value;
+                error.LookedUp = Math.Min(LookedUpPerSample, tree.Count);
+                for (int i = 0; i < error.LookedUp; i++)
+                    m_lookedUp.Add(tree.Points[(int)((long)i * tree.Count / error.LookedUp)]);
+            }
+            finally
+            {
+                measured.Complete();
+                distancesSq.Dispose();
+                found.Dispose();
             }
         }
 
@@ -217,39 +210,37 @@ namespace FastPoints.Evaluation
         {
             JobHandle measured = default;
             var found = new NativeReference<CellError>(Allocator.Persistent);
-            using (var cells = new CellOccupancy(Allocator.Persistent))
+            using var cells = new CellOccupancy(Allocator.Persistent);
+            try
             {
-                try
-                {
-                    for (int first = 0; first < count; first += PointsPerSlice)
-                        measured = new CountSampledCellsJob
-                        {
-                            Sample = points.Bytes,
-                            Positions = PositionColumns.Of(points),
-                            Transform = transform,
-                            First = first,
-                            Count = Math.Min(PointsPerSlice, count - first),
-                            Grid = m_grid,
-                            CellsOf128th = cells.CellsOf128th,
-                            PointsOfBlock = cells.PointsOfBlock,
-                        }.Schedule(measured);
-                    measured = new CompareOccupancyJob
+                for (int first = 0; first < count; first += PointsPerSlice)
+                    measured = new CountSampledCellsJob
                     {
-                        CellsOfCloud = m_cloud.CellsOf128th,
-                        PointsOfCloud = m_cloud.PointsOfBlock,
-                        CellsOfSample = cells.CellsOf128th,
-                        PointsOfSample = cells.PointsOfBlock,
-                        Error = found,
+                        Sample = points.Bytes,
+                        Positions = PositionColumns.Of(points),
+                        Transform = transform,
+                        First = first,
+                        Count = Math.Min(PointsPerSlice, count - first),
+                        Grid = m_grid,
+                        CellsOf128th = cells.CellsOf128th,
+                        PointsOfBlock = cells.PointsOfBlock,
                     }.Schedule(measured);
-                    yield return measured;
-                    measured.Complete();
-                    error.Cells = found.Value;
-                }
-                finally
+                measured = new CompareOccupancyJob
                 {
-                    measured.Complete();
-                    found.Dispose();
-                }
+                    CellsOfCloud = m_cloud.CellsOf128th,
+                    PointsOfCloud = m_cloud.PointsOfBlock,
+                    CellsOfSample = cells.CellsOf128th,
+                    PointsOfSample = cells.PointsOfBlock,
+                    Error = found,
+                }.Schedule(measured);
+                yield return measured;
+                measured.Complete();
+                error.Cells = found.Value;
+            }
+            finally
+            {
+                measured.Complete();
+                found.Dispose();
             }
         }
 
@@ -258,13 +249,11 @@ namespace FastPoints.Evaluation
             var plan = m_plans[view];
             if (plan.WantsAutoSize)
                 plan.SizePx = PointSizing.MinPx;
-            using (var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent))
-            {
-                yield return Work.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
-                yield return Work.Of(SamplePicture.Draw(canvas, points, plan, null));
-                yield return Work.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
-                error.Views[view] = canvas.ToImage();
-            }
+            using var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent);
+            yield return Work.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
+            yield return Work.Of(SamplePicture.Draw(canvas, points, plan, null));
+            yield return Work.Of(SamplePicture.Resolve(canvas, points, plan, m_options.Background));
+            error.Views[view] = canvas.ToImage();
         }
 
         /// <summary>Work for a pump, with the stage <c>look up</c>: looks for <see cref="LookedUpPerSample"/> points of
@@ -353,9 +342,7 @@ namespace FastPoints.Evaluation
                 States = m_table.States,
             }.Schedule(decoded);
 
-            public void Completed(BlockRead read, int slot)
-            {
-            }
+            public void Completed(BlockRead read, int slot) { }
         }
     }
 }

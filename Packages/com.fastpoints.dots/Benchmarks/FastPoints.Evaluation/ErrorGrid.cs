@@ -3,11 +3,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>
-    /// The cells that samples are compared in: cubes of a 256th of the longest edge of a box, counted from its lowest corner. A
-    /// cell's place is a Morton code of 27 bits, so that eight consecutive cells are one of a 256th, 64 one of a 128th, 512 one
-    /// of a 64th, and 2^18 one of an eighth. Blittable, for jobs.
-    /// </summary>
+    /// <summary>The cells that samples are compared in: cubes of a 256th of the longest edge of a box, counted from its lowest
+    /// corner. A cell's place is a Morton code of 27 bits, so that eight consecutive cells are one of a 256th, 64 one of a 128th,
+    /// 512 one of a 64th, and 2^18 one of an eighth. Blittable, for jobs.</summary>
     public readonly struct ErrorGrid
     {
         /// <summary>Along each axis.</summary>

@@ -8,11 +8,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>
-    /// A k-d tree (Bentley 1975) over the finite positions of a batch, to find the nearest of them: median splits of the
-    /// longest edge, so that node i of level l holds places i * n / 2^l to (i + 1) * n / 2^l and no child needs a pointer;
-    /// a tight box for each node. 24 bytes a point and about 12 for the nodes, in native memory.
-    /// </summary>
+    /// <summary>A k-d tree (Bentley 1975) over the finite positions of a batch, to find the nearest of them: median splits of the
+    /// longest edge, so that node i of level l holds places i * n / 2^l to (i + 1) * n / 2^l and no child needs a pointer; a
+    /// tight box for each node. 24 bytes a point and about 12 for the nodes, in native memory.</summary>
     /// <remarks>A tool of measurements: the first splits of a large sample take longer than a frame should wait (about 10 ms a
     /// million points).</remarks>
     public sealed class PointTree : IDisposable

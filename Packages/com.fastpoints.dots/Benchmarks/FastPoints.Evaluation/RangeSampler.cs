@@ -9,10 +9,9 @@ using Unity.Jobs;
 
 namespace FastPoints.Evaluation
 {
-    /// <summary>
-    /// A sample as one would take it without much thought: regular choices from given ranges of a source, in the order of the
-    /// ranges. Every n-th point of all, the first N, the prefixes of all chunks: what better samplers are compared with.
-    /// </summary>
+    /// <summary>A sample as one would take it without much thought: regular choices from given ranges of a source, in the order
+    /// of the ranges. Every n-th point of all, the first N, the prefixes of all chunks: what better samplers are compared
+    /// with.</summary>
     public sealed class RangeSampler : IDisposable
     {
         /// <summary>Reads in flight for short ranges.</summary>

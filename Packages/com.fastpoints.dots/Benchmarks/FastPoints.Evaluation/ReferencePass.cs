@@ -36,9 +36,7 @@ namespace FastPoints.Evaluation
             m_cellsOfSlot = new CellOccupancy[SourceScan.SlotsFor(reader, m_wanted)];
             m_canvases = new PictureCanvas[plans.Length];
             for (int view = 0; view < plans.Length; view++)
-            {
                 m_canvases[view] = new PictureCanvas(widthPx, heightPx, Allocator.Persistent);
-            }
         }
 
         /// <summary>Of each view, when all is done.</summary>
@@ -115,9 +113,7 @@ namespace FastPoints.Evaluation
             return done;
         }
 
-        public void Completed(BlockRead read, int slot)
-        {
-        }
+        public void Completed(BlockRead read, int slot) { }
 
         public void Dispose()
         {

@@ -31,10 +31,8 @@ namespace FastPoints.Evaluation
         public int LookedUp;
         public int Found;
 
-        /// <summary>
-        /// One error for several pictures: their squared errors averaged for the PSNR, the mean for SSIM, the mean share of the
-        /// pixels left uncovered.
-        /// </summary>
+        /// <summary>One error for several pictures: their squared errors averaged for the PSNR, the mean for SSIM, the mean share
+        /// of the pixels left uncovered.</summary>
         internal static ImageError Mean(RgbaImage[] pictures, RgbaImage[] references, uint background)
         {
             var mean = new ImageError();

@@ -83,11 +83,9 @@ namespace FastPoints.Scenes
         public static IEnumerator<Work> Run(string path, long points, uint seed, ScanOrder order = ScanOrder.Strip,
             StageProgress progress = null)
         {
-            using (var las = new LasReturnSink(path))
-            {
-                yield return Work.Of(OrderedScan.Run(points, seed, order, las, progress));
-                las.Complete();
-            }
+            using var las = new LasReturnSink(path);
+            yield return Work.Of(OrderedScan.Run(points, seed, order, las, progress));
+            las.Complete();
         }
     }
 }

@@ -44,15 +44,12 @@ namespace FastPoints.Scenes
         {
             get
             {
-                switch (Shape)
+                return Shape switch
                 {
-                    case SceneShape.Pole:
-                        return Half.x;
-                    case SceneShape.Crown:
-                        return math.max(Half.x, Half.y);
-                    default:
-                        return math.length(Half.xy) + 1.2f;
-                }
+                    SceneShape.Pole => Half.x,
+                    SceneShape.Crown => math.max(Half.x, Half.y),
+                    _ => math.length(Half.xy) + 1.2f,
+                };
             }
         }
     }

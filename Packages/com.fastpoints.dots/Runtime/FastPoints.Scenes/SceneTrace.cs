@@ -24,9 +24,8 @@ namespace FastPoints.Scenes
         static float3 FromObject(in SceneObject o, float3 v) =>
             new float3(v.x * o.Heading.x - v.y * o.Heading.y, v.x * o.Heading.y + v.y * o.Heading.x, v.z);
 
-        /// <summary>
-        /// Replaces <paramref name="hit"/> if the object is nearer. Crowns are not solid: see <see cref="CrownSpan"/>.
-        /// </summary>
+        /// <summary>Replaces <paramref name="hit"/> if the object is nearer. Crowns are not solid: see
+        /// <see cref="CrownSpan"/>.</summary>
         public static void Solid(in SceneObject o, float3 origin, float3 direction, uint random, ref SceneHit hit)
         {
             var p = ToObject(o, origin - o.Center);

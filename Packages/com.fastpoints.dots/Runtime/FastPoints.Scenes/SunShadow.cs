@@ -20,10 +20,7 @@ namespace FastPoints.Scenes
 
         public NativeArray<float> TopOfCell;
 
-        public SunShadow(Allocator allocator)
-        {
-            TopOfCell = new NativeArray<float>(CellsX * CellsY, allocator);
-        }
+        public SunShadow(Allocator allocator) => TopOfCell = new NativeArray<float>(CellsX * CellsY, allocator);
 
         /// <summary>Whether the sun shines on a position.</summary>
         public static bool Reaches(in NativeArray<float> topOfCell, float3 at)

@@ -33,81 +33,76 @@ namespace FastPoints.Scenes
             + "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1],AXIS[\"Easting\",EAST],"
             + "AXIS[\"Northing\",NORTH],AUTHORITY[\"EPSG\",\"32632\"]]";
 
-        /// <summary>
-        /// Scans as work for a pump. <paramref name="take"/> gets the returns batch by batch in the order of the scan, on the
-        /// main thread; a batch is valid only during the call.
-        /// </summary>
+        /// <summary>Scans as work for a pump. <paramref name="take"/> gets the returns batch by batch in the order of the scan,
+        /// on the main thread; a batch is valid only during the call.</summary>
         public static IEnumerator<Work> Run(long points, uint seed, Action<NativeArray<ScanReturn>> take, StageProgress progress)
         {
             if (points < 1)
                 throw new ArgumentOutOfRangeException(nameof(points), points, "a scan has at least one point");
-            using (var scene = new StreetScene(seed, Allocator.Persistent))
+            using var scene = new StreetScene(seed, Allocator.Persistent);
+            var shadow = new SunShadow(Allocator.Persistent);
+            var buffers = new[] { new Batch(), new Batch() };
+            JobHandle cast = default;
+            try
             {
-                var shadow = new SunShadow(Allocator.Persistent);
-                var buffers = new[] { new Batch(), new Batch() };
-                JobHandle cast = default;
-                try
-                {
-                    cast = new SunShadow.CastShadowsJob { Objects = scene.Objects, TopOfCell = shadow.TopOfCell }.Schedule();
-                    yield return cast;
-                    cast.Complete();
+                cast = new SunShadow.CastShadowsJob { Objects = scene.Objects, TopOfCell = shadow.TopOfCell }.Schedule();
+                yield return cast;
+                cast.Complete();
 
-                    long done = 0;
-                    for (int station = 0; station < StreetScene.Stations.Length; station++)
+                long done = 0;
+                for (int station = 0; station < StreetScene.Stations.Length; station++)
+                {
+                    long share = (points * (station + 1) / StreetScene.Stations.Length) - done;
+                    if (share == 0)
+                        continue;
+                    var trace = new TraceLinesJob
                     {
-                        long share = (points * (station + 1) / StreetScene.Stations.Length) - done;
-                        if (share == 0)
-                            continue;
-                        var trace = new TraceLinesJob
-                        {
-                            Objects = scene.Objects,
-                            TopOfShadow = shadow.TopOfCell,
-                            Station = StreetScene.Stations[station],
-                            StationNumber = (ushort)(station + 1),
-                            Seed = seed,
-                        };
+                        Objects = scene.Objects,
+                        TopOfShadow = shadow.TopOfCell,
+                        Station = StreetScene.Stations[station],
+                        StationNumber = (ushort)(station + 1),
+                        Seed = seed,
+                    };
 
-                        // A coarse turn shows how many returns a pulse brings, which gives the angle step for the wanted
-                        // points.
-                        trace.LinesPerTurn = 64;
-                        trace.RaysPerLine = 48;
-                        buffers[0].Schedule(trace, 0, trace.LinesPerTurn);
-                        yield return buffers[0].Handle;
-                        double returnsPerPulse = Math.Max(0.1, buffers[0].Complete().Length / (64.0 * 48));
-                        const double sweep = TraceLinesJob.HighestElevation - TraceLinesJob.LowestElevation;
-                        double angle = Math.Sqrt(2 * Math.PI * sweep * returnsPerPulse / share);
-                        trace.LinesPerTurn = Math.Max(3, (int)Math.Ceiling(2 * Math.PI / angle));
-                        trace.RaysPerLine = Math.Max(2, (int)Math.Ceiling(sweep / angle));
-                        int lines = Math.Min(trace.LinesPerTurn,
-                            Math.Max(1, ReturnsPerBatch / (trace.RaysPerLine * TraceLinesJob.MaxReturns)));
+                    // A coarse turn shows how many returns a pulse brings, which gives the angle step for the wanted points.
+                    trace.LinesPerTurn = 64;
+                    trace.RaysPerLine = 48;
+                    buffers[0].Schedule(trace, 0, trace.LinesPerTurn);
+                    yield return buffers[0].Handle;
+                    double returnsPerPulse = Math.Max(0.1, buffers[0].Complete().Length / (64.0 * 48));
+                    const double sweep = TraceLinesJob.HighestElevation - TraceLinesJob.LowestElevation;
+                    double angle = Math.Sqrt(2 * Math.PI * sweep * returnsPerPulse / share);
+                    trace.LinesPerTurn = Math.Max(3, (int)Math.Ceiling(2 * Math.PI / angle));
+                    trace.RaysPerLine = Math.Max(2, (int)Math.Ceiling(sweep / angle));
+                    int lines = Math.Min(trace.LinesPerTurn,
+                        Math.Max(1, ReturnsPerBatch / (trace.RaysPerLine * TraceLinesJob.MaxReturns)));
 
-                        // Turns repeat until there are enough points: one batch is traced while the one before is taken.
-                        int firstLine = 0;
-                        buffers[0].Schedule(trace, firstLine, lines);
-                        for (int turn = 0; share > 0; turn ^= 1)
-                        {
-                            firstLine += lines;
-                            buffers[turn ^ 1].Schedule(trace, firstLine, lines);
-                            yield return buffers[turn].Handle;
-                            var returns = buffers[turn].Complete();
-                            int count = (int)Math.Min(returns.Length, share);
-                            if (count > 0)
-                                take(returns.GetSubArray(0, count));
-                            share -= count;
-                            done += count;
-                            progress?.Report((double)done / points, done, 0);
-                        }
-                        buffers[0].Complete();
-                        buffers[1].Complete();
+                    // Turns repeat until there are enough points: one batch is traced while the one before is taken.
+                    int firstLine = 0;
+                    buffers[0].Schedule(trace, firstLine, lines);
+                    for (int turn = 0; share > 0; turn ^= 1)
+                    {
+                        firstLine += lines;
+                        buffers[turn ^ 1].Schedule(trace, firstLine, lines);
+                        yield return buffers[turn].Handle;
+                        var returns = buffers[turn].Complete();
+                        int count = (int)Math.Min(returns.Length, share);
+                        if (count > 0)
+                            take(returns.GetSubArray(0, count));
+                        share -= count;
+                        done += count;
+                        progress?.Report((double)done / points, done, 0);
                     }
+                    buffers[0].Complete();
+                    buffers[1].Complete();
                 }
-                finally
-                {
-                    cast.Complete();
-                    buffers[0].Dispose();
-                    buffers[1].Dispose();
-                    shadow.TopOfCell.Dispose();
-                }
+            }
+            finally
+            {
+                cast.Complete();
+                buffers[0].Dispose();
+                buffers[1].Dispose();
+                shadow.TopOfCell.Dispose();
             }
         }
 

@@ -6,10 +6,8 @@ using Gradient = FastPoints.Picture.Gradient;
 
 namespace FastPoints.Samples.AttributeColours
 {
-    /// <summary>
-    /// Buttons that change what a cloud's points are coloured by, and which classes it shows. Each change streams another
-    /// plane: bytes that no colour needs are not read.
-    /// </summary>
+    /// <summary>Buttons that change what a cloud's points are coloured by, and which classes it shows. Each change streams
+    /// another plane: bytes that no colour needs are not read.</summary>
     [RequireComponent(typeof(PointCloud))]
     [AddComponentMenu("FastPoints/Samples/Colour Switch")]
     public sealed class ColourSwitch : MonoBehaviour

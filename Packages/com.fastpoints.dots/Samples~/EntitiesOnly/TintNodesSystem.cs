@@ -5,10 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Samples.EntitiesOnly
 {
-    /// <summary>
-    /// Tints each node by its size, so that the octree's levels can be told apart. A node's entity exists as long as the node
-    /// is in memory: new ones are those without a tint.
-    /// </summary>
+    /// <summary>Tints each node by its size, so that the octree's levels can be told apart. A node's entity exists as long as the
+    /// node is in memory: new ones are those without a tint.</summary>
     [DisableAutoCreation]
     public partial class TintNodesSystem : SystemBase
     {
@@ -24,13 +22,13 @@ namespace FastPoints.Samples.EntitiesOnly
         {
             if (m_untinted.IsEmpty)
                 return;
-            using (var nodes = m_untinted.ToEntityArray(Allocator.Temp))
-            using (var bounds = m_untinted.ToComponentDataArray<PointCloudNodeBounds>(Allocator.Temp))
-                for (int i = 0; i < nodes.Length; i++)
-                {
-                    EntityManager.SetComponentData(nodes[i], new Tint { Rgba = s_tints[Step(bounds[i].Half)] });
-                    EntityManager.SetComponentEnabled<Tint>(nodes[i], true);
-                }
+            using var nodes = m_untinted.ToEntityArray(Allocator.Temp);
+            using var bounds = m_untinted.ToComponentDataArray<PointCloudNodeBounds>(Allocator.Temp);
+            for (int i = 0; i < nodes.Length; i++)
+            {
+                EntityManager.SetComponentData(nodes[i], new Tint { Rgba = s_tints[Step(bounds[i].Half)] });
+                EntityManager.SetComponentEnabled<Tint>(nodes[i], true);
+            }
         }
 
         static int Step(float3 half)

@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Samples.ManyClouds
 {
-    /// <summary>
-    /// Many clouds, each with a transform of its own: rotated, scaled, moving. All share one point budget and one memory pool,
-    /// so that a frame costs what is seen, not what exists.
-    /// </summary>
+    /// <summary>Many clouds, each with a transform of its own: rotated, scaled, moving. All share one point budget and one memory
+    /// pool, so that a frame costs what is seen, not what exists.</summary>
     [AddComponentMenu("FastPoints/Samples/Cloud Grid")]
     public sealed class CloudGrid : MonoBehaviour
     {

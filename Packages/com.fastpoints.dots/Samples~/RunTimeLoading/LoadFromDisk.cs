@@ -11,11 +11,9 @@ using UnityEngine;
 
 namespace FastPoints.Samples.RunTimeLoading
 {
-    /// <summary>
-    /// Shows a file that the player finds on disk: it converts the file once, a few milliseconds a frame, into the
+    /// <summary>Shows a file that the player finds on disk: it converts the file once, a few milliseconds a frame, into the
     /// application's own data, and shows it from there. Finished parts are shown meanwhile; a conversion that was broken off is
-    /// continued.
-    /// </summary>
+    /// continued.</summary>
     [RequireComponent(typeof(PointCloud))]
     [AddComponentMenu("FastPoints/Samples/Load From Disk")]
     public sealed class LoadFromDisk : MonoBehaviour
@@ -87,16 +85,12 @@ namespace FastPoints.Samples.RunTimeLoading
             if (Directory.Exists(m_target))
                 yield break;
             // Opening on another thread keeps a slow disk from stopping frames.
-            using (var opening = PoolWork.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread()))
-            {
-                while (!opening.IsDone)
-                    yield return default;
-                using (var reader = opening.Take())
-                {
-                    var settings = new ConvertSettings { KeepUnfinished = true };
-                    yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress));
-                }
-            }
+            using var opening = PoolWork.Begin(source, () => PointReaders.Open(source), unwanted => unwanted.DisposeUnread());
+            while (!opening.IsDone)
+                yield return default;
+            using var reader = opening.Take();
+            var settings = new ConvertSettings { KeepUnfinished = true };
+            yield return Work.Of(ConvertCloud.Run(new[] { reader }, m_target, settings, _ => { }, m_progress));
         }
     }
 }

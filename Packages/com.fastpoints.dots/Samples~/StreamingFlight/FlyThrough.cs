@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace FastPoints.Samples.StreamingFlight
 {
-    /// <summary>
-    /// Flies this GameObject, usually a camera, around in a cloud: an ellipse within its bounds, over its floor, looking ahead
-    /// and down.
-    /// </summary>
+    /// <summary>Flies this GameObject, usually a camera, around in a cloud: an ellipse within its bounds, over its floor, looking
+    /// ahead and down.</summary>
     [AddComponentMenu("FastPoints/Samples/Fly Through")]
     public sealed class FlyThrough : MonoBehaviour
     {

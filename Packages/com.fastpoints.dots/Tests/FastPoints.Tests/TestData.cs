@@ -5,10 +5,8 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests
 {
-    /// <summary>
-    /// The one place that knows where real clouds for tests lie: $FASTPOINTS_DATA, or else the folder <c>shared</c> beside the
-    /// repository. A test that wants data which is not there is skipped, and says so.
-    /// </summary>
+    /// <summary>The one place that knows where real clouds for tests lie: $FASTPOINTS_DATA, or else the folder <c>shared</c>
+    /// beside the repository. A test that wants data which is not there is skipped, and says so.</summary>
     public static class TestData
     {
         const string Variable = "FASTPOINTS_DATA";

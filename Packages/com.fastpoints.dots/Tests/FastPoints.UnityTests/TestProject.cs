@@ -13,10 +13,9 @@ using UnityEngine.TestTools;
 
 namespace FastPoints.UnityTests
 {
-    /// <summary>
-    /// What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it, and what
-    /// was converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a test.
-    /// </summary>
+    /// <summary>What these tests put into the project that is open, and take away again: a folder in Assets, one outside of it,
+    /// and what was converted. Nothing is kept in fields: going to play mode loads scripts anew in the middle of a
+    /// test.</summary>
     public static class TestProject
     {
         public const string Folder = "Assets/FastPointsUnityTests";
@@ -100,8 +99,8 @@ namespace FastPoints.UnityTests
             var world = World.DefaultGameObjectInjectionWorld;
             if (world == null || !world.IsCreated)
                 return 0;
-            using (var query = world.EntityManager.CreateEntityQuery(types))
-                return query.CalculateEntityCount();
+            using var query = world.EntityManager.CreateEntityQuery(types);
+            return query.CalculateEntityCount();
         }
 
         static void DeleteConverted(string asset)

@@ -75,9 +75,7 @@ namespace FastPoints.LazEncoding
                 : multiple < 10 ? 2 : 3;
             m_integer.Encode(encoder, unchecked(multiple * last), difference, context);
             if (multiple == 1)
-            {
                 m_extremes[m_sequence] = 0;
-            }
             else if ((context == 4 || context >= 6) && ++m_extremes[m_sequence] > 3)
             {
                 m_difference[m_sequence] = difference;
@@ -143,9 +141,7 @@ namespace FastPoints.LazEncoding
             if (m_difference == 0)
             {
                 if (difference == 0)
-                {
                     m_zero.Encode(encoder, 0);
-                }
                 else if (difference == (int)difference)
                 {
                     m_zero.Encode(encoder, 1);
@@ -159,9 +155,7 @@ namespace FastPoints.LazEncoding
                 }
             }
             else if (difference == 0)
-            {
                 m_multiplier.Encode(encoder, MaxMultiplier - 1);
-            }
             else if (difference != (int)difference)
             {
                 m_multiplier.Encode(encoder, MaxMultiplier - 2);

@@ -14,10 +14,9 @@ namespace FastPoints.LazEncoding
         void Finish(List<byte[]> layers);
     }
 
-    /// <summary>
-    /// The contexts of one layer, by scanner channel, each with its encoder and its last bytes. Version 3 takes context 0 but for
-    /// points where the channel changes; and where these go back to a context, the last bytes are those of the one left.
-    /// </summary>
+    /// <summary>The contexts of one layer, by scanner channel, each with its encoder and its last bytes. Version 3 takes context
+    /// 0 but for points where the channel changes; and where these go back to a context, the last bytes are those of the one
+    /// left.</summary>
     sealed class LayerContexts<T> where T : class
     {
         readonly Func<byte[], T> m_make;

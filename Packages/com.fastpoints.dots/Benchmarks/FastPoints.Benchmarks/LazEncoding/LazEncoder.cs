@@ -34,22 +34,16 @@ namespace FastPoints.LazEncoding
         {
             bool isV1 = item.Version == 1;
             int at = item.RecordOffset;
-            switch (item.Type)
+            return item.Type switch
             {
-                case LazItemType.Point10:
-                    return isV1 ? (IItemEncoder)new Point10EncoderV1(first) : new Point10Encoder(first);
-                case LazItemType.GpsTime11:
-                    return isV1 ? (IItemEncoder)new GpsTimeEncoderV1(Int64(first, at), at)
-                        : new GpsTimeEncoder(Int64(first, at), at, false);
-                case LazItemType.Rgb12:
-                    return isV1 ? (IItemEncoder)new RgbEncoderV1(first, at) : new RgbEncoder(first, at);
-                case LazItemType.WavePacket13:
-                    return new WavePacketEncoder(first, at);
-                case LazItemType.Bytes:
-                    return new BytesEncoder(first, at, item.Bytes, isV1);
-                default:
-                    throw new ArgumentException(item.Type + " does not go into pointwise chunks");
-            }
+                LazItemType.Point10 => isV1 ? (IItemEncoder)new Point10EncoderV1(first) : new Point10Encoder(first),
+                LazItemType.GpsTime11 => isV1 ? (IItemEncoder)new GpsTimeEncoderV1(Int64(first, at), at)
+                    : new GpsTimeEncoder(Int64(first, at), at, false),
+                LazItemType.Rgb12 => isV1 ? (IItemEncoder)new RgbEncoderV1(first, at) : new RgbEncoder(first, at),
+                LazItemType.WavePacket13 => new WavePacketEncoder(first, at),
+                LazItemType.Bytes => new BytesEncoder(first, at, item.Bytes, isV1),
+                _ => throw new ArgumentException(item.Type + " does not go into pointwise chunks"),
+            };
         }
 
         static byte[] LayeredChunk(LazItem[] items, IReadOnlyList<byte[]> records)

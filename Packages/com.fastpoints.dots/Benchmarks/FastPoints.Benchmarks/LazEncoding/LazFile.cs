@@ -7,10 +7,9 @@ using FastPoints.Files;
 
 namespace FastPoints.LazEncoding
 {
-    /// <summary>
-    /// A LAZ file from a LAS file: chunks of 50,000 points, pointwise (items of version 2) for point formats 0 to 5, layered
-    /// (version 3) above; every header field and VLR as it is. For demonstration clouds and tests: correct, not quick.
-    /// </summary>
+    /// <summary>A LAZ file from a LAS file: chunks of 50,000 points, pointwise (items of version 2) for point formats 0 to 5,
+    /// layered (version 3) above; every header field and VLR as it is. For demonstration clouds and tests: correct, not
+    /// quick.</summary>
     public static class LazFile
     {
         public const int ChunkPoints = 50000;
@@ -37,34 +36,31 @@ namespace FastPoints.LazEncoding
                 recordBytes - LasPointFormat.Of(pointFormat).RecordBytes);
             var vlr = LazItems.Vlr(items, pointFormat < 6 ? LazCompressor.PointwiseChunked : LazCompressor.LayeredChunked,
                 ChunkPoints);
-            using (var source = new FileStream(lasPath, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20))
-            {
-                var first = new byte[OffsetAt + 4];
-                ReadExactly(source, first, first.Length, lasPath);
-                long pointsAt = BitConverter.ToUInt32(first, OffsetAt), pointsEnd = pointsAt + points * recordBytes;
-                var head = new byte[pointsAt];
-                source.Position = 0;
-                ReadExactly(source, head, head.Length, lasPath);
-                BitConverter.GetBytes((uint)(pointsAt + vlr.Length)).CopyTo(head, OffsetAt);
-                BitConverter.GetBytes(BitConverter.ToUInt32(head, VlrCountAt) + 1).CopyTo(head, VlrCountAt);
-                head[PointFormatAt] |= CompressedBit;
-                laz.Write(head, 0, head.Length);
-                laz.Write(vlr, 0, vlr.Length);
+            using var source = new FileStream(lasPath, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20);
+            var first = new byte[OffsetAt + 4];
+            ReadExactly(source, first, first.Length, lasPath);
+            long pointsAt = BitConverter.ToUInt32(first, OffsetAt), pointsEnd = pointsAt + points * recordBytes;
+            var head = new byte[pointsAt];
+            source.Position = 0;
+            ReadExactly(source, head, head.Length, lasPath);
+            BitConverter.GetBytes((uint)(pointsAt + vlr.Length)).CopyTo(head, OffsetAt);
+            BitConverter.GetBytes(BitConverter.ToUInt32(head, VlrCountAt) + 1).CopyTo(head, VlrCountAt);
+            head[PointFormatAt] |= CompressedBit;
+            laz.Write(head, 0, head.Length);
+            laz.Write(vlr, 0, vlr.Length);
 
-                long tableOffsetAt = laz.Position;
-                laz.Write(BitConverter.GetBytes(-1L), 0, 8);
-                WriteTable(laz, tableOffsetAt, WriteChunks(source, laz, items, points, recordBytes, lasPath, progress,
-                    cancellation));
-                bool hasEvlrs = head.Length >= EvlrAt + 8 && head[25] >= 4 && BitConverter.ToInt64(head, EvlrAt) >= pointsEnd;
-                if (!hasEvlrs)
-                    return;
-                long evlrsAt = laz.Position + BitConverter.ToInt64(head, EvlrAt) - pointsEnd;
-                source.Position = pointsEnd;
-                source.CopyTo(laz);
-                laz.Position = EvlrAt;
-                laz.Write(BitConverter.GetBytes(evlrsAt), 0, 8);
-                laz.Position = laz.Length;
-            }
+            long tableOffsetAt = laz.Position;
+            laz.Write(BitConverter.GetBytes(-1L), 0, 8);
+            WriteTable(laz, tableOffsetAt, WriteChunks(source, laz, items, points, recordBytes, lasPath, progress, cancellation));
+            bool hasEvlrs = head.Length >= EvlrAt + 8 && head[25] >= 4 && BitConverter.ToInt64(head, EvlrAt) >= pointsEnd;
+            if (!hasEvlrs)
+                return;
+            long evlrsAt = laz.Position + BitConverter.ToInt64(head, EvlrAt) - pointsEnd;
+            source.Position = pointsEnd;
+            source.CopyTo(laz);
+            laz.Position = EvlrAt;
+            laz.Write(BitConverter.GetBytes(evlrsAt), 0, 8);
+            laz.Position = laz.Length;
         }
 
         static List<int> WriteChunks(Stream source, Stream laz, LazItem[] items, long points, int recordBytes, string path,

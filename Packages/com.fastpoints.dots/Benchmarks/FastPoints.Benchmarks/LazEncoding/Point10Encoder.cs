@@ -110,10 +110,7 @@ namespace FastPoints.LazEncoding
         int m_oldest;
         byte[] m_last;
 
-        public Point10EncoderV1(byte[] first)
-        {
-            m_last = Slice(first, 0, 20);
-        }
+        public Point10EncoderV1(byte[] first) => m_last = Slice(first, 0, 20);
 
         public void Encode(RangeEncoder encoder, byte[] record)
         {

@@ -124,8 +124,7 @@ namespace FastPoints.LazEncoding
             int dx = unchecked(Int32(record, 0) - Int32(last, 0)), dy = unchecked(Int32(record, 4) - Int32(last, 4));
             context.X.Encode(encoder, context.MedianX[median].Value, dx, isSingle);
             context.MedianX[median].Add(dx);
-            context.Y.Encode(encoder, context.MedianY[median].Value, dy,
-                isSingle + (context.X.K < 20 ? context.X.K & ~1 : 20));
+            context.Y.Encode(encoder, context.MedianY[median].Value, dy, isSingle + (context.X.K < 20 ? context.X.K & ~1 : 20));
             context.MedianY[median].Add(dy);
             EncodeOthers(context, record, (r == 1 ? 2 : 0) + (r >= n ? 1 : 0), time, isSingle,
                 Math.Min(7, Math.Abs(n - r)), changed);

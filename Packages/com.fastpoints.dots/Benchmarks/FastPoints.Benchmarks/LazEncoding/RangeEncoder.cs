@@ -2,10 +2,8 @@ using System.Collections.Generic;
 
 namespace FastPoints.LazEncoding
 {
-    /// <summary>
-    /// The range coder that <see cref="FastPoints.Files.RangeCode"/> decodes: 32-bit base and length, carries taken back into the
-    /// bytes already written.
-    /// </summary>
+    /// <summary>The range coder that <see cref="FastPoints.Files.RangeCode"/> decodes: 32-bit base and length, carries taken back
+    /// into the bytes already written.</summary>
     public sealed class RangeEncoder
     {
         const uint MinLength = 1u << 24;

@@ -4,9 +4,8 @@ using UnityEngine;
 
 namespace FastPoints.Samples.FirstCloud
 {
-    /// <summary>
-    /// Makes a scene with a cloud, a camera and a mesh, as dropping a file into a scene does in any render pipeline.
-    /// </summary>
+    /// <summary>Makes a scene with a cloud, a camera and a mesh, as dropping a file into a scene does in any render
+    /// pipeline.</summary>
     static class FirstCloudScene
     {
         [MenuItem("FastPoints/Samples/First cloud")]

@@ -47,8 +47,7 @@ namespace FastPoints.Tests.Base
             if (!TryDouble(text, out double gotDouble, out int taken) || taken != text.Length ||
                 !ExactNumber.IsNearest(text, gotDouble))
                 return "double " + text + ": " + NumberText.Of(gotDouble);
-            if (!TryFloat(text, out float gotFloat, out taken) || taken != text.Length ||
-                !ExactNumber.IsNearest(text, gotFloat))
+            if (!TryFloat(text, out float gotFloat, out taken) || taken != text.Length || !ExactNumber.IsNearest(text, gotFloat))
                 return "float " + text + ": " + NumberText.Of(gotFloat);
             return null;
         }
@@ -123,10 +122,7 @@ namespace FastPoints.Tests.Base
         [TestCase("1e0000000000000000000001")]
         [TestCase("0e999999999")]
         [TestCase("1.2345678901234567890123456789e-300")]
-        public void TryDouble_Border_IsTheNearest(string text)
-        {
-            Assert.That(Difference(text), Is.Null);
-        }
+        public void TryDouble_Border_IsTheNearest(string text) => Assert.That(Difference(text), Is.Null);
 
         [Test]
         public void TryDouble_ThousandDigitsJustAboveHalfWay_RoundsUp()
@@ -138,13 +134,8 @@ namespace FastPoints.Tests.Base
             Assert.That(taken, Is.EqualTo(text.Length));
         }
 
-        [TestCase("nan")]
-        [TestCase("NaN")]
-        [TestCase("-nan")]
-        [TestCase("-nan(ind)")]
-        [TestCase("1.#QNAN")]
-        [TestCase("-1.#IND")]
-        [TestCase("1.#IND00")]
+        [TestCase("nan"), TestCase("NaN"), TestCase("-nan"), TestCase("-nan(ind)"), TestCase("1.#QNAN")]
+        [TestCase("-1.#IND"), TestCase("1.#IND00")]
         public void TryDouble_NotANumberAsWritten_IsNaN(string text)
         {
             Assert.That(TryDouble(text, out double value, out int taken), Is.True);
@@ -167,19 +158,8 @@ namespace FastPoints.Tests.Base
             Assert.That((double)single, Is.EqualTo(wanted));
         }
 
-        [TestCase("")]
-        [TestCase("-")]
-        [TestCase(".")]
-        [TestCase("e5")]
-        [TestCase("1e")]
-        [TestCase("1e+")]
-        [TestCase("1x")]
-        [TestCase("1.2.3")]
-        [TestCase("--1")]
-        [TestCase("0x10")]
-        [TestCase("1,5")]
-        [TestCase("in")]
-        [TestCase("foo")]
+        [TestCase(""), TestCase("-"), TestCase("."), TestCase("e5"), TestCase("1e"), TestCase("1e+"), TestCase("1x")]
+        [TestCase("1.2.3"), TestCase("--1"), TestCase("0x10"), TestCase("1,5"), TestCase("in"), TestCase("foo")]
         public void TryDouble_NoNumber_IsRefusedWhereItStarts(string text)
         {
             Assert.That(TryDouble(text, out double _, out int taken), Is.False);

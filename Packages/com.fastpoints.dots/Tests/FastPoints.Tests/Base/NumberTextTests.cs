@@ -136,14 +136,8 @@ namespace FastPoints.Tests.Base
             Assert.That(math.asulong(value), Is.EqualTo(math.asulong(wanted)));
         }
 
-        [TestCase("")]
-        [TestCase(" 1")]
-        [TestCase("1 ")]
-        [TestCase("1 2")]
-        [TestCase("1,5")]
-        [TestCase("1\u0661")]
+        [TestCase(""), TestCase(" 1"), TestCase("1 "), TestCase("1 2"), TestCase("1,5"), TestCase("1\u0661")]
         [TestCase("0x10")]
-        public void TryRead_NoNumber_IsRefused(string text) =>
-            Assert.That(NumberText.TryRead(text, out _), Is.False);
+        public void TryRead_NoNumber_IsRefused(string text) => Assert.That(NumberText.TryRead(text, out _), Is.False);
     }
 }

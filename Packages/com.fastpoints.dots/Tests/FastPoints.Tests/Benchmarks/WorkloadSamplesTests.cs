@@ -69,9 +69,7 @@ namespace FastPoints.Tests.Benchmarks
             Assert.That(work.TimesTheLimit, Is.Empty);
         }
 
-        [TestCase(2.0, 3.0, 1.0, 2.0)]
-        [TestCase(1.5, 1.0, 2.0)]
-        [TestCase(0.0)]
+        [TestCase(2.0, 3.0, 1.0, 2.0), TestCase(1.5, 1.0, 2.0), TestCase(0.0)]
         public void Median_OfValues_IsTheMiddle(double median, params double[] values) =>
             Assert.That(WorkloadSamples.Median(values), Is.EqualTo(median));
     }

@@ -80,10 +80,7 @@ namespace FastPoints.Tests.Convert
             return places;
         }
 
-        [TestCase(1)]
-        [TestCase(2)]
-        [TestCase(127)]
-        [TestCase(129)]
+        [TestCase(1), TestCase(2), TestCase(127), TestCase(129)]
         public void Convert_FewPoints_AreOneLeaf(int count)
         {
             var made = Prove(MemoryReader.Of(Uniform(count, 1000), s_centimetres));
@@ -104,9 +101,9 @@ namespace FastPoints.Tests.Convert
             var made = Prove(MemoryReader.Of(Uniform(440000, 100000), s_centimetres, 20000),
                 new ConvertSettings { PointsPerChunk = 100000, Sampler = sampler });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
-            using (var folder = CloudFolder.Open(Target()))
-                foreach (var node in folder.Upper.Nodes)
-                    Assert.That(node.PointCount, Is.InRange(1, StoreFormat.MaxPointsPerNode));
+            using var folder = CloudFolder.Open(Target());
+            foreach (var node in folder.Upper.Nodes)
+                Assert.That(node.PointCount, Is.InRange(1, StoreFormat.MaxPointsPerNode));
         }
 
         [Test]
@@ -276,17 +273,13 @@ namespace FastPoints.Tests.Convert
             var ranges = DisplayRanges.Of(read);
             Assert.That((ranges.ElevationLow, ranges.ElevationHigh), Is.EqualTo((shown.Elevation.Min, shown.Elevation.Max)));
             Assert.That((ranges.IntensityLow, ranges.IntensityHigh), Is.EqualTo((shown.Intensity.Min, shown.Intensity.Max)));
-            Assert.That((ranges.Robust.Max.z, ranges.Full.Max.z),
-                Is.EqualTo((shown.BoundsGeo.Max.z, manifest.BoundsGeo.Max.z)));
+            Assert.That((ranges.Robust.Max.z, ranges.Full.Max.z), Is.EqualTo((shown.BoundsGeo.Max.z, manifest.BoundsGeo.Max.z)));
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Rgb));
             read.Shown = null;
             Assert.That(DisplayRanges.Of(read).ElevationHigh, Is.EqualTo(1000).Within(1e-9), "converted before it was told");
         }
 
-        [TestCase(0, 8)]
-        [TestCase(1, 1)]
-        [TestCase(3, 3)]
-        [TestCase(100, 8)]
+        [TestCase(0, 8), TestCase(1, 1), TestCase(3, 3), TestCase(100, 8)]
         public void Convert_SomeOfTheWorkers_ReadsSoManyBlocksAtOnce(int workers, int slots)
         {
             JobsUtility.JobWorkerCount = 3;
@@ -357,45 +350,39 @@ namespace FastPoints.Tests.Convert
                 places[i].z = 0;
             var reader = MemoryReader.Of(places, s_centimetres);
             Prove(reader, new ConvertSettings { PointsPerChunk = 60000, Sampler = Sampler.Average });
-            using (var folder = CloudFolder.Open(Target()))
-            using (var selection = new NodeSelection(folder))
-            {
-                Assert.That(folder.Layout.Planes[folder.Layout.Planes.Count - 1].Name, Does.EndWith(StoreLayout.AverageSuffix));
-                // Noise of the whole range of 16 bits: the values' deviation is that of one, the means' that of many.
-                const double one = 65536 / 3.4641016;
-                Assert.That(Deviation(folder, selection, null, 10), Is.LessThan(0.6 * one));
-                Assert.That(Deviation(folder, selection, null, 1000000), Is.EqualTo(one).Within(300));
-                // A corner of the cloud, to its leaves: nothing that is seen stands for anything else, and most of the rest is
-                // not chosen.
-                var corner = Camera.Orthographic(new double3(60, 60, 100), new double3(60, 60, 0), new double3(0, 1, 0), 100);
-                Assert.That(Deviation(folder, selection, corner, 1000000), Is.EqualTo(one).Within(600));
-                Assert.That(selection.Points, Is.LessThan(100000));
-            }
+            using var folder = CloudFolder.Open(Target());
+            using var selection = new NodeSelection(folder);
+            Assert.That(folder.Layout.Planes[folder.Layout.Planes.Count - 1].Name, Does.EndWith(StoreLayout.AverageSuffix));
+            // Noise of the whole range of 16 bits: the values' deviation is that of one, the means' that of many.
+            const double one = 65536 / 3.4641016;
+            Assert.That(Deviation(folder, selection, null, 10), Is.LessThan(0.6 * one));
+            Assert.That(Deviation(folder, selection, null, 1000000), Is.EqualTo(one).Within(300));
+            // A corner of the cloud, to its leaves: nothing that is seen stands for anything else, and most of the rest is
+            // not chosen.
+            var corner = Camera.Orthographic(new double3(60, 60, 100), new double3(60, 60, 0), new double3(0, 1, 0), 100);
+            Assert.That(Deviation(folder, selection, corner, 1000000), Is.EqualTo(one).Within(600));
+            Assert.That(selection.Points, Is.LessThan(100000));
         }
 
         [Test]
         public unsafe void LoadNodes_InManyReads_FillsTheSameBatch()
         {
             Prove(MemoryReader.Of(Uniform(200000, 100000), s_centimetres), new ConvertSettings { PointsPerChunk = 60000 });
-            using (var folder = CloudFolder.Open(Target()))
-            using (var selection = new NodeSelection(folder))
+            using var folder = CloudFolder.Open(Target());
+            using var selection = new NodeSelection(folder);
+            selection.Choose(null, 0, 0, 100000);
+            var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
+            using var whole = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
+            using var parts = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
+            WorkPump.RunToEnd(LoadNodes.Run(folder, selection, whole, null));
+            // A node at a time, and a few.
+            foreach (long most in new[] { 1, 100000 })
             {
-                selection.Choose(null, 0, 0, 100000);
-                var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
-                using (var whole = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
-                using (var parts = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
-                {
-                    WorkPump.RunToEnd(LoadNodes.Run(folder, selection, whole, null));
-                    // A node at a time, and a few.
-                    foreach (long most in new[] { 1, 100000 })
-                    {
-                        WorkPump.RunToEnd(LoadNodes.Run(folder, selection, parts, null, most));
-                        Assert.That(parts.Count, Is.EqualTo(whole.Count));
-                        for (int c = 0; c < schema.Count; c++)
-                            Assert.That(UnsafeUtility.MemCmp(ColumnOf(parts, c), ColumnOf(whole, c),
-                                (long)whole.Count * schema[c].Type.SizeOf()), Is.Zero, schema[c].Name);
-                    }
-                }
+                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, parts, null, most));
+                Assert.That(parts.Count, Is.EqualTo(whole.Count));
+                for (int c = 0; c < schema.Count; c++)
+                    Assert.That(UnsafeUtility.MemCmp(ColumnOf(parts, c), ColumnOf(whole, c),
+                        (long)whole.Count * schema[c].Type.SizeOf()), Is.Zero, schema[c].Name);
             }
         }
 
@@ -407,21 +394,19 @@ namespace FastPoints.Tests.Convert
         {
             selection.Choose(camera, 4000, 4000, budget);
             var schema = LoadNodes.SchemaFor(folder, AttributeNames.Intensity);
-            using (var batch = new PointBatch(schema, (int)selection.Points, Allocator.Persistent))
+            using var batch = new PointBatch(schema, (int)selection.Points, Allocator.Persistent);
+            WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null));
+            var values = (ushort*)((byte*)batch.Bytes.GetUnsafeReadOnlyPtr() +
+                batch.Column(schema.IndexOf(AttributeNames.Intensity)).OffsetBytes);
+            double sum = 0, squares = 0;
+            for (int i = 0; i < batch.Count; i++)
             {
-                WorkPump.RunToEnd(LoadNodes.Run(folder, selection, batch, null));
-                var values = (ushort*)((byte*)batch.Bytes.GetUnsafeReadOnlyPtr() +
-                    batch.Column(schema.IndexOf(AttributeNames.Intensity)).OffsetBytes);
-                double sum = 0, squares = 0;
-                for (int i = 0; i < batch.Count; i++)
-                {
-                    sum += values[i];
-                    squares += (double)values[i] * values[i];
-                }
-                double mean = sum / batch.Count;
-                Assert.That(mean, Is.EqualTo(32768).Within(400));
-                return math.sqrt(squares / batch.Count - mean * mean);
+                sum += values[i];
+                squares += (double)values[i] * values[i];
             }
+            double mean = sum / batch.Count;
+            Assert.That(mean, Is.EqualTo(32768).Within(400));
+            return math.sqrt(squares / batch.Count - mean * mean);
         }
 
         [Test]

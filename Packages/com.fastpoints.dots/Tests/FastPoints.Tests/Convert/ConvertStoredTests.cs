@@ -309,9 +309,7 @@ namespace FastPoints.Tests.Convert
             Assert.That(Directory.GetFileSystemEntries(m_folder), Is.Empty);
         }
 
-        [TestCase(true, Sampler.Random)]
-        [TestCase(false, Sampler.Random)]
-        [TestCase(true, Sampler.Poisson)]
+        [TestCase(true, Sampler.Random), TestCase(false, Sampler.Random), TestCase(true, Sampler.Poisson)]
         [TestCase(false, Sampler.Average)]
         public void Convert_BeforeItsFirstChunk_ShowsASampleOfAllThatMakesWayForChunks(bool inFiles, Sampler sampler)
         {
@@ -324,7 +322,6 @@ namespace FastPoints.Tests.Convert
             string manifest = Path.Combine(part, StoreFormat.ManifestName);
             long generation = 0, first = 0, last = 0;
             using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
-            {
                 while (work.MoveNext())
                 {
                     work.Current.Complete();
@@ -341,22 +338,18 @@ namespace FastPoints.Tests.Convert
                     if (generation > 1)
                         continue;
                     first = result.Points;
-                    using (var cloud = CloudFolder.Open(Target("cloud")))
-                    {
-                        Assert.That(cloud.Chunks.Length, Is.Zero);
-                        var size = cloud.Manifest.BoundsMax - cloud.Manifest.BoundsMin;
-                        Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
-                    }
+                    using var cloud = CloudFolder.Open(Target("cloud"));
+                    Assert.That(cloud.Chunks.Length, Is.Zero);
+                    var size = cloud.Manifest.BoundsMax - cloud.Manifest.BoundsMin;
+                    Assert.That(Math.Min(size.X, size.Y), Is.GreaterThan(99000));
                 }
-            }
             Assert.That(generation, Is.GreaterThan(1));
             Assert.That(first, Is.InRange(1000, Points / 2));
             Assert.That(last, Is.InRange(first + 1, Points - 1));
             Prove(Uneven(), "cloud");
         }
 
-        [TestCase(true)]
-        [TestCase(false)]
+        [TestCase(true), TestCase(false)]
         public void Convert_InTheMaking_CanBeOpenedAndVerified(bool inFiles)
         {
             var settings = inFiles ? InFiles() : InMemory();
@@ -366,7 +359,6 @@ namespace FastPoints.Tests.Convert
             long generation = 0, points = 0;
             int generations = 0;
             using (var work = new WorkSteps(ConvertCloud.Run(new[] { Uneven() }, Target("cloud"), settings, r => { }, null)))
-            {
                 while (work.MoveNext())
                 {
                     work.Current.Complete();
@@ -386,7 +378,6 @@ namespace FastPoints.Tests.Convert
                     Assert.That(result.Points, Is.InRange(Math.Max(1, points), Points - 1));
                     points = result.Points;
                 }
-            }
             Assert.That(generations, Is.GreaterThan(0));
             Prove(Uneven(), "cloud");
             Assert.That(Directory.GetFiles(Target("cloud")), Has.Length.EqualTo(3));
@@ -407,8 +398,7 @@ namespace FastPoints.Tests.Convert
             if (isStored && memory > 8 << 20)
             {
                 long pages = plan.MostPages + plan.MostWaitingPages;
-                Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride),
-                    Is.LessThanOrEqualTo(memory));
+                Assert.That(plan.ReadBytes + pages * RecordPages.PageBytes(stride), Is.LessThanOrEqualTo(memory));
                 Assert.That(points / plan.PointsPerPartition * 16, Is.LessThanOrEqualTo(plan.MostPages + 16));
             }
         }

@@ -182,8 +182,7 @@ namespace FastPoints.Tests.Density
             Assert.That(density.EstimateUnseen(), Is.Zero);
         }
 
-        [TestCase(30_000, true)]
-        [TestCase(Points, false)]
+        [TestCase(30_000, true), TestCase(Points, false)]
         public void Unseen_OfBeginningsOfBlocks_IsNotKnown(int wanted, bool areBeginnings)
         {
             using var reader = Blocks(Cloud(Order.Curve, 4));

@@ -25,8 +25,8 @@ namespace FastPoints.Tests.Draw
 
         static PointReader Open(TemporaryFile file)
         {
-            using (var source = FileSource.Open(file.Path))
-                return LazReader.Open(LasFile.Read(source), source, LongChunkPoints);
+            using var source = FileSource.Open(file.Path);
+            return LazReader.Open(LasFile.Read(source), source, LongChunkPoints);
         }
 
         static PreviewCloud Take(PointReader reader, PreviewOptions options)
@@ -40,10 +40,7 @@ namespace FastPoints.Tests.Draw
         static int[] Xs(PreviewSample sample) =>
             sample.Points.Column<int>(AttributeNames.X).ToArray().Take(sample.Count).ToArray();
 
-        [TestCase(400, 1200)]
-        [TestCase(3000, 1000)]
-        [TestCase(0, 1000)]
-        [TestCase(Points, 1000)]
+        [TestCase(400, 1200), TestCase(3000, 1000), TestCase(0, 1000), TestCase(Points, 1000)]
         public void FindBeginnings_BlocksUnknown_AreTheFirstPointsUntilAllAreFound(int chunkPoints, int expected)
         {
             var writer = Writer(chunkPoints);
@@ -66,8 +63,7 @@ namespace FastPoints.Tests.Draw
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));
         }
 
-        [TestCase(400, 1200)]
-        [TestCase(0, 1000)]
+        [TestCase(400, 1200), TestCase(0, 1000)]
         public void QuickPreview_BlocksUnknown_IsOfTheBeginningAndSaysSo(int chunkPoints, int expected)
         {
             using var file = new TemporaryFile(Writer(chunkPoints).Write(LazRecords.Make(3, 0, Points, 5)), ".laz");
@@ -81,8 +77,7 @@ namespace FastPoints.Tests.Draw
                 Has.Exactly(1).Contains("beginning alone, " + 100 * expected / Points + " % of the points"));
         }
 
-        [TestCase(400)]
-        [TestCase(0)]
+        [TestCase(400), TestCase(0)]
         public void Preview_BlocksUnknown_GoesOnToTheFullScansSample(int chunkPoints)
         {
             using var file = new TemporaryFile(Writer(chunkPoints).Write(LazRecords.Make(3, 0, Points, 5)), ".laz");

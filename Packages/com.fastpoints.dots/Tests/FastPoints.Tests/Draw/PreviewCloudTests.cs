@@ -97,8 +97,7 @@ namespace FastPoints.Tests.Draw
             Assert.That(LitPx(preview), Is.GreaterThan(AFifthOfThePicture));
         }
 
-        [TestCase(1)]
-        [TestCase(1000)]
+        [TestCase(1), TestCase(1000)]
         public void Picture_WithPointsAsFarAs1e9_FramesTheOthersAndSaysSo(int farPoints)
         {
             var positions = Square(new double3(4e5, 5e6, 100), 1);
@@ -112,11 +111,8 @@ namespace FastPoints.Tests.Draw
 
         /// <param name="parts">Squares of equal size, so many edges apart.</param>
         /// <param name="ofLast">Of ten points, so many are in the last part, the others equally in those before.</param>
-        [TestCase(2, 5, 100, "50 %")]
-        [TestCase(2, 5, 1e6, "50 %")]
-        [TestCase(2, 3, 40, "70 %")]
-        [TestCase(2, 9, 40, "most")]
-        [TestCase(3, 4, 300, "40 %")]
+        [TestCase(2, 5, 100, "50 %"), TestCase(2, 5, 1e6, "50 %"), TestCase(2, 3, 40, "70 %")]
+        [TestCase(2, 9, 40, "most"), TestCase(3, 4, 300, "40 %")]
         public void Picture_OfPartsFarApart_FramesTheLargestAndSaysSo(int parts, int ofLast, double edges, string share)
         {
             var positions = Square(new double3(4e5, 5e6, 100), 1);
@@ -176,8 +172,7 @@ namespace FastPoints.Tests.Draw
             Assert.That(LitPx(preview), Is.GreaterThan(0));
         }
 
-        [TestCase(double.NaN, "the CRS says so")]
-        [TestCase(0, "by their size")]
+        [TestCase(double.NaN, "the CRS says so"), TestCase(0, "by their size")]
         public void Picture_InDegrees_IsAsWideAsItWouldBeInMetresAndSaysSo(double metresPerUnit, string expected)
         {
             using var metres = TestBatches.OfPositions(Square(new double3(4e5, 5e6, 100), 1));

@@ -44,35 +44,33 @@ namespace FastPoints.Tests.Draw
         /// <param name="written">Those for which this holds: the others are a hole.</param>
         void WriteLas(long points, int stride, Func<long, bool> written)
         {
-            using (var file = new FileStream(m_path, FileMode.Create, FileAccess.Write, FileShare.ReadWrite))
+            using var file = new FileStream(m_path, FileMode.Create, FileAccess.Write, FileShare.ReadWrite);
+            var header = new LasHeader
             {
-                var header = new LasHeader
-                {
-                    VersionMinor = 4,
-                    PointFormat = 0,
-                    RecordBytes = LasRecordBytes,
-                    HeaderBytes = LasHeader.BytesOf(4),
-                    PointsOffset = (uint)LasHeader.BytesOf(4),
-                    Count = (ulong)points,
-                    LegacyCount = (uint)Math.Min(points, uint.MaxValue),
-                    Scale = new double3(0.01, 0.01, 0.01),
-                    Max = new double3(1e6, 1e6, 1e6),
-                    SystemIdentifier = "",
-                    GeneratingSoftware = "FastPoints tests",
-                };
-                var bytes = header.ToBytes();
-                file.Write(bytes, 0, bytes.Length);
-                file.SetLength(bytes.Length + points * LasRecordBytes);
-                var record = new byte[LasRecordBytes];
-                for (long i = 0; i < points; i += stride)
-                {
-                    if (!written(i))
-                        continue;
-                    BitConverter.GetBytes((int)i + 1).CopyTo(record, 0);
-                    BitConverter.GetBytes((int)(i / 1000)).CopyTo(record, 4);
-                    file.Position = bytes.Length + i * LasRecordBytes;
-                    file.Write(record, 0, record.Length);
-                }
+                VersionMinor = 4,
+                PointFormat = 0,
+                RecordBytes = LasRecordBytes,
+                HeaderBytes = LasHeader.BytesOf(4),
+                PointsOffset = (uint)LasHeader.BytesOf(4),
+                Count = (ulong)points,
+                LegacyCount = (uint)Math.Min(points, uint.MaxValue),
+                Scale = new double3(0.01, 0.01, 0.01),
+                Max = new double3(1e6, 1e6, 1e6),
+                SystemIdentifier = "",
+                GeneratingSoftware = "FastPoints tests",
+            };
+            var bytes = header.ToBytes();
+            file.Write(bytes, 0, bytes.Length);
+            file.SetLength(bytes.Length + points * LasRecordBytes);
+            var record = new byte[LasRecordBytes];
+            for (long i = 0; i < points; i += stride)
+            {
+                if (!written(i))
+                    continue;
+                BitConverter.GetBytes((int)i + 1).CopyTo(record, 0);
+                BitConverter.GetBytes((int)(i / 1000)).CopyTo(record, 4);
+                file.Position = bytes.Length + i * LasRecordBytes;
+                file.Write(record, 0, record.Length);
             }
         }
 
@@ -88,8 +86,7 @@ namespace FastPoints.Tests.Draw
             Assert.That(Warnings(reader), Is.Not.Empty);
         }
 
-        [TestCase(1, 3000)]
-        [TestCase(2, 100_000)]
+        [TestCase(1, 3000), TestCase(2, 100_000)]
         public void Preview_ChunksOfOneOrTwoPoints_EndsWithTheFullScansPoints(int chunkPoints, int points)
         {
             var writer = new LazFileWriter { PointFormat = 0, ChunkPoints = new[] { chunkPoints } };

@@ -23,15 +23,13 @@ namespace FastPoints.Tests.Draw
         void Write(string name, string header)
         {
             m_path = Path.Combine(Path.GetTempPath(), Guid.NewGuid() + name);
-            using (var writer = new StreamWriter(m_path))
+            using var writer = new StreamWriter(m_path);
+            writer.Write(header);
+            for (int i = 0; i < Lines; i++)
             {
-                writer.Write(header);
-                for (int i = 0; i < Lines; i++)
-                {
-                    string line = i + " " + i % 1000 + " 7";
-                    writer.Write(line.PadRight((i < Lines / 2 ? ShortLine : LongLine) - 1));
-                    writer.Write('\n');
-                }
+                string line = i + " " + i % 1000 + " 7";
+                writer.Write(line.PadRight((i < Lines / 2 ? ShortLine : LongLine) - 1));
+                writer.Write('\n');
             }
         }
 

@@ -86,39 +86,37 @@ namespace FastPoints.Tests.Entities
         [Test]
         public void File_NotConvertedYet_IsShownFromThePreviewToTheWholeAndNeverMovesNorThinsOut()
         {
-            using (var cloud = new GrowingCloud())
+            using var cloud = new GrowingCloud();
+            Add(FileOf(cloud));
+            Frames(() => m_group.Stats.DrawnPoints > 0);
+            var space = Entities.GetComponentData<PointCloudSpace>(m_cloud).Value;
+            Assert.That(cloud.IsBuilt, Is.False);
+            // Beside a build all of the preview has room.
+            m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
+            m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
+            m_group.Stream.Settings.Selection.SmallestNodePx = 0;
+            Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
+            void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
+            Frames(() => Streamed.Beside != CloudSuccession.None, () =>
             {
-                Add(FileOf(cloud));
-                Frames(() => m_group.Stats.DrawnPoints > 0);
-                var space = Entities.GetComponentData<PointCloudSpace>(m_cloud).Value;
-                Assert.That(cloud.IsBuilt, Is.False);
-                // Beside a build all of the preview has room.
-                m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
-                m_group.Stream.Settings.Selection.FinestSpacingPx = 0;
-                m_group.Stream.Settings.Selection.SmallestNodePx = 0;
-                Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
-                void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
-                Frames(() => Streamed.Beside != CloudSuccession.None, () =>
-                {
-                    if (!File.Exists(cloud.Manifest))
-                        cloud.Build();
-                    Look();
-                });
-                Frames(() => cloud.IsBuilt, () =>
-                {
+                if (!File.Exists(cloud.Manifest))
                     cloud.Build();
-                    Look();
-                });
-                Frames(() => Streamed.Beside == CloudSuccession.None && Streamed.Next == CloudSuccession.None, Look);
-                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
-                Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
-                Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
-                Assert.That(Streamed.Next, Is.EqualTo(CloudSuccession.None));
-                Assert.That(Entities.GetComponentData<PointCloudSpace>(m_cloud).Value, Is.EqualTo(space));
-                Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
-                var shown = m_group.Stream.Clouds[Streamed.Number];
-                Assert.That(shown.Placement, Is.EqualTo(space.Place(shown.Source.Grid, shown.Source.Root, double4x4.identity)));
-            }
+                Look();
+            });
+            Frames(() => cloud.IsBuilt, () =>
+            {
+                cloud.Build();
+                Look();
+            });
+            Frames(() => Streamed.Beside == CloudSuccession.None && Streamed.Next == CloudSuccession.None, Look);
+            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+            Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
+            Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
+            Assert.That(Streamed.Next, Is.EqualTo(CloudSuccession.None));
+            Assert.That(Entities.GetComponentData<PointCloudSpace>(m_cloud).Value, Is.EqualTo(space));
+            Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
+            var shown = m_group.Stream.Clouds[Streamed.Number];
+            Assert.That(shown.Placement, Is.EqualTo(space.Place(shown.Source.Grid, shown.Source.Root, double4x4.identity)));
         }
 
         [Test]
@@ -149,51 +147,45 @@ namespace FastPoints.Tests.Entities
         [Test]
         public void File_BuildBrokenOff_GoesOnShowingThePreview()
         {
-            using (var cloud = new GrowingCloud())
-            {
-                Add(FileOf(cloud));
-                Frames(() => m_group.Stats.DrawnPoints > 0);
-                while (!File.Exists(cloud.Manifest))
-                    cloud.Build();
-                Frames(() => Streamed.Beside != CloudSuccession.None);
-                cloud.Cancel();
-                Frames(() => m_group.Stream.Clouds[Streamed.Number].Source is TreeSource);
-                Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
-                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
-                Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThan(0));
-            }
+            using var cloud = new GrowingCloud();
+            Add(FileOf(cloud));
+            Frames(() => m_group.Stats.DrawnPoints > 0);
+            while (!File.Exists(cloud.Manifest))
+                cloud.Build();
+            Frames(() => Streamed.Beside != CloudSuccession.None);
+            cloud.Cancel();
+            Frames(() => m_group.Stream.Clouds[Streamed.Number].Source is TreeSource);
+            Assert.That(Streamed.Beside, Is.EqualTo(CloudSuccession.None));
+            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.HasLeaving);
+            Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThan(0));
         }
 
         [Test]
         public void File_OctreeOfAnotherFormat_IsStreamedAsItIs()
         {
             PointFileReaders.Register();
-            using (var cloud = new TreeTestCloud(TreeTestCloud.Copc))
-            {
-                Add(new PointCloudFile { Path = cloud.Path });
-                Frames(() => m_group.Stats.DrawnPoints > 0);
-                Assert.That(m_group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
-                Assert.That(Entities.GetComponentObject<PointCloudFile>(m_cloud).Error, Is.Null);
-                m_world.Dispose();
-            }
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            Add(new PointCloudFile { Path = cloud.Path });
+            Frames(() => m_group.Stats.DrawnPoints > 0);
+            Assert.That(m_group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
+            Assert.That(Entities.GetComponentObject<PointCloudFile>(m_cloud).Error, Is.Null);
+            m_world.Dispose();
         }
 
         [Test]
         public void LooksAgain_CloudThatWasNotThere_IsShownWhenItIs()
         {
-            using (var cloud = new StreamedTestCloud(20_000, 8000))
-            {
-                string away = cloud.Path + ".away";
-                Directory.Move(cloud.Path, away);
-                Add(new PointCloudFile { Path = cloud.Path });
-                var file = Entities.GetComponentObject<PointCloudFile>(m_cloud);
-                Frames(() => file.Error != null);
-                Directory.Move(away, cloud.Path);
-                file.LooksAgain = true;
-                Frames(() => IsStreamed);
-                Assert.That(file.Error, Is.Null);
-                m_world.Dispose();
-            }
+            using var cloud = new StreamedTestCloud(20_000, 8000);
+            string away = cloud.Path + ".away";
+            Directory.Move(cloud.Path, away);
+            Add(new PointCloudFile { Path = cloud.Path });
+            var file = Entities.GetComponentObject<PointCloudFile>(m_cloud);
+            Frames(() => file.Error != null);
+            Directory.Move(away, cloud.Path);
+            file.LooksAgain = true;
+            Frames(() => IsStreamed);
+            Assert.That(file.Error, Is.Null);
+            m_world.Dispose();
         }
 
         [Test]
@@ -223,16 +215,16 @@ namespace FastPoints.Tests.Entities
         {
             m_world.Dispose();
             UnsafeUtility.ForgiveLeaks();
-            using (var cloud = new GrowingCloud())
-                for (int frames = 0; frames < 60; frames += 7)
-                {
-                    MakeWorld();
-                    Add(FileOf(cloud));
-                    for (int i = 0; i < frames; i++)
-                        Frame();
-                    m_world.Dispose();
-                    Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
-                }
+            using var cloud = new GrowingCloud();
+            for (int frames = 0; frames < 60; frames += 7)
+            {
+                MakeWorld();
+                Add(FileOf(cloud));
+                for (int i = 0; i < frames; i++)
+                    Frame();
+                m_world.Dispose();
+                Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+            }
         }
     }
 }

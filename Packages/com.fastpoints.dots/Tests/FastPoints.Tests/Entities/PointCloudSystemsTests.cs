@@ -88,14 +88,14 @@ namespace FastPoints.Tests.Entities
 
         int Count<T>() where T : unmanaged, IComponentData
         {
-            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities))
-                return query.CalculateEntityCount();
+            using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities);
+            return query.CalculateEntityCount();
         }
 
         NativeArray<Entity> All<T>() where T : unmanaged, IComponentData
         {
-            using (var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities))
-                return query.ToEntityArray(Allocator.Temp);
+            using var query = new EntityQueryBuilder(Allocator.Temp).WithAll<T>().Build(Entities);
+            return query.ToEntityArray(Allocator.Temp);
         }
 
         [Test]

@@ -21,24 +21,12 @@ namespace FastPoints.Tests.Evaluation
                 var p = random.NextDouble3();
                 switch (kind)
                 {
-                    case "far":
-                        points[i] = p + new double3(4_500_000, 5_800_000, 300);
-                        break;
-                    case "clusters":
-                        points[i] = math.floor(p * 4) * 1000 + random.NextDouble3() * 1e-3;
-                        break;
-                    case "equal":
-                        points[i] = new double3(1, 2, 3);
-                        break;
-                    case "line":
-                        points[i] = new double3(i, 0, 0);
-                        break;
-                    case "lattice":
-                        points[i] = math.floor(p * 5);
-                        break;
-                    default:
-                        points[i] = p;
-                        break;
+                    case "far": points[i] = p + new double3(4_500_000, 5_800_000, 300); break;
+                    case "clusters": points[i] = math.floor(p * 4) * 1000 + random.NextDouble3() * 1e-3; break;
+                    case "equal": points[i] = new double3(1, 2, 3); break;
+                    case "line": points[i] = new double3(i, 0, 0); break;
+                    case "lattice": points[i] = math.floor(p * 5); break;
+                    default: points[i] = p; break;
                 }
             }
             return points;

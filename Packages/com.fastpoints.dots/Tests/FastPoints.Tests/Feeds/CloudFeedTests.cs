@@ -46,119 +46,103 @@ namespace FastPoints.Tests.Feeds
         [Test]
         public void Update_OfAWholeCloud_MakesNoGarbage()
         {
-            using (var cloud = new GrowingCloud())
-            {
-                while (!cloud.IsBuilt)
-                    cloud.Build();
-                using (var feed = CloudFeeds.Open(cloud.Folder))
-                {
-                    Updates(feed, () => feed.Newest != null);
-                    TakeAndDrop(feed);
-                    feed.Update(1);
-                    long before = GC.GetAllocatedBytesForCurrentThread();
-                    for (int frame = 0; frame < 200; frame++)
-                        feed.Update(1);
-                    Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
-                }
-            }
+            using var cloud = new GrowingCloud();
+            while (!cloud.IsBuilt)
+                cloud.Build();
+            using var feed = CloudFeeds.Open(cloud.Folder);
+            Updates(feed, () => feed.Newest != null);
+            TakeAndDrop(feed);
+            feed.Update(1);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int frame = 0; frame < 200; frame++)
+                feed.Update(1);
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
         }
 
         [Test]
         public void Update_FileThenABuildThenItsResult_TellsOfPreviewsGenerationsAndTheWholeInThisOrder()
         {
             UnsafeUtility.ForgiveLeaks();
-            using (var cloud = new GrowingCloud())
+            using var cloud = new GrowingCloud();
+            var stages = new List<CloudStage>();
+            using (var feed = CloudFeeds.Open(cloud.Folder, new[] { cloud.Source }))
             {
-                var stages = new List<CloudStage>();
-                using (var feed = CloudFeeds.Open(cloud.Folder, new[] { cloud.Source }))
+                void Take()
                 {
-                    void Take()
-                    {
-                        if (feed.Newest != null)
-                            stages.Add(TakeAndDrop(feed));
-                    }
-                    Updates(feed, () => stages.Count > 1, Take);
-                    Assert.That(stages, Is.All.EqualTo(CloudStage.Preview));
-                    // A build of this size is done before anybody looks: between its steps others pass.
-                    Updates(feed, () => cloud.IsBuilt, () =>
-                    {
-                        Take();
-                        if (stages.Contains(CloudStage.Building) || !File.Exists(cloud.Manifest))
-                            cloud.Build();
-                    });
-                    Updates(feed, () => stages[stages.Count - 1] == CloudStage.Whole, Take);
-                    Assert.That(stages.Distinct(), Has.Member(CloudStage.Building));
-                    Assert.That(stages.Count(s => s == CloudStage.Whole), Is.EqualTo(1));
-                    Assert.That(feed.IsEnded, Is.True);
+                    if (feed.Newest != null)
+                        stages.Add(TakeAndDrop(feed));
                 }
-                Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
+                Updates(feed, () => stages.Count > 1, Take);
+                Assert.That(stages, Is.All.EqualTo(CloudStage.Preview));
+                // A build of this size is done before anybody looks: between its steps others pass.
+                Updates(feed, () => cloud.IsBuilt, () =>
+                {
+                    Take();
+                    if (stages.Contains(CloudStage.Building) || !File.Exists(cloud.Manifest))
+                        cloud.Build();
+                });
+                Updates(feed, () => stages[stages.Count - 1] == CloudStage.Whole, Take);
+                Assert.That(stages.Distinct(), Has.Member(CloudStage.Building));
+                Assert.That(stages.Count(s => s == CloudStage.Whole), Is.EqualTo(1));
+                Assert.That(feed.IsEnded, Is.True);
             }
+            Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 
         [Test]
         public void Update_BuildBrokenOff_IsToldAndTheFileShowsAgain()
         {
-            using (var cloud = new GrowingCloud())
-            {
-                while (!File.Exists(cloud.Manifest))
-                    cloud.Build();
-                using (var feed = CloudFeeds.Open(cloud.Folder, new[] { cloud.Source }))
-                {
-                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
-                    cloud.Cancel();
-                    Updates(feed, () => feed.IsBuildGone);
-                    Updates(feed, () => feed.Newest != null);
-                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Preview));
-                }
-            }
+            using var cloud = new GrowingCloud();
+            while (!File.Exists(cloud.Manifest))
+                cloud.Build();
+            using var feed = CloudFeeds.Open(cloud.Folder, new[] { cloud.Source });
+            Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
+            cloud.Cancel();
+            Updates(feed, () => feed.IsBuildGone);
+            Updates(feed, () => feed.Newest != null);
+            Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Preview));
         }
 
         /// <summary>Its files are about to have other paths: what is opened of it now cannot be read in a moment.</summary>
         [Test]
         public void Update_ResultWithoutItsName_IsABuildUntilItHasIt()
         {
-            using (var cloud = new StreamedTestCloud(20_000, 8000))
+            using var cloud = new StreamedTestCloud(20_000, 8000);
+            Directory.Move(cloud.Path, cloud.Path + ".part");
+            using var feed = CloudFeeds.Open(cloud.Path);
+            Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
+            for (int i = 0; i < 4 * FolderGenerations.FramesPerLook; i++)
             {
-                Directory.Move(cloud.Path, cloud.Path + ".part");
-                using (var feed = CloudFeeds.Open(cloud.Path))
-                {
-                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Building));
-                    for (int i = 0; i < 4 * FolderGenerations.FramesPerLook; i++)
-                    {
-                        feed.Update(1);
-                        // Looks go on on another thread: without time for them nothing could be found that must not be.
-                        Thread.Sleep(1);
-                        Assert.That(feed.Newest, Is.Null);
-                    }
-                    Assert.That(feed.IsBuildGone, Is.False);
-                    Directory.Move(cloud.Path + ".part", cloud.Path);
-                    Updates(feed, () => feed.Newest != null);
-                    Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Whole));
-                    Assert.That(feed.IsEnded, Is.True);
-                }
+                feed.Update(1);
+                // Looks go on on another thread: without time for them nothing could be found that must not be.
+                Thread.Sleep(1);
+                Assert.That(feed.Newest, Is.Null);
             }
+            Assert.That(feed.IsBuildGone, Is.False);
+            Directory.Move(cloud.Path + ".part", cloud.Path);
+            Updates(feed, () => feed.Newest != null);
+            Assert.That(TakeAndDrop(feed), Is.EqualTo(CloudStage.Whole));
+            Assert.That(feed.IsEnded, Is.True);
         }
 
         [Test]
         public void LookAgain_FolderThatWasMadeAnewOrDeleted_IsTold()
         {
-            using (var cloud = new StreamedTestCloud(20_000, 8000))
-            using (var other = new StreamedTestCloud(30_000, 8000))
-            using (var feed = CloudFeeds.Open(cloud.Path))
-            {
-                TakeAndDrop(feed);
-                Updates(feed, () => feed.IsEnded);
-                Directory.Delete(cloud.Path, true);
-                Directory.Move(other.Path, cloud.Path);
-                feed.Refresh();
-                Updates(feed, () => feed.Newest != null);
-                using (var taken = (FolderSource)feed.Take())
-                    Assert.That(taken.Folder.Manifest.Points, Is.EqualTo(30_000));
+            using var cloud = new StreamedTestCloud(20_000, 8000);
+            using var other = new StreamedTestCloud(30_000, 8000);
+            using var feed = CloudFeeds.Open(cloud.Path);
+            TakeAndDrop(feed);
+            Updates(feed, () => feed.IsEnded);
+            Directory.Delete(cloud.Path, true);
+            Directory.Move(other.Path, cloud.Path);
+            feed.Refresh();
+            Updates(feed, () => feed.Newest != null);
+            using (var taken = (FolderSource)feed.Take())
+                Assert.That(taken.Folder.Manifest.Points, Is.EqualTo(30_000));
 
-                Directory.Delete(cloud.Path, true);
-                feed.Refresh();
-                Updates(feed, () => feed.IsBuildGone);
-            }
+            Directory.Delete(cloud.Path, true);
+            feed.Refresh();
+            Updates(feed, () => feed.IsBuildGone);
         }
 
         [Test]

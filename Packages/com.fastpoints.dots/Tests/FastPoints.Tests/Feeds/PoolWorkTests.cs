@@ -45,28 +45,24 @@ namespace FastPoints.Tests.Feeds
         }
 
         [Test]
-        public void TakeIfSound_OfWorkThatFails_IsNothing()
-        {
+        public void TakeIfSound_OfWorkThatFails_IsNothing() =>
             Assert.That(PoolWork.Begin<string>("cloud", () => throw new InvalidOperationException("planted")).TakeIfSound(),
                 Is.Null);
-        }
 
         [Test]
         public void Dispose_BeforeTheEnd_DisposesWhatComesOfIt()
         {
-            using (var goesOn = new ManualResetEventSlim())
+            using var goesOn = new ManualResetEventSlim();
+            var thing = new Thing();
+            var work = PoolWork.Begin("cloud", () =>
             {
-                var thing = new Thing();
-                var work = PoolWork.Begin("cloud", () =>
-                {
-                    goesOn.Wait();
-                    return thing;
-                }, unwanted => unwanted.Dispose());
-                work.Dispose();
-                Assert.That(thing.Disposed.IsSet, Is.False);
-                goesOn.Set();
-                Assert.That(thing.Disposed.Wait(s_mostTime), Is.True);
-            }
+                goesOn.Wait();
+                return thing;
+            }, unwanted => unwanted.Dispose());
+            work.Dispose();
+            Assert.That(thing.Disposed.IsSet, Is.False);
+            goesOn.Set();
+            Assert.That(thing.Disposed.Wait(s_mostTime), Is.True);
         }
 
         [Test]

@@ -11,16 +11,12 @@ using Unity.Collections;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped bits,
-    /// cuts, insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more points
-    /// than its blocks say, or a <see cref="PointCloudException"/> of one line.
-    /// </summary>
-    /// <remarks>
-    /// The stress command, a million damaged clouds over all formats:
-    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000.
-    /// FASTPOINTS_MUTATIONS_SEED takes other cases than those of seed 7.
-    /// </remarks>
+    /// <summary>Seeded damage to a small cloud of every format, opened as a user opens it, by <see cref="PointReaders"/>: flipped
+    /// bits, cuts, insertions, doubled stretches, words and fields at their extremes. Whatever comes of it is a cloud of no more
+    /// points than its blocks say, or a <see cref="PointCloudException"/> of one line.</summary>
+    /// <remarks>The stress command, a million damaged clouds over all formats: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only
+    /// FormatMutationTests.Mutate_ManyTimes</c>. Without the variable: 20,000. FASTPOINTS_MUTATIONS_SEED takes other cases than
+    /// those of seed 7.</remarks>
     public class FormatMutationTests
     {
         const int Cases = 40;
@@ -213,29 +209,27 @@ namespace FastPoints.Tests.Files
         {
             try
             {
-                using (var reader = PointReaders.Open(path))
-                {
-                    if (!reader.BlocksAreKnown)
-                        WorkPump.RunToEnd(reader.FindBlocks());
-                    Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
-                    if (reader.BlockCount == 0)
-                        return true;
-                    int capacity = Math.Min(MostPoints, reader.MaxPointsPerBlock);
-                    using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
-                        for (int i = 0; i < Math.Min(MostBlocks, reader.BlockCount); i++)
-                        {
-                            int block = (int)((long)i * reader.BlockCount / Math.Min(MostBlocks, reader.BlockCount));
-                            int count = Math.Min(capacity, reader.PointsInBlock(block));
-                            read.Begin(new BlockRange(block, 0, count));
-                            read.Complete();
-                            Assert.That(read.Points.Count, Is.InRange(0, count), story);
-                            // The remarks of a text file are lines, and no points, and nothing is wrong with them.
-                            bool hasRemarks = reader is XyzReader;
-                            if (read.Points.Count < count && !hasRemarks)
-                                Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
-                        }
+                using var reader = PointReaders.Open(path);
+                if (!reader.BlocksAreKnown)
+                    WorkPump.RunToEnd(reader.FindBlocks());
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), story);
+                if (reader.BlockCount == 0)
                     return true;
-                }
+                int capacity = Math.Min(MostPoints, reader.MaxPointsPerBlock);
+                using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
+                    for (int i = 0; i < Math.Min(MostBlocks, reader.BlockCount); i++)
+                    {
+                        int block = (int)((long)i * reader.BlockCount / Math.Min(MostBlocks, reader.BlockCount));
+                        int count = Math.Min(capacity, reader.PointsInBlock(block));
+                        read.Begin(new BlockRange(block, 0, count));
+                        read.Complete();
+                        Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                        // The remarks of a text file are lines, and no points, and nothing is wrong with them.
+                        bool hasRemarks = reader is XyzReader;
+                        if (read.Points.Count < count && !hasRemarks)
+                            Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
+                    }
+                return true;
             }
             catch (PointCloudException failure)
             {

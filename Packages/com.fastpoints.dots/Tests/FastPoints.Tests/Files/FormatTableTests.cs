@@ -67,13 +67,11 @@ namespace FastPoints.Tests.Files
             Directory.CreateDirectory(folder);
             try
             {
-                using (var reader = PointReaders.Open(fixture.Write(folder)))
-                {
-                    Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
-                    if (!reader.BlocksAreKnown)
-                        WorkPump.RunToEnd(reader.FindBlocks());
-                    Assert.That(reader.PointCount, Is.GreaterThan(0));
-                }
+                using var reader = PointReaders.Open(fixture.Write(folder));
+                Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
+                if (!reader.BlocksAreKnown)
+                    WorkPump.RunToEnd(reader.FindBlocks());
+                Assert.That(reader.PointCount, Is.GreaterThan(0));
             }
             finally
             {

@@ -51,10 +51,7 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
-        public void Open_NothingThere_IsNotFound()
-        {
-            CheckFailure(FailureCode.NotFound, "no such file");
-        }
+        public void Open_NothingThere_IsNotFound() => CheckFailure(FailureCode.NotFound, "no such file");
 
         [Test]
         public void Open_EmptyFolder_IsUnsupported()
@@ -94,8 +91,7 @@ namespace FastPoints.Tests.Files
             CheckFailure(FailureCode.Unsupported, "got the members name");
         }
 
-        [TestCase("{\"a\":", "no JSON")]
-        [TestCase("{[", "no JSON")]
+        [TestCase("{\"a\":", "no JSON"), TestCase("{[", "no JSON")]
         public void Open_BrokenJson_SaysWhere(string content, string story)
         {
             File.WriteAllText(m_path, content);
@@ -133,13 +129,9 @@ namespace FastPoints.Tests.Files
             Assert.Ignore("this user may read any file");
         }
 
-        [TestCase(null)]
-        [TestCase("")]
-        [TestCase("no\0path")]
-        public void Open_NoPath_IsOneLine(string path)
-        {
+        [TestCase(null), TestCase(""), TestCase("no\0path")]
+        public void Open_NoPath_IsOneLine(string path) =>
             Assert.That(() => PointReaders.Open(path), Throws.InstanceOf<PointCloudException>());
-        }
 
         void CheckFailure(FailureCode code, string story)
         {
@@ -153,8 +145,8 @@ namespace FastPoints.Tests.Files
         {
             if (Path.DirectorySeparatorChar != '/')
                 Assert.Ignore("pipes and file modes are made the Unix way");
-            using (var process = Process.Start(new ProcessStartInfo(command, arguments) { UseShellExecute = false }))
-                process.WaitForExit();
+            using var process = Process.Start(new ProcessStartInfo(command, arguments) { UseShellExecute = false });
+            process.WaitForExit();
         }
     }
 }

@@ -10,10 +10,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Each LAS and PLY row of the samples' README against what the readers say of that file: kind, version, point format and
-    /// record length, count, and points within the header's box. Broken files against the table below.
-    /// </summary>
+    /// <summary>Each LAS and PLY row of the samples' README against what the readers say of that file: kind, version, point
+    /// format and record length, count, and points within the header's box. Broken files against the table below.</summary>
     public class SampleReadmeTests
     {
         /// <summary>One row of one table of the README.</summary>
@@ -96,25 +94,23 @@ namespace FastPoints.Tests.Files
         [TestCaseSource(nameof(Sound))]
         public void Sample(Row row)
         {
-            using (var reader = PointReaders.Open(Path.Combine(TestData.Samples, row.Folder, row.File)))
-            {
-                Assert.That(reader.Info.Format, Is.EqualTo(row.Kind.Substring(0, 3)));
-                Assert.That(reader.Info.Version, Is.EqualTo(row.Version));
-                Assert.That(reader.Info.FileBytes, Is.EqualTo(row.Bytes));
-                Assert.That(reader.Info.PointsClaimed, Is.EqualTo((ulong)row.Points));
-                if (reader.Info.Format == "LAS")
-                    CheckRecord(row.PointFormat, reader.Info);
+            using var reader = PointReaders.Open(Path.Combine(TestData.Samples, row.Folder, row.File));
+            Assert.That(reader.Info.Format, Is.EqualTo(row.Kind.Substring(0, 3)));
+            Assert.That(reader.Info.Version, Is.EqualTo(row.Version));
+            Assert.That(reader.Info.FileBytes, Is.EqualTo(row.Bytes));
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo((ulong)row.Points));
+            if (reader.Info.Format == "LAS")
+                CheckRecord(row.PointFormat, reader.Info);
 
-                var found = ScanBounds(reader, out long points);
-                Assert.That(points, Is.EqualTo(row.Points));
-                if (s_oddBounds.TryGetValue(row.File, out string story))
-                    Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(story));
-                if (reader.Info.HasBoundsClaimed && points > 0)
-                {
-                    var step = 2 * math.abs(reader.Info.Transform.Scale);
-                    Assert.That(math.all(found.Min >= reader.Info.BoundsClaimed.Min - step), Boxes(found, reader.Info));
-                    Assert.That(math.all(found.Max <= reader.Info.BoundsClaimed.Max + step), Boxes(found, reader.Info));
-                }
+            var found = ScanBounds(reader, out long points);
+            Assert.That(points, Is.EqualTo(row.Points));
+            if (s_oddBounds.TryGetValue(row.File, out string story))
+                Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(story));
+            if (reader.Info.HasBoundsClaimed && points > 0)
+            {
+                var step = 2 * math.abs(reader.Info.Transform.Scale);
+                Assert.That(math.all(found.Min >= reader.Info.BoundsClaimed.Min - step), Boxes(found, reader.Info));
+                Assert.That(math.all(found.Max <= reader.Info.BoundsClaimed.Max + step), Boxes(found, reader.Info));
             }
         }
 
@@ -130,15 +126,13 @@ namespace FastPoints.Tests.Files
                 Assert.That(failure.Message, Does.Contain(outcome.Story).And.Not.Contain("\n"));
                 return;
             }
-            using (var reader = PointReaders.Open(path))
-            {
-                ScanBounds(reader, out long points);
-                Assert.That(points, Is.EqualTo(outcome.Points));
-                if (outcome.Story == null)
-                    Assert.That(reader.Info.Warnings, Is.Empty);
-                else
-                    Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(outcome.Story));
-            }
+            using var reader = PointReaders.Open(path);
+            ScanBounds(reader, out long points);
+            Assert.That(points, Is.EqualTo(outcome.Points));
+            if (outcome.Story == null)
+                Assert.That(reader.Info.Warnings, Is.Empty);
+            else
+                Assert.That(reader.Info.Warnings.ConvertAll(warning => warning.Text), Has.Some.Contains(outcome.Story));
         }
 
         /// <summary>"3" or "3 (61 B)".</summary>
@@ -181,25 +175,17 @@ namespace FastPoints.Tests.Files
         static double Number(PointBatch points, string name, int i)
         {
             int column = points.Schema.IndexOf(name);
-            switch (points.Schema[column].Type)
+            return points.Schema[column].Type switch
             {
-                case AttributeType.UInt8:
-                    return points.Column<byte>(column)[i];
-                case AttributeType.Int8:
-                    return points.Column<sbyte>(column)[i];
-                case AttributeType.UInt16:
-                    return points.Column<ushort>(column)[i];
-                case AttributeType.Int16:
-                    return points.Column<short>(column)[i];
-                case AttributeType.UInt32:
-                    return points.Column<uint>(column)[i];
-                case AttributeType.Int32:
-                    return points.Column<int>(column)[i];
-                case AttributeType.Float32:
-                    return points.Column<float>(column)[i];
-                default:
-                    return points.Column<double>(column)[i];
-            }
+                AttributeType.UInt8 => points.Column<byte>(column)[i],
+                AttributeType.Int8 => points.Column<sbyte>(column)[i],
+                AttributeType.UInt16 => points.Column<ushort>(column)[i],
+                AttributeType.Int16 => points.Column<short>(column)[i],
+                AttributeType.UInt32 => points.Column<uint>(column)[i],
+                AttributeType.Int32 => points.Column<int>(column)[i],
+                AttributeType.Float32 => points.Column<float>(column)[i],
+                _ => points.Column<double>(column)[i],
+            };
         }
 
         static string Boxes(BoundsGeo found, SourceInfo info) =>

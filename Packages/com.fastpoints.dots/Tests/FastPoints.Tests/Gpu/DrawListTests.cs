@@ -54,9 +54,9 @@ namespace FastPoints.Tests.Gpu
 
         static void Settle(StreamContext stream, StreamView view)
         {
-            using (var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view })
-                while (!FrameStep.Run(stream, views).IsSettled)
-                    System.Threading.Thread.Yield();
+            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view };
+            while (!FrameStep.Run(stream, views).IsSettled)
+                System.Threading.Thread.Yield();
         }
 
         /// <summary>Each point: where the shader has it, from the camera, and where it is.</summary>
@@ -127,18 +127,14 @@ namespace FastPoints.Tests.Gpu
         [TestCaseSource(nameof(s_cameras))]
         public void Build_AnyCamera_RoundsAMillionthOfTheDistance(double3 eye, double scale, double turned)
         {
-            using (var cloud = new StreamedTestCloud(30_000))
-            {
-                var linear = Turned(turned, new double3(scale, scale * 0.5, scale * 2));
-                var moved = new double3(4.6e6, -1.2e6, 33) * scale;
-                using (var stream = Open(cloud, linear, moved))
-                {
-                    var eyeWorld = math.mul(linear, eye) + moved;
-                    Settle(stream, EverythingFrom(eyeWorld));
-                    using (var list = List(stream, EverythingFrom(eyeWorld)))
-                        CheckPlaces(stream, list, eyeWorld, 30_000, 0);
-                }
-            }
+            using var cloud = new StreamedTestCloud(30_000);
+            var linear = Turned(turned, new double3(scale, scale * 0.5, scale * 2));
+            var moved = new double3(4.6e6, -1.2e6, 33) * scale;
+            using var stream = Open(cloud, linear, moved);
+            var eyeWorld = math.mul(linear, eye) + moved;
+            Settle(stream, EverythingFrom(eyeWorld));
+            using var list = List(stream, EverythingFrom(eyeWorld));
+            CheckPlaces(stream, list, eyeWorld, 30_000, 0);
         }
 
         /// <summary>A root cube of more than 2^32 steps, whose points are 64-bit columns, and the camera a few steps from one
@@ -153,17 +149,13 @@ namespace FastPoints.Tests.Gpu
                 Scale = new double3(0.001, 0.001, 0.001),
                 Offset = new double3(moved, 0, 0),
             });
-            using (var cloud = new StreamedTestCloud(1000, Reader(0), Reader(8e6), Reader(2e9)))
-            using (var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo))
-            {
-                var eye = new double3(8e6, 0, 0) + (double3)places[17] * 0.001 + new double3(0.003, 0.002, -0.001);
-                Settle(stream, EverythingFrom(eye));
-                using (var list = List(stream, EverythingFrom(eye)))
-                {
-                    Assert.That(list.Nodes.ToArray().Any(n => n.IsWide != 0));
-                    CheckPlaces(stream, list, eye, 9000, 4e9 / (1L << 52));
-                }
-            }
+            using var cloud = new StreamedTestCloud(1000, Reader(0), Reader(8e6), Reader(2e9));
+            using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);
+            var eye = new double3(8e6, 0, 0) + (double3)places[17] * 0.001 + new double3(0.003, 0.002, -0.001);
+            Settle(stream, EverythingFrom(eye));
+            using var list = List(stream, EverythingFrom(eye));
+            Assert.That(list.Nodes.ToArray().Any(n => n.IsWide != 0));
+            CheckPlaces(stream, list, eye, 9000, 4e9 / (1L << 52));
         }
 
         /// <param name="ulpWorld">What a double cannot tell apart that far from the origin.</param>
@@ -191,37 +183,31 @@ namespace FastPoints.Tests.Gpu
         [Test]
         public void Build_CameraSeesAPart_ListsItsNodesAndEachBlockOnce()
         {
-            using (var cloud = new StreamedTestCloud(60_000, 4000))
-            using (var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo))
-            {
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                var camera = StreamedTestCloud.Near(20, 30, 0.6);
-                using (var list = List(stream, camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx)))
-                {
-                    Assert.That(list.Nodes.Length, Is.GreaterThan(10).And.LessThan(stream.Drawn.Length));
-                    Assert.That(list.Draws.ToArray().Select(d => d.Bank), Is.Unique.And.Ordered);
-                    Assert.That(list.Draws.ToArray().Sum(d => d.InstanceCount), Is.EqualTo(list.NodeOfInstance.Length));
-                    long points = PlacesOf(stream, list, camera.EyeGeo).LongCount();
-                    Assert.That(points, Is.EqualTo(list.Points).And.LessThan(60_000));
-                    int instance = 0;
-                    foreach (uint node in list.NodeOfInstance)
-                        Assert.That(instance++, Is.GreaterThanOrEqualTo((int)list.Nodes[(int)node].FirstInstance));
-                }
-            }
+            using var cloud = new StreamedTestCloud(60_000, 4000);
+            using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            var camera = StreamedTestCloud.Near(20, 30, 0.6);
+            using var list = List(stream, camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
+            Assert.That(list.Nodes.Length, Is.GreaterThan(10).And.LessThan(stream.Drawn.Length));
+            Assert.That(list.Draws.ToArray().Select(d => d.Bank), Is.Unique.And.Ordered);
+            Assert.That(list.Draws.ToArray().Sum(d => d.InstanceCount), Is.EqualTo(list.NodeOfInstance.Length));
+            long points = PlacesOf(stream, list, camera.EyeGeo).LongCount();
+            Assert.That(points, Is.EqualTo(list.Points).And.LessThan(60_000));
+            int instance = 0;
+            foreach (uint node in list.NodeOfInstance)
+                Assert.That(instance++, Is.GreaterThanOrEqualTo((int)list.Nodes[(int)node].FirstInstance));
         }
 
         [Test]
         public void Build_CloudWithoutALook_IsNotDrawn()
         {
-            using (var cloud = new StreamedTestCloud(5000))
-            using (var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo))
-            using (var list = new DrawList(m_sizes))
-            {
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                list.Build(stream, EverythingFrom(StreamedTestCloud.OriginGeo));
-                Assert.That(list.Draws.Length, Is.Zero);
-                Assert.That(list.Points, Is.Zero);
-            }
+            using var cloud = new StreamedTestCloud(5000);
+            using var stream = Open(cloud, double3x3.identity, StreamedTestCloud.OriginGeo);
+            using var list = new DrawList(m_sizes);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            list.Build(stream, EverythingFrom(StreamedTestCloud.OriginGeo));
+            Assert.That(list.Draws.Length, Is.Zero);
+            Assert.That(list.Points, Is.Zero);
         }
     }
 }

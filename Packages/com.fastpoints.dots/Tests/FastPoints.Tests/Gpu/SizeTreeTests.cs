@@ -55,23 +55,19 @@ namespace FastPoints.Tests.Gpu
             }
         }
 
-        [TestCase(5_000, 1.0)]
-        [TestCase(30_000, 1.0)]
-        [TestCase(1_000_000, 3.5)]
+        [TestCase(5_000, 1.0), TestCase(30_000, 1.0), TestCase(1_000_000, 3.5)]
         public void GapAt_AnyPlaceOfAnyNode_IsThatOfTheDeepestNodeDrawnThere(int budget, double scale)
         {
-            using (var stream = StreamedTestCloud.Stream())
-            using (var sizes = new SizeTree())
-            {
-                var source = m_cloud.Open();
-                var placement = StreamedTestCloud.Geo(source);
-                placement.Linear = new double3x3(new double3(1, 0, 0), new double3(0, scale, 0), new double3(0, 0, 1));
-                stream.Add(source, placement);
-                stream.Settings.Selection.PointBudget = budget;
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Near(60, 60, 0.6));
-                sizes.Build(stream);
-                CheckGaps(stream, sizes, (float)scale);
-            }
+            using var stream = StreamedTestCloud.Stream();
+            using var sizes = new SizeTree();
+            var source = m_cloud.Open();
+            var placement = StreamedTestCloud.Geo(source);
+            placement.Linear = new double3x3(new double3(1, 0, 0), new double3(0, scale, 0), new double3(0, 0, 1));
+            stream.Add(source, placement);
+            stream.Settings.Selection.PointBudget = budget;
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Near(60, 60, 0.6));
+            sizes.Build(stream);
+            CheckGaps(stream, sizes, (float)scale);
         }
 
         /// <summary>Small heaps of points far apart: what is between them has no points, and so no nodes.</summary>
@@ -84,30 +80,28 @@ namespace FastPoints.Tests.Gpu
                 places[i] = new int3(i % 3 * 900_000, i % 2 * 900_000, 0) + random.NextInt3(2000);
             var centimetres =
                 new PositionTransform { Scale = new double3(0.01, 0.01, 0.01), Offset = StreamedTestCloud.OriginGeo };
-            using (var cloud = new StreamedTestCloud(6000, MemoryReader.Of(places, centimetres, 5000)))
-            using (var stream = StreamedTestCloud.Stream())
-            using (var sizes = new SizeTree())
+            using var cloud = new StreamedTestCloud(6000, MemoryReader.Of(places, centimetres, 5000));
+            using var stream = StreamedTestCloud.Stream();
+            using var sizes = new SizeTree();
+            var source = cloud.Open();
+            stream.Add(source, StreamedTestCloud.Geo(source));
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.SmallestNodePx = 0;
+            var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
+            StreamedTestCloud.Settle(stream,
+                FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
+                new double3(0, 0, 1), 60));
+            sizes.Build(stream);
+            int far = 0;
+            foreach (var drawn in stream.Drawn)
             {
-                var source = cloud.Open();
-                stream.Add(source, StreamedTestCloud.Geo(source));
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                stream.Settings.Selection.SmallestNodePx = 0;
-                var center = StreamedTestCloud.OriginGeo + new double3(9000, 4500, 0);
-                StreamedTestCloud.Settle(stream,
-                    FastPoints.Picture.Camera.Perspective(center + new double3(0, -30_000, 20_000), center,
-                    new double3(0, 0, 1), 60));
-                sizes.Build(stream);
-                int far = 0;
-                foreach (var drawn in stream.Drawn)
-                {
-                    bool isFar = drawn.Parent >= 0 &&
-                        CubeOf(stream, drawn).Edge * 2 < CubeOf(stream, stream.Drawn[drawn.Parent]).Edge;
-                    far += isFar ? 1 : 0;
-                }
-                Assert.That(far, Is.GreaterThan(2));
-                Assert.That(sizes.Nodes.Length, Is.GreaterThan(stream.Drawn.Length));
-                CheckGaps(stream, sizes, 1);
+                bool isFar = drawn.Parent >= 0 &&
+                    CubeOf(stream, drawn).Edge * 2 < CubeOf(stream, stream.Drawn[drawn.Parent]).Edge;
+                far += isFar ? 1 : 0;
             }
+            Assert.That(far, Is.GreaterThan(2));
+            Assert.That(sizes.Nodes.Length, Is.GreaterThan(stream.Drawn.Length));
+            CheckGaps(stream, sizes, 1);
         }
 
         static void CheckGaps(StreamContext stream, SizeTree sizes, float scale)
@@ -155,45 +149,41 @@ namespace FastPoints.Tests.Gpu
         [Test]
         public void Gap_LastNodesOfASurface_IsAboutTheDistanceOfItsPoints()
         {
-            using (var stream = StreamedTestCloud.Stream())
-            using (var sizes = new SizeTree())
+            using var stream = StreamedTestCloud.Stream();
+            using var sizes = new SizeTree();
+            var source = m_cloud.Open();
+            stream.Add(source, StreamedTestCloud.Geo(source));
+            stream.Settings.Selection.PointBudget = 1_000_000;
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.SmallestNodePx = 0;
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            sizes.Build(stream);
+            double between = 1 / math.sqrt(120_000 / (200.0 * 200.0));
+            var gaps = new List<float>();
+            for (int i = 0; i < stream.Drawn.Length; i++)
             {
-                var source = m_cloud.Open();
-                stream.Add(source, StreamedTestCloud.Geo(source));
-                stream.Settings.Selection.PointBudget = 1_000_000;
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                stream.Settings.Selection.SmallestNodePx = 0;
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                sizes.Build(stream);
-                double between = 1 / math.sqrt(120_000 / (200.0 * 200.0));
-                var gaps = new List<float>();
-                for (int i = 0; i < stream.Drawn.Length; i++)
-                {
-                    var drawn = stream.Drawn[i];
-                    var node = stream.Clouds[0].Pages[drawn.Page].Nodes[drawn.Node];
-                    if (node.ChildCount + node.ChunkCount == 0 && node.PointCount > 100)
-                        gaps.Add(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap);
-                }
-                gaps.Sort();
-                Assert.That(gaps.Count, Is.GreaterThan(50));
-                Assert.That(gaps[gaps.Count / 2], Is.InRange(0.8 * between, 1.5 * between));
+                var drawn = stream.Drawn[i];
+                var node = stream.Clouds[0].Pages[drawn.Page].Nodes[drawn.Node];
+                if (node.ChildCount + node.ChunkCount == 0 && node.PointCount > 100)
+                    gaps.Add(sizes.Nodes[sizes.NodeOfDrawn[i]].Gap);
             }
+            gaps.Sort();
+            Assert.That(gaps.Count, Is.GreaterThan(50));
+            Assert.That(gaps[gaps.Count / 2], Is.InRange(0.8 * between, 1.5 * between));
         }
 
         [Test]
         public void Build_CloudRemoved_HasNoneOfItsNodes()
         {
-            using (var stream = StreamedTestCloud.Stream())
-            using (var sizes = new SizeTree())
-            {
-                var source = m_cloud.Open();
-                int cloud = stream.Add(source, StreamedTestCloud.Geo(source));
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                stream.Remove(cloud);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                sizes.Build(stream);
-                Assert.That(sizes.Nodes.Length, Is.Zero);
-            }
+            using var stream = StreamedTestCloud.Stream();
+            using var sizes = new SizeTree();
+            var source = m_cloud.Open();
+            int cloud = stream.Add(source, StreamedTestCloud.Geo(source));
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            stream.Remove(cloud);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            sizes.Build(stream);
+            Assert.That(sizes.Nodes.Length, Is.Zero);
         }
     }
 }

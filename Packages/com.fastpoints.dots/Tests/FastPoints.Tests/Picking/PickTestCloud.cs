@@ -108,8 +108,7 @@ namespace FastPoints.Tests.Picking
         }
 
         /// <summary>Back to the source's own numbers.</summary>
-        public static int3 StoredOf(PickedPoint point) =>
-            (int3)math.round((point.PlaceGeo - OriginGeo) / Scale);
+        public static int3 StoredOf(PickedPoint point) => (int3)math.round((point.PlaceGeo - OriginGeo) / Scale);
 
         public void Dispose() => m_cloud.Dispose();
     }

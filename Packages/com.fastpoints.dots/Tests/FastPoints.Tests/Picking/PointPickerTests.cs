@@ -111,8 +111,7 @@ namespace FastPoints.Tests.Picking
                 Assert.That(found.Attributes[1].Value, Is.EqualTo(m_cloud.Times[point]));
                 Assert.That(found.Attributes[2].Value, Is.EqualTo(m_cloud.Angles[point] * 0.006));
                 Assert.That(found.Attributes[3].Value, Is.EqualTo(m_cloud.Extras[point]));
-                Assert.That(found.Attributes[3].ToString(),
-                    Is.EqualTo(NumberText.Of(m_cloud.Extras[point])));
+                Assert.That(found.Attributes[3].ToString(), Is.EqualTo(NumberText.Of(m_cloud.Extras[point])));
                 Assert.That(found.Attributes[4].ToString(), Is.EqualTo(m_cloud.Reds[point].ToString()));
             }
         }
@@ -198,42 +197,34 @@ namespace FastPoints.Tests.Picking
 
             void Find(PickTestCloud cloud, PickRay of, int steps)
             {
-                using (var picker = cloud.Picker())
-                {
-                    using (var work = new WorkSteps(picker.Find(of, m_geo, EveryPoint, new PickResult())))
-                    {
-                        for (int step = 0; step < steps && work.MoveNext(); step++)
-                            if (step + 1 < steps)
-                                work.Current.Complete();
-                    }
-                    Assert.That(PickTestCloud.StoredOf(PickTestCloud.Find(picker, of, m_geo, EveryPoint).Point),
-                        Is.EqualTo(m_cloud.Places[7]));
-                }
+                using var picker = cloud.Picker();
+                using (var work = new WorkSteps(picker.Find(of, m_geo, EveryPoint, new PickResult())))
+                    for (int step = 0; step < steps && work.MoveNext(); step++)
+                        if (step + 1 < steps)
+                            work.Current.Complete();
+                Assert.That(PickTestCloud.StoredOf(PickTestCloud.Find(picker, of, m_geo, EveryPoint).Point),
+                    Is.EqualTo(m_cloud.Places[7]));
             }
         }
 
         [Test]
         public void Find_DamagedChunk_SaysWhichFileAndByte()
         {
-            using (var cloud = new PickTestCloud(20_000))
+            using var cloud = new PickTestCloud(20_000);
+            foreach (string file in cloud.ChunkFiles)
             {
-                foreach (string file in cloud.ChunkFiles)
-                {
-                    var bytes = File.ReadAllBytes(file);
-                    for (long at = FileHeader.SizeBytes; at < BitConverter.ToInt64(bytes, 40); at += 16)
-                        bytes[at] ^= 1;
-                    File.WriteAllBytes(file, bytes);
-                }
-                using (var picker = cloud.Picker())
-                {
-                    var ray = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
-                    var placement = CloudPlacement.Geo(picker.Source.Grid, picker.Source.Root);
-                    Assert.That(() => PickTestCloud.Find(picker, ray, placement, EveryPoint), Throws.TypeOf<PointCloudException>()
-                        .With.Message.Match("chunks.*\\.bin: at byte \\d+: node \\d+ is damaged"));
-                    var up = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 50), new double3(0, 0, 1), 80, 8);
-                    Assert.That(PickTestCloud.Find(picker, up, placement).Point, Is.Null, "it goes on");
-                }
+                var bytes = File.ReadAllBytes(file);
+                for (long at = FileHeader.SizeBytes; at < BitConverter.ToInt64(bytes, 40); at += 16)
+                    bytes[at] ^= 1;
+                File.WriteAllBytes(file, bytes);
             }
+            using var picker = cloud.Picker();
+            var ray = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 2);
+            var placement = CloudPlacement.Geo(picker.Source.Grid, picker.Source.Root);
+            Assert.That(() => PickTestCloud.Find(picker, ray, placement, EveryPoint), Throws.TypeOf<PointCloudException>()
+                .With.Message.Match("chunks.*\\.bin: at byte \\d+: node \\d+ is damaged"));
+            var up = PickRay.FromEye(cloud.Geo(3) + new double3(0, 0, 50), new double3(0, 0, 1), 80, 8);
+            Assert.That(PickTestCloud.Find(picker, up, placement).Point, Is.Null, "it goes on");
         }
     }
 }

@@ -33,8 +33,8 @@ namespace FastPoints.Tests.Picking
         public void Find_AnyRay_IsThePointThatTheConvertedCloudHas(
             [ValueSource(typeof(TreeTestCloud), nameof(TreeTestCloud.Kinds))] string kind)
         {
-            using (var cloud = new TreeTestCloud(kind))
-                Compare(cloud.Path, 60, EveryPoint);
+            using var cloud = new TreeTestCloud(kind);
+            Compare(cloud.Path, 60, EveryPoint);
         }
 
         [TestCase("copc/ellipsoid.copc.laz")]
@@ -50,19 +50,17 @@ namespace FastPoints.Tests.Picking
         [Test]
         public void Find_HiddenClassesAndClipBoxes_AreLookedThrough()
         {
-            using (var cloud = new TreeTestCloud(TreeTestCloud.Copc))
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            var options = EveryPoint;
+            var geo = PlacesOf(cloud.Path).Where(p => math.all(math.abs(p) < 1e6)).ToList();
+            double middle = geo.Select(p => p.x).OrderBy(x => x).ElementAt(geo.Count / 2);
+            options.ClipBoxes.Add(new ClipBox(new double3(-1e9, -1e9, -1e9), new double3(middle, 1e9, 1e9), true));
+            options.HiddenClasses = ClassMask.Of(0, 1, 2, 3);
+            foreach (var found in Compare(cloud.Path, 60, options))
             {
-                var options = EveryPoint;
-                var geo = PlacesOf(cloud.Path).Where(p => math.all(math.abs(p) < 1e6)).ToList();
-                double middle = geo.Select(p => p.x).OrderBy(x => x).ElementAt(geo.Count / 2);
-                options.ClipBoxes.Add(new ClipBox(new double3(-1e9, -1e9, -1e9), new double3(middle, 1e9, 1e9), true));
-                options.HiddenClasses = ClassMask.Of(0, 1, 2, 3);
-                foreach (var found in Compare(cloud.Path, 60, options))
-                {
-                    Assert.That(found.PlaceGeo.x, Is.GreaterThan(middle));
-                    Assert.That(found.Attributes.Single(a => a.Attribute.Name == AttributeNames.Classification).Value,
-                        Is.GreaterThan(3));
-                }
+                Assert.That(found.PlaceGeo.x, Is.GreaterThan(middle));
+                Assert.That(found.Attributes.Single(a => a.Attribute.Name == AttributeNames.Classification).Value,
+                    Is.GreaterThan(3));
             }
         }
 
@@ -137,22 +135,20 @@ namespace FastPoints.Tests.Picking
         [Test]
         public void Find_FewBytes_EndsWithWhatItHas()
         {
-            using (var cloud = new TreeTestCloud(TreeTestCloud.Copc))
-            using (var streamed = cloud.Open())
-            using (var picker = PickerOf(streamed))
-            {
-                var at = PlacesOf(cloud.Path)[2000];
-                var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
-                var options = EveryPoint;
-                var whole = PickTestCloud.Find(picker, ray, Geo(picker), options);
-                Assert.That(whole.NodesRead, Is.GreaterThan(3));
-                Assert.That(whole.IsPartial, Is.False);
-                options.MostBytes = 1;
-                var found = PickTestCloud.Find(picker, ray, Geo(picker), options);
-                Assert.That(found.IsPartial, Is.True);
-                Assert.That(found.NodesRead, Is.InRange(1, 2));
-                Assert.That(found.BytesRead, Is.InRange(2, whole.BytesRead - 1));
-            }
+            using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
+            using var streamed = cloud.Open();
+            using var picker = PickerOf(streamed);
+            var at = PlacesOf(cloud.Path)[2000];
+            var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
+            var options = EveryPoint;
+            var whole = PickTestCloud.Find(picker, ray, Geo(picker), options);
+            Assert.That(whole.NodesRead, Is.GreaterThan(3));
+            Assert.That(whole.IsPartial, Is.False);
+            options.MostBytes = 1;
+            var found = PickTestCloud.Find(picker, ray, Geo(picker), options);
+            Assert.That(found.IsPartial, Is.True);
+            Assert.That(found.NodesRead, Is.InRange(1, 2));
+            Assert.That(found.BytesRead, Is.InRange(2, whole.BytesRead - 1));
         }
 
         [Test]
@@ -167,18 +163,15 @@ namespace FastPoints.Tests.Picking
                 at = PlacesOf(whole.Path)[0];
             for (int i = 60; i < 200; i++)
                 bytes[begin + i] = 0xFF;
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var streamed = TreeTestCloud.Open(file.Path))
-            using (var picker = PickerOf(streamed))
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var streamed = TreeTestCloud.Open(file.Path);
+            using var picker = PickerOf(streamed);
+            var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
+            for (int again = 0; again < 2; again++)
             {
-                var ray = PickRay.FromEye(at + new double3(0, 0, 1), new double3(0, 0, -1), 800, 3);
-                for (int again = 0; again < 2; again++)
-                {
-                    var failure = Assert.Throws<PointCloudException>(() =>
-                        PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint));
-                    Assert.That(failure.Path, Is.EqualTo(file.Path));
-                    Assert.That(failure.ByteOffset, Is.GreaterThanOrEqualTo(begin).And.LessThan(bytes.Length));
-                }
+                var failure = Assert.Throws<PointCloudException>(() => PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint));
+                Assert.That(failure.Path, Is.EqualTo(file.Path));
+                Assert.That(failure.ByteOffset, Is.GreaterThanOrEqualTo(begin).And.LessThan(bytes.Length));
             }
         }
 
@@ -187,30 +180,26 @@ namespace FastPoints.Tests.Picking
         public void Find_BrokenOff_LeavesNothingAndCanBeginAgain(
             [Values(TreeTestCloud.Copc, TreeTestCloud.EptLaz, TreeTestCloud.Potree2)] string kind)
         {
-            using (var cloud = new TreeTestCloud(kind))
-            using (var streamed = cloud.Open())
+            using var cloud = new TreeTestCloud(kind);
+            using var streamed = cloud.Open();
+            var at = PlacesOf(cloud.Path)[700];
+            var ray = PickRay.FromEye(at + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 3);
+            UnsafeUtility.ForgiveLeaks();
+            for (int steps = 0; steps < 30; steps++)
             {
-                var at = PlacesOf(cloud.Path)[700];
-                var ray = PickRay.FromEye(at + new double3(0, 0, 0.01), new double3(0, 0, -1), 800, 3);
-                UnsafeUtility.ForgiveLeaks();
-                for (int steps = 0; steps < 30; steps++)
-                {
-                    using (var picker = PickerOf(streamed))
-                    {
-                        using (var work = new WorkSteps(picker.Find(ray, Geo(picker), EveryPoint, new PickResult())))
-                            for (int step = 0; step < steps && work.MoveNext(); step++)
-                                if (step + 1 < steps)
-                                    work.Current.Complete();
-                        if (steps % 10 == 0)
-                            Assert.That(PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint).Point.PlaceGeo, Is.EqualTo(at));
-                    }
-                }
-                for (int steps = 0; steps < 4; steps++)
-                    using (var opening = new WorkSteps(streamed.OpenForPicking(opened => opened.Dispose())))
-                        for (int step = 0; step < steps && opening.MoveNext(); step++)
-                            opening.Current.Complete();
-                Assert.That(() => UnsafeUtility.CheckForLeaks(), Is.Zero.After(10_000, 10), "what opens is disposed when it has");
+                using var picker = PickerOf(streamed);
+                using (var work = new WorkSteps(picker.Find(ray, Geo(picker), EveryPoint, new PickResult())))
+                    for (int step = 0; step < steps && work.MoveNext(); step++)
+                        if (step + 1 < steps)
+                            work.Current.Complete();
+                if (steps % 10 == 0)
+                    Assert.That(PickTestCloud.Find(picker, ray, Geo(picker), EveryPoint).Point.PlaceGeo, Is.EqualTo(at));
             }
+            for (int steps = 0; steps < 4; steps++)
+                using (var opening = new WorkSteps(streamed.OpenForPicking(opened => opened.Dispose())))
+                    for (int step = 0; step < steps && opening.MoveNext(); step++)
+                        opening.Current.Complete();
+            Assert.That(() => UnsafeUtility.CheckForLeaks(), Is.Zero.After(10_000, 10), "what opens is disposed when it has");
         }
 
         static StreamPick Find(StreamPicker picker, StreamContext stream, PickRay ray)
@@ -225,86 +214,79 @@ namespace FastPoints.Tests.Picking
         [Test]
         public void StreamPicker_CloudsOfAnyKind_FindsTheNearestOfAll()
         {
-            using (var folder = new StreamedTestCloud(20_000, 4000))
-            using (var copc = new TreeTestCloud(TreeTestCloud.Copc))
-            using (var stream = StreamedTestCloud.Stream())
-            using (var picker = new StreamPicker())
-            {
-                var converted = folder.Open();
-                var tree = copc.Open();
-                var at = PlacesOf(copc.Path)[1000];
-                stream.Add(converted, StreamedTestCloud.Geo(converted));
-                int number = stream.Add(tree, StreamedTestCloud.Geo(tree));
-                var ray = PickRay.FromEye(at + new double3(0, 0, 0.001), new double3(0, 0, -1), 800, 1);
+            using var folder = new StreamedTestCloud(20_000, 4000);
+            using var copc = new TreeTestCloud(TreeTestCloud.Copc);
+            using var stream = StreamedTestCloud.Stream();
+            using var picker = new StreamPicker();
+            var converted = folder.Open();
+            var tree = copc.Open();
+            var at = PlacesOf(copc.Path)[1000];
+            stream.Add(converted, StreamedTestCloud.Geo(converted));
+            int number = stream.Add(tree, StreamedTestCloud.Geo(tree));
+            var ray = PickRay.FromEye(at + new double3(0, 0, 0.001), new double3(0, 0, -1), 800, 1);
 
-                var pick = Find(picker, stream, ray);
+            var pick = Find(picker, stream, ray);
 
-                Assert.That(pick.Failure, Is.Null);
-                Assert.That(pick.Cloud, Is.EqualTo(number));
-                Assert.That(pick.Point.PlaceGeo, Is.EqualTo(at));
-                Assert.That(pick.Path, Is.EqualTo(copc.Path));
-                Assert.That(pick.IsPreview, Is.False);
-                // Removed while it is searched: the search goes on with files of its own.
-                picker.Begin(stream, ray);
-                stream.Remove(number);
-                stream.TidyUp();
-                for (int frame = 0; frame < MostFrames && !picker.Update(); frame++)
-                    Thread.Yield();
-                Assert.That(picker.Pick.Point.PlaceGeo, Is.EqualTo(at));
-                Assert.That(Find(picker, stream, ray).Point, Is.Null, "it is gone");
-            }
+            Assert.That(pick.Failure, Is.Null);
+            Assert.That(pick.Cloud, Is.EqualTo(number));
+            Assert.That(pick.Point.PlaceGeo, Is.EqualTo(at));
+            Assert.That(pick.Path, Is.EqualTo(copc.Path));
+            Assert.That(pick.IsPreview, Is.False);
+            // Removed while it is searched: the search goes on with files of its own.
+            picker.Begin(stream, ray);
+            stream.Remove(number);
+            stream.TidyUp();
+            for (int frame = 0; frame < MostFrames && !picker.Update(); frame++)
+                Thread.Yield();
+            Assert.That(picker.Pick.Point.PlaceGeo, Is.EqualTo(at));
+            Assert.That(Find(picker, stream, ray).Point, Is.Null, "it is gone");
         }
 
         [Test]
         public void StreamPicker_FileGone_TellsAndGoesOnWithTheOthers()
         {
-            using (var folder = new StreamedTestCloud(20_000, 4000))
-            using (var copc = new TreeTestCloud(TreeTestCloud.Copc))
-            using (var stream = StreamedTestCloud.Stream())
-            using (var picker = new StreamPicker())
-            {
-                var tree = copc.Open();
-                var converted = folder.Open();
-                stream.Add(tree, StreamedTestCloud.Geo(tree));
-                int number = stream.Add(converted, StreamedTestCloud.Geo(converted));
-                File.Delete(copc.Path);
-                var eye = StreamedTestCloud.OriginGeo + new double3(100, 100, 100);
-                var pick = Find(picker, stream, PickRay.FromEye(eye, new double3(0, 0, -1), 100, 30));
-                Assert.That(pick.Failure, Does.Contain(copc.Path));
-                Assert.That(pick.Point, Is.Not.Null);
-                Assert.That(pick.Cloud, Is.EqualTo(number));
-            }
+            using var folder = new StreamedTestCloud(20_000, 4000);
+            using var copc = new TreeTestCloud(TreeTestCloud.Copc);
+            using var stream = StreamedTestCloud.Stream();
+            using var picker = new StreamPicker();
+            var tree = copc.Open();
+            var converted = folder.Open();
+            stream.Add(tree, StreamedTestCloud.Geo(tree));
+            int number = stream.Add(converted, StreamedTestCloud.Geo(converted));
+            File.Delete(copc.Path);
+            var eye = StreamedTestCloud.OriginGeo + new double3(100, 100, 100);
+            var pick = Find(picker, stream, PickRay.FromEye(eye, new double3(0, 0, -1), 100, 30));
+            Assert.That(pick.Failure, Does.Contain(copc.Path));
+            Assert.That(pick.Point, Is.Not.Null);
+            Assert.That(pick.Cloud, Is.EqualTo(number));
         }
 
-        [TestCase(40_000, false)]
-        [TestCase(500, true)]
+        [TestCase(40_000, false), TestCase(500, true)]
         public void StreamPicker_Preview_FindsPointsOfTheSample(int taken, bool isPreview)
         {
             var batch = TestBatches.New(40_000, TestBatches.Xyz(AttributeType.Int32));
             for (int i = 0; i < batch.Count; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 200 : i % 200);
-            using (var reader = new MemoryPointReader(batch, 10_000, fixedStride: false))
-            using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = taken }))
-            using (var stream = StreamedTestCloud.Stream())
-            using (var picker = new StreamPicker())
-            {
-                WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
-                var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
-                int number = stream.Add(source, StreamedTestCloud.Geo(source));
-                var middle = preview.Sample.Bounds.Center;
-                var ray = PickRay.FromEye(middle + new double3(0, 0, 500), new double3(0, 0, -1), 100, 10);
+            using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
+            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = taken });
+            using var stream = StreamedTestCloud.Stream();
+            using var picker = new StreamPicker();
+            WorkPump.RunToEnd(preview.TakeSample(new StageProgress()));
+            var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
+            int number = stream.Add(source, StreamedTestCloud.Geo(source));
+            var middle = preview.Sample.Bounds.Center;
+            var ray = PickRay.FromEye(middle + new double3(0, 0, 500), new double3(0, 0, -1), 100, 10);
 
-                var pick = Find(picker, stream, ray);
+            var pick = Find(picker, stream, ray);
 
-                Assert.That(pick.Point, Is.Not.Null);
-                Assert.That(pick.IsPreview, Is.EqualTo(isPreview));
-                Assert.That(isPreview || pick.Point.PlaceGeo.z == 6, Is.True, "the highest within the ray's width");
-                stream.Remove(number);
-                stream.TidyUp();
-                Assert.That(stream.Clouds[number], Is.Null);
-                Assert.That(Find(picker, stream, ray).Point, Is.Null);
-            }
+            Assert.That(pick.Point, Is.Not.Null);
+            Assert.That(pick.IsPreview, Is.EqualTo(isPreview));
+            Assert.That(isPreview || pick.Point.PlaceGeo.z == 6, Is.True, "the highest within the ray's width");
+            stream.Remove(number);
+            stream.TidyUp();
+            Assert.That(stream.Clouds[number], Is.Null);
+            Assert.That(Find(picker, stream, ray).Point, Is.Null);
         }
     }
 }

@@ -22,9 +22,7 @@ namespace FastPoints.Tests.Picture
         public void Frame_AnyBox_ShowsAllCornersAndFillsThePicture()
         {
             foreach (var box in s_boxes)
-            {
                 foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
-                {
                     foreach (UpAxis up in Enum.GetValues(typeof(UpAxis)))
                     {
                         var camera = CameraFraming.Frame(view, box, null, 400, 300, up);
@@ -43,8 +41,6 @@ namespace FastPoints.Tests.Picture
                         if (math.cmax(bounds.Size) > 0)
                             Assert.That(widest, Is.GreaterThan(0.6), view + " " + up);
                     }
-                }
-            }
         }
 
         [Test]
@@ -126,13 +122,9 @@ namespace FastPoints.Tests.Picture
             }
         }
 
-        [TestCase(0)]
-        [TestCase(180)]
-        [TestCase(double.NaN)]
-        public void Perspective_FieldOfViewOutOfRange_Throws(double fov)
-        {
+        [TestCase(0), TestCase(180), TestCase(double.NaN)]
+        public void Perspective_FieldOfViewOutOfRange_Throws(double fov) =>
             Assert.That(() => Camera.Perspective(new double3(0, 0, 0), new double3(1, 0, 0), new double3(0, 0, 1), fov),
                 Throws.TypeOf<ArgumentOutOfRangeException>());
-        }
     }
 }

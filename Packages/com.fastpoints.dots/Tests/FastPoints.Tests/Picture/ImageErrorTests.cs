@@ -43,13 +43,11 @@ namespace FastPoints.Tests.Picture
             var one = Filled(32, 32, 0xFF000000);
             var other = Filled(32, 32, 0xFFFFFFFF);
             for (int y = 0; y < 32; y++)
-            {
                 for (int x = y & 1; x < 32; x += 2)
                 {
                     one[x, y] = 0xFFFFFFFF;
                     other[x, y] = 0xFF000000;
                 }
-            }
             Assert.That(ImageError.Compare(one, other, 0).Ssim, Is.LessThan(-0.9));
         }
 
@@ -68,15 +66,11 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Compare_DifferentSizes_Throws()
-        {
+        public void Compare_DifferentSizes_Throws() =>
             Assert.That(() => ImageError.Compare(Filled(2, 2, 0), Filled(2, 3, 0), 0), Throws.TypeOf<ArgumentException>());
-        }
 
         [Test]
-        public void Compare_PicturesSmallerThanAWindow_HasASimilarity()
-        {
+        public void Compare_PicturesSmallerThanAWindow_HasASimilarity() =>
             Assert.That(ImageError.Compare(Filled(1, 1, 5), Filled(1, 1, 5), 0).Ssim, Is.EqualTo(1).Within(1e-9));
-        }
     }
 }

@@ -8,11 +8,8 @@ namespace FastPoints.Tests.Picture
     public class PalettesTests
     {
         /// <summary>Published values of viridis at five places.</summary>
-        [TestCase(0.0, 68, 1, 84)]
-        [TestCase(0.25, 59, 82, 139)]
-        [TestCase(0.5, 33, 145, 140)]
-        [TestCase(0.75, 94, 201, 98)]
-        [TestCase(1.0, 253, 231, 37)]
+        [TestCase(0.0, 68, 1, 84), TestCase(0.25, 59, 82, 139), TestCase(0.5, 33, 145, 140)]
+        [TestCase(0.75, 94, 201, 98), TestCase(1.0, 253, 231, 37)]
         public void Viridis_KnownPlaces_AreWithinFiveSteps(double share, int red, int green, int blue)
         {
             uint color = Palettes.Viridis(share);
@@ -23,9 +20,7 @@ namespace FastPoints.Tests.Picture
         }
 
         /// <summary>Published values of turbo at its ends and in its middle.</summary>
-        [TestCase(0.0, 48, 18, 59)]
-        [TestCase(0.5, 164, 252, 60)]
-        [TestCase(1.0, 122, 4, 3)]
+        [TestCase(0.0, 48, 18, 59), TestCase(0.5, 164, 252, 60), TestCase(1.0, 122, 4, 3)]
         public void Turbo_KnownPlaces_AreWithinAnEighth(double share, int red, int green, int blue)
         {
             uint color = Palettes.Turbo(share);
@@ -35,8 +30,7 @@ namespace FastPoints.Tests.Picture
         }
 
         /// <summary>Returns as sensors have them; flight lines of a survey, which are numbered one after the other.</summary>
-        [TestCase(ColorMode.ReturnNumber, 7)]
-        [TestCase(ColorMode.PointSource, 100)]
+        [TestCase(ColorMode.ReturnNumber, 7), TestCase(ColorMode.PointSource, 100)]
         public void Create_Categories_HaveColoursOfTheirOwn(ColorMode mode, int count)
         {
             using var palette = Palettes.Create(mode, Allocator.Persistent);
@@ -57,14 +51,9 @@ namespace FastPoints.Tests.Picture
             Assert.That(classes[2], Is.EqualTo(Palettes.Pack(165, 125, 80)));
         }
 
-        [TestCase(0.0, 0)]
-        [TestCase(1.0, 255)]
-        [TestCase(0.5, 188)]
-        [TestCase(0.002, 7)]
-        public void Gray_ShareOfLight_IsEncodedAsSrgb(double light, int value)
-        {
+        [TestCase(0.0, 0), TestCase(1.0, 255), TestCase(0.5, 188), TestCase(0.002, 7)]
+        public void Gray_ShareOfLight_IsEncodedAsSrgb(double light, int value) =>
             Assert.That((int)(Palettes.Gray(light) & 255), Is.EqualTo(value));
-        }
 
         [Test]
         public void CreateAll_EachModeAndGradient_HasItsTable([Values] Gradient gradient)

@@ -20,10 +20,7 @@ namespace FastPoints.Tests.Picture
             return image;
         }
 
-        [TestCase(1, 1, true)]
-        [TestCase(7, 5, true)]
-        [TestCase(7, 5, false)]
-        [TestCase(300, 200, true)]
+        [TestCase(1, 1, true), TestCase(7, 5, true), TestCase(7, 5, false), TestCase(300, 200, true)]
         [TestCase(300, 200, false)]
         public void Decode_OfEncoded_GivesThePictureBack(int width, int height, bool opaque)
         {
@@ -91,15 +88,11 @@ namespace FastPoints.Tests.Picture
             Assert.That(image[1, 0], Is.EqualTo(0xFFC0C0C0u));
         }
 
-        [TestCase(3, 8, 0, "colour type")]
-        [TestCase(0, 16, 0, "bits of a channel")]
-        [TestCase(0, 8, 1, "interlacing")]
-        public void Decode_AnotherKindOfPng_IsRefusedWithItsReason(int colorType, int bits, int interlace, string reason)
-        {
+        [TestCase(3, 8, 0, "colour type"), TestCase(0, 16, 0, "bits of a channel"), TestCase(0, 8, 1, "interlacing")]
+        public void Decode_AnotherKindOfPng_IsRefusedWithItsReason(int colorType, int bits, int interlace, string reason) =>
             Assert.That(() => Png.Decode(Gray((byte)colorType, (byte)bits, (byte)interlace), "p.png"),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Unsupported)
                     .And.Message.Contains(reason).And.Message.StartsWith("p.png: at byte "));
-        }
 
         [Test]
         public void Decode_AnyByteChangedOrCut_NeverCrashes()

@@ -20,9 +20,8 @@ namespace FastPoints.Tests.Picture
             new double3(size / 2, size / 2, 0), new double3(0, 1, 0), size);
 
         static PointDrawing DrawingOf(PointBatch batch, Camera camera, PositionTransform transform, int width, int height,
-            float largestPx = 1, bool round = false)
-        {
-            return new PointDrawing
+            float largestPx = 1, bool round = false) =>
+            new PointDrawing
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(camera, transform, width, height),
@@ -30,7 +29,6 @@ namespace FastPoints.Tests.Picture
                 LargestPx = largestPx,
                 IsRound = round,
             };
-        }
 
         static RgbaImage Draw(PointBatch batch, Camera camera, int width, int height, float sizePx = 1, bool round = false)
         {
@@ -51,10 +49,7 @@ namespace FastPoints.Tests.Picture
             return covered;
         }
 
-        [TestCase(0.5, 3.5, 0, 0)]
-        [TestCase(3.5, 0.5, 3, 3)]
-        [TestCase(1.01, 2.99, 1, 1)]
-        [TestCase(0, 4, 0, 0)]
+        [TestCase(0.5, 3.5, 0, 0), TestCase(3.5, 0.5, 3, 3), TestCase(1.01, 2.99, 1, 1), TestCase(0, 4, 0, 0)]
         public void Draw_PointInPixel_CoversThatPixelAlone(double x, double y, int pixelX, int pixelY)
         {
             using var batch = TestBatches.OfColoredPositions(new[] { new double3(x, y, 1) }, new[] { Green });
@@ -63,13 +58,8 @@ namespace FastPoints.Tests.Picture
             Assert.That(Covered(image), Is.EqualTo(1));
         }
 
-        [TestCase(-0.01, 2)]
-        [TestCase(4, 2)]
-        [TestCase(2, 4.01)]
-        [TestCase(2, -0.01)]
-        [TestCase(double.NaN, 2)]
-        [TestCase(1e300, 2)]
-        [TestCase(double.PositiveInfinity, 2)]
+        [TestCase(-0.01, 2), TestCase(4, 2), TestCase(2, 4.01), TestCase(2, -0.01), TestCase(double.NaN, 2)]
+        [TestCase(1e300, 2), TestCase(double.PositiveInfinity, 2)]
         public void Draw_PointOutsideOrNowhere_LeavesThePictureEmpty(double x, double y)
         {
             using var batch = TestBatches.OfColoredPositions(new[] { new double3(x, y, 1) }, new[] { Green });
@@ -106,10 +96,7 @@ namespace FastPoints.Tests.Picture
             Assert.That(Covered(Draw(batch, FromAbove(1), 1, 1)), Is.EqualTo(1));
         }
 
-        [TestCase(2f, false, 4)]
-        [TestCase(3f, false, 9)]
-        [TestCase(6f, false, 36)]
-        [TestCase(3f, true, 9)]
+        [TestCase(2f, false, 4), TestCase(3f, false, 9), TestCase(6f, false, 36), TestCase(3f, true, 9)]
         [TestCase(5f, true, 21)]
         public void Draw_SizeInPixels_CoversTheCentresWithin(float size, bool round, int covered)
         {

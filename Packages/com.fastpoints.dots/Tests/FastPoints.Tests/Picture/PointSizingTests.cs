@@ -20,12 +20,8 @@ namespace FastPoints.Tests.Picture
             return canvas;
         }
 
-        [TestCase(1, 1, 1)]
-        [TestCase(0.95, 1, 1.2)]
-        [TestCase(0.2, 3.5, 4.4)]
-        [TestCase(0.1, 5, 6)]
-        [TestCase(0.01, 6, 6)]
-        [TestCase(0, 1, 1)]
+        [TestCase(1, 1, 1), TestCase(0.95, 1, 1.2), TestCase(0.2, 3.5, 4.4), TestCase(0.1, 5, 6)]
+        [TestCase(0.01, 6, 6), TestCase(0, 1, 1)]
         public void Choose_EvenPicture_GrowsWithTheGaps(double share, double least, double most)
         {
             using var canvas = Chosen(share, share);

@@ -32,16 +32,12 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Resolve_NoLighting_KeepsColoursAndFillsTheBackground()
-        {
+        public void Resolve_NoLighting_KeepsColoursAndFillsTheBackground() =>
             Assert.That(Resolve(0, 0x80402010, 1, float.NaN, 5), Is.EqualTo(new[] { White, 0x80402010u, White }));
-        }
 
         [Test]
-        public void Resolve_FlatSurface_IsNotDarkened()
-        {
+        public void Resolve_FlatSurface_IsNotDarkened() =>
             Assert.That(Resolve(1, 0, 3, 3, 3), Is.EqualTo(new[] { White, White, White }));
-        }
 
         [Test]
         public void Resolve_PixelBehindItsNeighbour_IsDarkenedAndTheNeighbourIsNot()
@@ -54,9 +50,7 @@ namespace FastPoints.Tests.Picture
         }
 
         /// <summary>3 by 3 pixels of depth 1, the middle empty, and as many more empty as told.</summary>
-        [TestCase(0, true)]
-        [TestCase(2, true)]
-        [TestCase(3, false)]
+        [TestCase(0, true), TestCase(2, true), TestCase(3, false)]
         public void Resolve_PixelAmongOthers_IsFilledByTheirMeanIfMostAreThere(int empty, bool isFilled)
         {
             using var pixels = new NativeArray<ulong>(9, Allocator.Persistent);
@@ -80,9 +74,7 @@ namespace FastPoints.Tests.Picture
         }
 
         [Test]
-        public void Resolve_NextToNothing_IsNotDarkened()
-        {
+        public void Resolve_NextToNothing_IsNotDarkened() =>
             Assert.That(Resolve(1, 0, float.NaN, 5, float.NaN)[1], Is.EqualTo(White));
-        }
     }
 }

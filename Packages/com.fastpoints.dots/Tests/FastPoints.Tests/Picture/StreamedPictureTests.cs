@@ -29,19 +29,15 @@ namespace FastPoints.Tests.Picture
 
         RgbaImage DrawStreamed(Camera camera, CloudPlacement? placement)
         {
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                var source = m_cloud.Open();
-                int cloud = stream.Add(source, placement ?? StreamedTestCloud.Geo(source));
-                StreamedTestCloud.Settle(stream, camera);
-                var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
-                var plan = new PicturePlan(Options(camera), ranges, source.Grid.FromCorner(source.Root.Corner));
-                using (var picture = new StreamedPicture(Options(camera)))
-                {
-                    picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
-                    return picture.Draw(camera);
-                }
-            }
+            using var stream = StreamedTestCloud.Stream();
+            var source = m_cloud.Open();
+            int cloud = stream.Add(source, placement ?? StreamedTestCloud.Geo(source));
+            StreamedTestCloud.Settle(stream, camera);
+            var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
+            var plan = new PicturePlan(Options(camera), ranges, source.Grid.FromCorner(source.Root.Corner));
+            using var picture = new StreamedPicture(Options(camera));
+            picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
+            return picture.Draw(camera);
         }
 
         /// <summary>From packed blocks in the pool, and from points that the other way unpacked: the same picture.</summary>

@@ -14,10 +14,8 @@ namespace FastPoints.Tests.Points
         [TestCase(Morton.MaxCoordinate, Morton.MaxCoordinate, Morton.MaxCoordinate, 0x7FFFFFFFFFFFFFFFUL)]
         [TestCase(1u << 20, 0u, 0u, 1UL << 60)]
         [TestCase(0u, 0u, 1u << 20, 1UL << 62)]
-        public void Encode_KnownCoordinates_GivesTheirCode(uint x, uint y, uint z, ulong code)
-        {
+        public void Encode_KnownCoordinates_GivesTheirCode(uint x, uint y, uint z, ulong code) =>
             Assert.That(Morton.Encode(x, y, z), Is.EqualTo(code));
-        }
 
         [Test]
         public void Encode_EachBit_GoesToItsPlace()
@@ -45,9 +43,7 @@ namespace FastPoints.Tests.Points
         }
 
         [Test]
-        public void Encode_TooManyBits_LeavesThemOut()
-        {
+        public void Encode_TooManyBits_LeavesThemOut() =>
             Assert.That(Morton.Encode(0xFFFFFFFFu, 0, 0), Is.EqualTo(Morton.Encode(Morton.MaxCoordinate, 0, 0)));
-        }
     }
 }

@@ -13,12 +13,8 @@ namespace FastPoints.Tests.Preview
         static MemoryPointReader Blocks(int count, int pointsPerBlock) =>
             new MemoryPointReader(TestBatches.New(count, TestBatches.Xyz(AttributeType.Int32)), pointsPerBlock, false);
 
-        [TestCase(1000, 100, true)]
-        [TestCase(1000, 100, false)]
-        [TestCase(1003, 7, true)]
-        [TestCase(5, 1, true)]
-        [TestCase(1, 1, false)]
-        [TestCase(0, 1, true)]
+        [TestCase(1000, 100, true), TestCase(1000, 100, false), TestCase(1003, 7, true), TestCase(5, 1, true)]
+        [TestCase(1, 1, false), TestCase(0, 1, true)]
         public void Next_UntilTheEnd_GivesEachPointOnceAndBlocksInOrder(int count, int pointsPerBlock, bool canSlice)
         {
             using var reader = Blocks(count, pointsPerBlock);
@@ -27,14 +23,12 @@ namespace FastPoints.Tests.Preview
             foreach (double share in new[] { 1 / 15.0, 0.2, 0.5, 1 })
             {
                 for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
-                {
                     foreach (var range in ranges)
                     {
                         Assert.That(range.First, Is.EqualTo(taken[range.Block]));
                         taken[range.Block] += range.Count;
                         plan.Add(range, range.Count);
                     }
-                }
                 Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(share * count));
                 Assert.That(plan.Taken,
                     Is.LessThanOrEqualTo(share * count + (plan.IsSliced ? reader.BlockCount : pointsPerBlock)));
@@ -65,16 +59,12 @@ namespace FastPoints.Tests.Preview
             var plan = new DepthPlan(reader, true, 1);
             int ofThird = 0;
             foreach (double share in new[] { 0.5, 1 })
-            {
                 for (var ranges = plan.Next(share); ranges.Count > 0; ranges = plan.Next(share))
-                {
                     foreach (var range in ranges)
                     {
                         ofThird += range.Block == 3 ? 1 : 0;
                         plan.Add(range, range.Block == 3 ? range.Count - 1 : range.Count);
                     }
-                }
-            }
             Assert.That(ofThird, Is.EqualTo(1));
             Assert.That(plan.Taken, Is.EqualTo(800));
         }

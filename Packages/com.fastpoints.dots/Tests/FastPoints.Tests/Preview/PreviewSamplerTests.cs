@@ -123,7 +123,6 @@ namespace FastPoints.Tests.Preview
             using var reader = Numbered(120_000);
             int[] expected = null;
             foreach (int workers in new[] { 1, 2, 7 })
-            {
                 foreach (int slots in new[] { 1, 2, 9 })
                 {
                     using var count = new WorkerCount(workers);
@@ -131,18 +130,11 @@ namespace FastPoints.Tests.Preview
                     expected ??= Indices(sample);
                     Assert.That(Indices(sample), Is.EqualTo(expected));
                 }
-            }
             using var other = Take(reader, 23_456, 3, 2);
             Assert.That(Indices(other), Is.Not.EqualTo(expected));
         }
 
-        [TestCase(1)]
-        [TestCase(15)]
-        [TestCase(16)]
-        [TestCase(1999)]
-        [TestCase(9000)]
-        [TestCase(10_000)]
-        [TestCase(50_000)]
+        [TestCase(1), TestCase(15), TestCase(16), TestCase(1999), TestCase(9000), TestCase(10_000), TestCase(50_000)]
         public void Sample_OfAnySize_HasExactlySoManyDistinctPoints(int wanted)
         {
             using var reader = Numbered(10_000);
@@ -250,9 +242,7 @@ namespace FastPoints.Tests.Preview
             {
                 using var sampler = PreviewSampler.Create(reader, 25_000, 1);
                 var work = new WorkSteps(sampler.Run(3, null));
-                for (int step = 0; step < steps && work.MoveNext(); step++)
-                {
-                }
+                for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();
             }
         }
@@ -294,13 +284,8 @@ namespace FastPoints.Tests.Preview
                 Assert.That(index % 1000, Is.LessThan(251));
         }
 
-        [TestCase(1, 100)]
-        [TestCase(49, 100)]
-        [TestCase(2000, 100)]
-        [TestCase(2100, 7)]
-        [TestCase(9999, 1)]
-        [TestCase(10_000, 333)]
-        [TestCase(20_000, 10_000)]
+        [TestCase(1, 100), TestCase(49, 100), TestCase(2000, 100), TestCase(2100, 7), TestCase(9999, 1)]
+        [TestCase(10_000, 333), TestCase(20_000, 10_000)]
         public void Prefixes_OfAnySize_AreExactlySoManyDistinctPoints(int wanted, int pointsPerBlock)
         {
             using var reader = Blocks(10_000, pointsPerBlock);
@@ -315,7 +300,6 @@ namespace FastPoints.Tests.Preview
             using var reader = Blocks(60_000, 777);
             int[] expected = null;
             foreach (int workers in new[] { 1, 2, 7 })
-            {
                 foreach (int slots in new[] { 1, 2, 9 })
                 {
                     using var count = new WorkerCount(workers);
@@ -323,7 +307,6 @@ namespace FastPoints.Tests.Preview
                     expected ??= Indices(sample);
                     Assert.That(Indices(sample), Is.EqualTo(expected));
                 }
-            }
         }
 
         [Test]

@@ -57,9 +57,7 @@ namespace FastPoints.Tests.Preview
         }
 
         /// <param name="pointsPerBlock">With 5 there are more blocks than are asked for at once.</param>
-        [TestCase(1600)]
-        [TestCase(1777)]
-        [TestCase(5)]
+        [TestCase(1600), TestCase(1777), TestCase(5)]
         public void Runs_OfEachWave_AreThePointsOfOneBlockEach(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
@@ -93,10 +91,7 @@ namespace FastPoints.Tests.Preview
         static int IndexOf((int X, int Y, int Z) point) =>
             (point.Y / 20 * 10 + point.X / 20) * 1600 + point.Z * 400 + point.Y % 20 * 20 + point.X % 20;
 
-        [TestCase(1600)]
-        [TestCase(1777)]
-        [TestCase(160_000)]
-        [TestCase(500)]
+        [TestCase(1600), TestCase(1777), TestCase(160_000), TestCase(500)]
         public void Sample_InTheEnd_IsTheFullScansPointForPoint(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
@@ -114,14 +109,12 @@ namespace FastPoints.Tests.Preview
             Assert.That(sampler.Waves, Has.Count.EqualTo(3));
         }
 
-        [TestCase(1600)]
-        [TestCase(500)]
+        [TestCase(1600), TestCase(500)]
         public void Waves_AnySlotsAndWorkers_AreTheSame(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
             List<(int, int, int)[]> expected = null;
             foreach (int workers in new[] { 1, 2, 7 })
-            {
                 foreach (int slots in new[] { 1, 3, 9 })
                 {
                     using var count = new WorkerCount(workers);
@@ -129,7 +122,6 @@ namespace FastPoints.Tests.Preview
                     expected ??= waves;
                     Assert.That(waves, Is.EqualTo(expected));
                 }
-            }
         }
 
         [Test]
@@ -209,8 +201,7 @@ namespace FastPoints.Tests.Preview
             Assert.That(sample.PointsInSource, Is.EqualTo(100_000));
         }
 
-        [TestCase(0)]
-        [TestCase(1)]
+        [TestCase(0), TestCase(1)]
         public void Sample_OfFewPoints_IsThere(int wanted)
         {
             using var reader = Square(1600);
@@ -234,9 +225,7 @@ namespace FastPoints.Tests.Preview
             {
                 using var sampler = new RefiningSampler(reader, 16_000, 1, null, Bounds);
                 var work = new WorkSteps(sampler.Run(3, null));
-                for (int step = 0; step < steps && work.MoveNext(); step++)
-                {
-                }
+                for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();
                 Assert.That(sampler.Sample?.Count ?? 0,
                     Is.EqualTo(sampler.Waves.Count == 0 ? 0 : sampler.Waves[sampler.Waves.Count - 1].Points));

@@ -7,11 +7,7 @@ namespace FastPoints.Tests.Preview
 {
     public class RunPlanTests
     {
-        [TestCase(1)]
-        [TestCase(2)]
-        [TestCase(1000)]
-        [TestCase(4096)]
-        [TestCase(4097)]
+        [TestCase(1), TestCase(2), TestCase(1000), TestCase(4096), TestCase(4097)]
         public void Order_AllPlaces_VisitEachStratumOnce(int strata)
         {
             var order = new SampleOrder(strata, 7);
@@ -47,13 +43,8 @@ namespace FastPoints.Tests.Preview
             Assert.That(same, Is.LessThan(100));
         }
 
-        [TestCase(1, 1)]
-        [TestCase(10, 100)]
-        [TestCase(1000, 17)]
-        [TestCase(5003, 5003)]
-        [TestCase(40_000, 39_999)]
-        [TestCase(40_000, 7001)]
-        [TestCase(1_000_003, 5000)]
+        [TestCase(1, 1), TestCase(10, 100), TestCase(1000, 17), TestCase(5003, 5003), TestCase(40_000, 39_999)]
+        [TestCase(40_000, 7001), TestCase(1_000_003, 5000)]
         public void Runs_OfAnySource_TakeEachPointAtMostOnceAndFillEachPlace(int points, int wanted)
         {
             var plan = new RunPlan(points, wanted, 34, 5);
@@ -93,9 +84,7 @@ namespace FastPoints.Tests.Preview
 
         // Over many seeds each point of the file is taken as often as every other. The count of a point is binomial; 6 standard
         // deviations leave one false alarm in about 10^5 runs of the test over 2,000 points.
-        [TestCase(2000, 100)]
-        [TestCase(2000, 900)]
-        [TestCase(4000, 1777)]
+        [TestCase(2000, 100), TestCase(2000, 900), TestCase(4000, 1777)]
         public void Runs_OverManySeeds_TakeEveryPointEquallyOften(int points, int wanted)
         {
             const int Seeds = 2000;

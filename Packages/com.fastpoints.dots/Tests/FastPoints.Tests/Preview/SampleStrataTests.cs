@@ -5,10 +5,7 @@ namespace FastPoints.Tests.Preview
 {
     public class SampleStrataTests
     {
-        [TestCase(10, 3)]
-        [TestCase(10, 10)]
-        [TestCase(10, 100)]
-        [TestCase(1_000_003, 1000)]
+        [TestCase(10, 3), TestCase(10, 10), TestCase(10, 100), TestCase(1_000_003, 1000)]
         public void Strata_AnyCounts_CoverAllPointsEvenly(long points, int wanted)
         {
             var strata = new SampleStrata(points, wanted, 1);

@@ -46,9 +46,7 @@ namespace FastPoints.Tests.Preview
             return indices;
         }
 
-        [TestCase(1)]
-        [TestCase(999)]
-        [TestCase(50_000)]
+        [TestCase(1), TestCase(999), TestCase(50_000)]
         public void Uniform_FewerWanted_TakesExactlyOneOfEachStratum(int wanted)
         {
             using var reader = new MemoryPointReader(Numbered(50_000), 3000);
@@ -82,18 +80,14 @@ namespace FastPoints.Tests.Preview
         {
             int[] uniform = null;
             foreach (int workers in new[] { 1, 2, 7 })
-            {
                 foreach (int slots in new[] { 1, 2, 9 })
                 {
                     using var count = new WorkerCount(workers);
                     using var reader = new MemoryPointReader(Numbered(40_000), 1000 * slots + 17);
-                    using (var sample = Uniform(reader, 3000, slots))
-                    {
-                        uniform ??= Indices(sample);
-                        Assert.That(Indices(sample), Is.EqualTo(uniform));
-                    }
+                    using var sample = Uniform(reader, 3000, slots);
+                    uniform ??= Indices(sample);
+                    Assert.That(Indices(sample), Is.EqualTo(uniform));
                 }
-            }
         }
 
         [Test]

@@ -22,37 +22,34 @@ namespace FastPoints.Tests.Samplers
         [Test]
         public unsafe void Partition_OfMoreThanFourThousandMillionPoints_CountsThemAll()
         {
-            using (var reader = new VirtualReader(Points))
+            using var reader = new VirtualReader(Points);
+            Assert.That(reader.PointCount, Is.EqualTo(Points));
+            SourceSample sample = null;
+            WorkPump.RunToEnd(SourceSample.Read(reader, 4, s => sample = s));
+            using (sample)
             {
-                Assert.That(reader.PointCount, Is.EqualTo(Points));
-                SourceSample sample = null;
-                WorkPump.RunToEnd(SourceSample.Read(reader, 4, s => sample = s));
-                using (sample)
+                double weight = sample.Runs[0].Weight;
+                Assert.That(weight * sample.Stored.Length, Is.EqualTo((double)Points).Within(1e-6 * Points));
+                var cube = RootCube.Around(default, new Grid3(150000, Points / 150000, 7));
+                var axes = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) });
+                var grid = new GridChoice { Sources = new[] { axes } };
+                var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
+                Assert.That(plan.IsStored, Is.True);
+                PartitionMap map = null;
+                WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid, Points, plan, m => map = m));
+                using (map)
                 {
-                    double weight = sample.Runs[0].Weight;
-                    Assert.That(weight * sample.Stored.Length, Is.EqualTo((double)Points).Within(1e-6 * Points));
-                    var cube = RootCube.Around(default, new Grid3(150000, Points / 150000, 7));
-                    var axes = GridChoice.OnGrid(reader.Info, new CloudGrid { Step = new double3(0.01, 0.01, 0.01) });
-                    var grid = new GridChoice { Sources = new[] { axes } };
-                    var plan = MemoryPlan.For(reader.PointCount, 12, new ConvertSettings());
-                    Assert.That(plan.IsStored, Is.True);
-                    PartitionMap map = null;
-                    WorkPump.RunToEnd(PartitionPlan.Of(cube, new List<SourceSample> { sample }, grid,
-                        Points, plan, m => map = m));
-                    using (map)
-                    {
-                        var points = new double[map.Chunks.Length + 1];
-                        int* chunkOfCell = (int*)map.ChunkOfCell.GetUnsafeReadOnlyPtr();
-                        foreach (var stored in sample.Stored)
-                            points[map.Finder.ChunkOf(chunkOfCell, SourceGrid.ToGrid(axes.X, stored.x),
-                                SourceGrid.ToGrid(axes.Y, stored.y), SourceGrid.ToGrid(axes.Z, stored.z))] += weight;
-                        Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
-                        Assert.That(points[map.Outside], Is.Zero);
-                        // A run of the sample is in one cell and stands for 20 million points: no estimate is finer.
-                        Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
-                        // Each has a page, and there is room for more.
-                        Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MostPages));
-                    }
+                    var points = new double[map.Chunks.Length + 1];
+                    int* chunkOfCell = (int*)map.ChunkOfCell.GetUnsafeReadOnlyPtr();
+                    foreach (var stored in sample.Stored)
+                        points[map.Finder.ChunkOf(chunkOfCell, SourceGrid.ToGrid(axes.X, stored.x),
+                            SourceGrid.ToGrid(axes.Y, stored.y), SourceGrid.ToGrid(axes.Z, stored.z))] += weight;
+                    Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
+                    Assert.That(points[map.Outside], Is.Zero);
+                    // A run of the sample is in one cell and stands for 20 million points: no estimate is finer.
+                    Assert.That(points.Max(), Is.LessThan(4.0 * plan.PointsPerPartition));
+                    // Each has a page, and there is room for more.
+                    Assert.That(points.Count(p => p > 0), Is.InRange(Points / plan.PointsPerPartition, plan.MostPages));
                 }
             }
         }

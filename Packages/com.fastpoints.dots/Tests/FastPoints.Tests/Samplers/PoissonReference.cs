@@ -76,7 +76,6 @@ namespace FastPoints.Tests.Samplers
             var tileOfPoint = new int[m_places.Length];
             int tiles = 0;
             foreach (var cube in cubes)
-            {
                 for (int i = 0; i < cube.Points.Count; i++)
                 {
                     var place = m_places[cube.Points[i]];
@@ -84,7 +83,6 @@ namespace FastPoints.Tests.Samplers
                     bool isNew = i == 0 || ((place.X ^ before.X) | (place.Y ^ before.Y) | (place.Z ^ before.Z)) >> tileLog2 != 0;
                     tileOfPoint[cube.Points[i]] = isNew ? ++tiles : tiles;
                 }
-            }
             var result = new List<int>();
             foreach (int point in order)
                 if (cubeOfPoint[point] != null)

@@ -32,8 +32,7 @@ namespace FastPoints.Tests.Samplers
             Assert.That(sliced.Nodes, Is.EqualTo(whole.Nodes));
         }
 
-        [TestCase(40)]
-        [TestCase(61)]
+        [TestCase(40), TestCase(61)]
         public void Sample_VastSpan_KeepsTheDistance(int bits)
         {
             var places = SamplingClouds.Make(5000,

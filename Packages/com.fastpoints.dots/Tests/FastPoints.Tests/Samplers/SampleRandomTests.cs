@@ -28,8 +28,7 @@ namespace FastPoints.Tests.Samplers
         }
 
         // 16 cells along an edge: of 280 places in a volume a node would take all but a few, of so many on two lines 64 at most.
-        [TestCase(Sampler.Random)]
-        [TestCase(Sampler.Poisson)]
+        [TestCase(Sampler.Random), TestCase(Sampler.Poisson)]
         public void Sample_CubeThatANodeWouldTakeAlmostWhole_IsALeaf(Sampler sampler)
         {
             var scattered = SampledPoints.Run(SamplingClouds.Volume(280, 1 << 20), sampler, s_small);

@@ -132,13 +132,11 @@ namespace FastPoints.Tests.Samplers
                 if (!node.IsLeaf)
                     widest = Math.Max(widest, Math.Pow(2, node.CellLog2));
             for (int a = 0; a < sampled.Count; a++)
-            {
                 for (int b = a + 1; b < sampled.Count && Places[sampled[b]].X - Places[sampled[a]].X < widest; b++)
                 {
                     int cell = Math.Min(Nodes[NodeOfPoint[sampled[a]]].CellLog2, Nodes[NodeOfPoint[sampled[b]]].CellLog2);
                     smallest = Math.Min(smallest, DistanceOf(sampled[a], sampled[b]) / Math.Pow(2, cell));
                 }
-            }
             return smallest;
         }
 

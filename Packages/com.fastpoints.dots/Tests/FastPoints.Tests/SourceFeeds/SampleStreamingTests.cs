@@ -33,30 +33,26 @@ namespace FastPoints.Tests.SourceFeeds
             return preview;
         }
 
-        [TestCase(AttributeType.Int32, 100_000)]
-        [TestCase(AttributeType.Float32, 100_000)]
-        [TestCase(AttributeType.Float64, 40_000)]
-        [TestCase(AttributeType.Int32, 1)]
+        [TestCase(AttributeType.Int32, 100_000), TestCase(AttributeType.Float32, 100_000)]
+        [TestCase(AttributeType.Float64, 40_000), TestCase(AttributeType.Int32, 1)]
         public void Run_Sample_DrawsEachOfItsPoints(AttributeType type, int points)
         {
             var batch = TestBatches.New(points, TestBatches.Xyz(type));
             for (int i = 0; i < points; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 300 : i % 300 - 100);
-            using (var preview = Take(batch, points))
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
-                int number = stream.Add(source, StreamedTestCloud.Geo(source));
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                stream.Settings.Selection.SmallestNodePx = 0;
-                var middle = preview.Sample.Bounds.Center;
-                var camera = Camera(middle);
-                Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(points));
-                Assert.That(StreamedPoints.Drawn(stream, number), Is.EqualTo(
-                    StreamedPoints.Of(preview.Sample.Points, preview.Sample.Transform, source.Grid)));
-                Assert.That(stream.TryTakeFailure(out _), Is.False);
-            }
+            using var preview = Take(batch, points);
+            using var stream = StreamedTestCloud.Stream();
+            var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
+            int number = stream.Add(source, StreamedTestCloud.Geo(source));
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.SmallestNodePx = 0;
+            var middle = preview.Sample.Bounds.Center;
+            var camera = Camera(middle);
+            Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(points));
+            Assert.That(StreamedPoints.Drawn(stream, number), Is.EqualTo(
+                StreamedPoints.Of(preview.Sample.Points, preview.Sample.Transform, source.Grid)));
+            Assert.That(stream.TryTakeFailure(out _), Is.False);
         }
 
         static FastPoints.Picture.Camera Camera(double3 middle) => FastPoints.Picture.Camera.Perspective(
@@ -66,13 +62,11 @@ namespace FastPoints.Tests.SourceFeeds
         public void Run_SampleWithoutPoints_DrawsNothing()
         {
             var none = TestBatches.New(0, TestBatches.Xyz(AttributeType.Int32));
-            using (var sample = new PreviewSample(none, PositionTransform.Identity))
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                var source = new TreeSource(new SampleReader(sample, "scan"));
-                stream.Add(source, StreamedTestCloud.Geo(source));
-                Assert.That(StreamedTestCloud.Settle(stream, Camera(default)).DrawnPoints, Is.Zero);
-            }
+            using var sample = new PreviewSample(none, PositionTransform.Identity);
+            using var stream = StreamedTestCloud.Stream();
+            var source = new TreeSource(new SampleReader(sample, "scan"));
+            stream.Add(source, StreamedTestCloud.Geo(source));
+            Assert.That(StreamedTestCloud.Settle(stream, Camera(default)).DrawnPoints, Is.Zero);
         }
 
         /// <summary>What is shown at one place, looked at in every frame: once there is something to see there always
@@ -85,10 +79,7 @@ namespace FastPoints.Tests.SourceFeeds
             public FollowedFolder Followed;
             public bool WasSeen;
 
-            public Watched()
-            {
-                Succession = new CloudSuccession(Stream);
-            }
+            public Watched() => Succession = new CloudSuccession(Stream);
 
             public void Frame()
             {

@@ -109,23 +109,13 @@ namespace FastPoints.Tests.Store
                 Throws.TypeOf<PointCloudException>().With.Message.Contains(named).And.Message.Contains("cloud.json"));
         }
 
-        [TestCase("")]
-        [TestCase("{")]
-        [TestCase("{\"a\": 01}")]
-        [TestCase("{\"a\": 1,}")]
-        [TestCase("{\"a\": 1} x")]
-        [TestCase("{\"a\": \"\\x\"}")]
-        [TestCase("{\"a\": 1, \"a\": 2}")]
-        [TestCase("nul")]
-        public void Parse_NoJson_Throws(string text)
-        {
+        [TestCase(""), TestCase("{"), TestCase("{\"a\": 01}"), TestCase("{\"a\": 1,}"), TestCase("{\"a\": 1} x")]
+        [TestCase("{\"a\": \"\\x\"}"), TestCase("{\"a\": 1, \"a\": 2}"), TestCase("nul")]
+        public void Parse_NoJson_Throws(string text) =>
             Assert.That(() => JsonReader.Parse(text), Throws.TypeOf<System.FormatException>());
-        }
 
         [Test]
-        public void Parse_ManyLevels_ThrowsBeforeTheStackEnds()
-        {
+        public void Parse_ManyLevels_ThrowsBeforeTheStackEnds() =>
             Assert.That(() => JsonReader.Parse(new string('[', 100000)), Throws.TypeOf<System.FormatException>());
-        }
     }
 }

@@ -46,12 +46,8 @@ namespace FastPoints.Tests.Store
             Assert.That(layout.AttributeBytes, Is.EqualTo(16));
         }
 
-        [TestCase(AttributeType.Int8)]
-        [TestCase(AttributeType.Int16)]
-        [TestCase(AttributeType.Int32)]
-        [TestCase(AttributeType.Int64)]
-        [TestCase(AttributeType.Float32)]
-        [TestCase(AttributeType.Float64)]
+        [TestCase(AttributeType.Int8), TestCase(AttributeType.Int16), TestCase(AttributeType.Int32)]
+        [TestCase(AttributeType.Int64), TestCase(AttributeType.Float32), TestCase(AttributeType.Float64)]
         public void OrderedBits_SignedValues_KeepTheirOrderAndBits(AttributeType type)
         {
             ulong before = 0;

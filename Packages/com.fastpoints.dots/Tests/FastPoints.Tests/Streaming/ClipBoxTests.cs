@@ -35,8 +35,7 @@ namespace FastPoints.Tests.Streaming
             return true;
         }
 
-        [TestCase(0)]
-        [TestCase(3)]
+        [TestCase(0), TestCase(3)]
         public void Leave_Places_AreThoseInABoxThatKeepsAndInNoneThatCuts(int keeping)
         {
             var random = new Random(11);
@@ -46,35 +45,33 @@ namespace FastPoints.Tests.Streaming
             for (int i = 0; i < keeping + 2; i++)
                 boxes.Add(Turned(placement.OriginWorld + random.NextDouble3(-20, 20),
                     random.NextDouble3(10, 40), random.NextDouble(3), i >= keeping));
-            using (var clips = new NativeList<LocalClip>(Allocator.Temp))
+            using var clips = new NativeList<LocalClip>(Allocator.Temp);
+            var list = clips;
+            foreach (var box in boxes)
+                list.Add(new LocalClip(box, placement));
+            int left = 0;
+            for (int trial = 0; trial < 5000; trial++)
             {
-                var list = clips;
+                var local = random.NextDouble3(-12, 12);
+                var world = math.mul(placement.Linear, local) + placement.OriginWorld;
+                bool isKept = keeping == 0, isCut = false;
                 foreach (var box in boxes)
-                    list.Add(new LocalClip(box, placement));
-                int left = 0;
-                for (int trial = 0; trial < 5000; trial++)
                 {
-                    var local = random.NextDouble3(-12, 12);
-                    var world = math.mul(placement.Linear, local) + placement.OriginWorld;
-                    bool isKept = keeping == 0, isCut = false;
-                    foreach (var box in boxes)
-                    {
-                        isKept |= !box.Cuts && IsIn(box, world);
-                        isCut |= box.Cuts && IsIn(box, world);
-                    }
-                    bool isLeft = LocalClip.Leave(clips.GetUnsafePtr(), clips.Length, local, 0);
-                    Assert.That(isLeft, Is.EqualTo(isKept && !isCut), "at " + local);
-                    left += isLeft ? 1 : 0;
-
-                    // A box that has a place which is left is left.
-                    var half = random.NextDouble3(3);
-                    if (isLeft)
-                        Assert.That(LocalClip.Leave(clips.GetUnsafePtr(), clips.Length,
-                            local + half * random.NextDouble3(-1, 1), half),
-                            Is.True, "around " + local);
+                    isKept |= !box.Cuts && IsIn(box, world);
+                    isCut |= box.Cuts && IsIn(box, world);
                 }
-                Assert.That(left, Is.InRange(200, 4800));
+                bool isLeft = LocalClip.Leave(clips.GetUnsafePtr(), clips.Length, local, 0);
+                Assert.That(isLeft, Is.EqualTo(isKept && !isCut), "at " + local);
+                left += isLeft ? 1 : 0;
+
+                // A box that has a place which is left is left.
+                var half = random.NextDouble3(3);
+                if (isLeft)
+                    Assert.That(LocalClip.Leave(clips.GetUnsafePtr(), clips.Length,
+                        local + half * random.NextDouble3(-1, 1), half),
+                        Is.True, "around " + local);
             }
+            Assert.That(left, Is.InRange(200, 4800));
         }
 
         [Test]
@@ -92,35 +89,33 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_Clipped_StreamsNothingThatLiesOutsideAndEverythingAgainAfterwards()
         {
-            using (var cloud = new StreamedTestCloud())
-            using (var stream = StreamedTestCloud.Stream())
+            using var cloud = new StreamedTestCloud();
+            using var stream = StreamedTestCloud.Stream();
+            var source = cloud.Open();
+            stream.Add(source, StreamedTestCloud.Geo(source));
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            long all = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
+            var box = new ClipBox(StreamedTestCloud.OriginGeo + new double3(40, 40, -50),
+                StreamedTestCloud.OriginGeo + new double3(90, 90, 50));
+            stream.ClipBoxes.Add(box);
+            long inBox = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
+            Assert.That(inBox, Is.InRange(all / 32, all / 3), "of " + all);
+            foreach (var drawn in stream.Drawn)
             {
-                var source = cloud.Open();
-                stream.Add(source, StreamedTestCloud.Geo(source));
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                long all = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
-                var box = new ClipBox(StreamedTestCloud.OriginGeo + new double3(40, 40, -50),
-                    StreamedTestCloud.OriginGeo + new double3(90, 90, 50));
-                stream.ClipBoxes.Add(box);
-                long inBox = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
-                Assert.That(inBox, Is.InRange(all / 32, all / 3), "of " + all);
-                foreach (var drawn in stream.Drawn)
-                {
-                    var node = stream.Clouds[0].Pages[drawn.Page].Nodes[drawn.Node];
-                    var low = node.Center - node.Half + stream.Clouds[0].Placement.OriginWorld;
-                    var high = node.Center + node.Half + stream.Clouds[0].Placement.OriginWorld;
-                    var min = box.CenterWorld - 25;
-                    var max = box.CenterWorld + 25;
-                    Assert.That(math.all(high.xy >= min.xy) && math.all(low.xy <= max.xy), Is.True);
-                }
-                box.Cuts = true;
-                stream.ClipBoxes.Clear();
-                stream.ClipBoxes.Add(box);
-                long outside = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
-                Assert.That(outside, Is.LessThan(all).And.GreaterThan(all / 2));
-                stream.ClipBoxes.Clear();
-                Assert.That(StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints, Is.EqualTo(all));
+                var node = stream.Clouds[0].Pages[drawn.Page].Nodes[drawn.Node];
+                var low = node.Center - node.Half + stream.Clouds[0].Placement.OriginWorld;
+                var high = node.Center + node.Half + stream.Clouds[0].Placement.OriginWorld;
+                var min = box.CenterWorld - 25;
+                var max = box.CenterWorld + 25;
+                Assert.That(math.all(high.xy >= min.xy) && math.all(low.xy <= max.xy), Is.True);
             }
+            box.Cuts = true;
+            stream.ClipBoxes.Clear();
+            stream.ClipBoxes.Add(box);
+            long outside = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints;
+            Assert.That(outside, Is.LessThan(all).And.GreaterThan(all / 2));
+            stream.ClipBoxes.Clear();
+            Assert.That(StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnPoints, Is.EqualTo(all));
         }
     }
 }

@@ -94,20 +94,18 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Place_StatesWithOtherCubes_PutsEveryPlaceWhereItWas()
         {
-            using (var other = new StreamedTestCloud(3000, 8000, 12))
-            {
-                var random = new Random(5);
-                var linear = new double3x3(random.NextDouble3(), random.NextDouble3(), random.NextDouble3());
-                m_succession.Add(m_cloud.Open(), null, CloudStage.Preview);
-                m_succession.Add(other.Open(), null, CloudStage.Whole);
-                m_succession.Place(new CloudPlacement(linear, random.NextDouble3() * 1000));
-                var shown = m_stream.Clouds[m_succession.Cloud];
-                var next = m_stream.Clouds[m_succession.Next];
-                var geo = StreamedTestCloud.OriginGeo + new double3(10, 20, 3);
-                double3 At(StreamedCloud cloud) => cloud.Placement.OriginWorld + math.mul(cloud.Placement.Linear,
-                    geo - cloud.Source.Grid.ToGeo(cloud.Source.Root.Corner));
-                Assert.That(math.length(At(shown) - At(next)), Is.LessThan(1e-8));
-            }
+            using var other = new StreamedTestCloud(3000, 8000, 12);
+            var random = new Random(5);
+            var linear = new double3x3(random.NextDouble3(), random.NextDouble3(), random.NextDouble3());
+            m_succession.Add(m_cloud.Open(), null, CloudStage.Preview);
+            m_succession.Add(other.Open(), null, CloudStage.Whole);
+            m_succession.Place(new CloudPlacement(linear, random.NextDouble3() * 1000));
+            var shown = m_stream.Clouds[m_succession.Cloud];
+            var next = m_stream.Clouds[m_succession.Next];
+            var geo = StreamedTestCloud.OriginGeo + new double3(10, 20, 3);
+            double3 At(StreamedCloud cloud) => cloud.Placement.OriginWorld + math.mul(cloud.Placement.Linear,
+                geo - cloud.Source.Grid.ToGeo(cloud.Source.Root.Corner));
+            Assert.That(math.length(At(shown) - At(next)), Is.LessThan(1e-8));
         }
     }
 }

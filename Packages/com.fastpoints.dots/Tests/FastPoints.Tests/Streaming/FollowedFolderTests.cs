@@ -54,61 +54,55 @@ namespace FastPoints.Tests.Streaming
             };
             var camera = StreamedTestCloud.Overview();
             FollowedFolder followed = null;
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                int generations = 0;
-                long seen = 0, most = 0;
-                var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
-                using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
+            using var stream = StreamedTestCloud.Stream();
+            int generations = 0;
+            long seen = 0, most = 0;
+            var readers = new[] { MemoryReader.Of(places, centimetres, 5000) };
+            using (var work = new WorkSteps(ConvertCloud.Run(readers, path, settings, r => { }, null)))
+                while (work.MoveNext())
                 {
-                    while (work.MoveNext())
-                    {
-                        work.Current.Complete();
-                        if (followed == null && CloudFolder.IsCloud(path))
-                            followed = new FollowedFolder(stream, path, null, StoreLayout.ColorName);
-                        if (followed == null)
-                            continue;
-                        StreamedTestCloud.Frame(stream, camera);
-                        followed.Update();
-                        if (followed.Generation == seen || !followed.IsCurrent)
-                            continue;
-                        seen = followed.Generation;
-                        generations++;
-                    }
-                }
-                Assert.That(followed, Is.Not.Null);
-                Assert.That(generations, Is.GreaterThan(0));
-                for (int frame = 0; frame < MostFrames && (followed.IsBuilding || !followed.IsCurrent); frame++)
-                {
-                    most = Math.Max(most, StreamedTestCloud.Frame(stream, camera).DrawnPoints);
+                    work.Current.Complete();
+                    if (followed == null && CloudFolder.IsCloud(path))
+                        followed = new FollowedFolder(stream, path, null, StoreLayout.ColorName);
+                    if (followed == null)
+                        continue;
+                    StreamedTestCloud.Frame(stream, camera);
                     followed.Update();
-                    Thread.Yield();
+                    if (followed.Generation == seen || !followed.IsCurrent)
+                        continue;
+                    seen = followed.Generation;
+                    generations++;
                 }
-                Assert.That(followed.IsBuilding, Is.False);
-                stream.Settings.Selection.PointBudget = long.MaxValue;
-                stream.Settings.Selection.FinestSpacingPx = 0;
-                stream.Settings.Selection.SmallestNodePx = 0;
-                Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
-                Assert.That(most, Is.GreaterThan(0));
-                followed.Dispose();
+            Assert.That(followed, Is.Not.Null);
+            Assert.That(generations, Is.GreaterThan(0));
+            for (int frame = 0; frame < MostFrames && (followed.IsBuilding || !followed.IsCurrent); frame++)
+            {
+                most = Math.Max(most, StreamedTestCloud.Frame(stream, camera).DrawnPoints);
+                followed.Update();
+                Thread.Yield();
             }
+            Assert.That(followed.IsBuilding, Is.False);
+            stream.Settings.Selection.PointBudget = long.MaxValue;
+            stream.Settings.Selection.FinestSpacingPx = 0;
+            stream.Settings.Selection.SmallestNodePx = 0;
+            Assert.That(StreamedTestCloud.Settle(stream, camera).DrawnPoints, Is.EqualTo(Points));
+            Assert.That(most, Is.GreaterThan(0));
+            followed.Dispose();
         }
 
         [Test]
         public void Update_FinishedCloud_LooksNoMore()
         {
-            using (var cloud = new StreamedTestCloud(20_000, 8000))
-            using (var stream = StreamedTestCloud.Stream())
-            using (var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null))
+            using var cloud = new StreamedTestCloud(20_000, 8000);
+            using var stream = StreamedTestCloud.Stream();
+            using var followed = new FollowedFolder(stream, cloud.Path + StoreFormat.PartSuffix, null);
+            for (int i = 0; i < 3 * FolderGenerations.FramesPerLook; i++)
             {
-                for (int i = 0; i < 3 * FolderGenerations.FramesPerLook; i++)
-                {
-                    StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
-                    followed.Update();
-                    Assert.That(followed.IsCurrent, Is.True);
-                }
-                Assert.That(followed.IsBuilding, Is.False);
+                StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                followed.Update();
+                Assert.That(followed.IsCurrent, Is.True);
             }
+            Assert.That(followed.IsBuilding, Is.False);
         }
     }
 }

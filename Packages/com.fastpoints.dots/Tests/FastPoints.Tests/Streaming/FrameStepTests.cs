@@ -104,24 +104,22 @@ namespace FastPoints.Tests.Streaming
         {
             long BytesRead(int gapBytes, out long requested)
             {
-                using (var stream = StreamedTestCloud.Stream())
+                using var stream = StreamedTestCloud.Stream();
+                var source = m_cloud.Open(AttributeNames.Intensity);
+                stream.Add(source, StreamedTestCloud.Geo(source));
+                stream.Settings.GapBytes = gapBytes;
+                long read = requested = 0;
+                for (int frame = 0; frame < 1_000_000; frame++)
                 {
-                    var source = m_cloud.Open(AttributeNames.Intensity);
-                    stream.Add(source, StreamedTestCloud.Geo(source));
-                    stream.Settings.GapBytes = gapBytes;
-                    long read = requested = 0;
-                    for (int frame = 0; frame < 1_000_000; frame++)
-                    {
-                        var stats = StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
-                        read += stats.ReadBytes;
-                        requested += stats.RequestedBytes;
-                        if (stats.IsSettled)
-                            break;
-                    }
-                    for (int page = 1; page < source.PageCount; page++)
-                        read -= stream.Clouds[0].Pages[page].IsLoaded ? source.TableOf(page).LengthBytes : 0;
-                    return read;
+                    var stats = StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                    read += stats.ReadBytes;
+                    requested += stats.RequestedBytes;
+                    if (stats.IsSettled)
+                        break;
                 }
+                for (int page = 1; page < source.PageCount; page++)
+                    read -= stream.Clouds[0].Pages[page].IsLoaded ? source.TableOf(page).LengthBytes : 0;
+                return read;
             }
             Assert.That(BytesRead(0, out long wanted), Is.EqualTo(wanted));
             Assert.That(BytesRead(1 << 20, out long same), Is.GreaterThan(1.2 * same));
@@ -134,12 +132,10 @@ namespace FastPoints.Tests.Streaming
             StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
             long withColor = m_stream.Pool.UsedBytes;
             var bare = new FolderSource(CloudFolder.Open(m_cloud.Path));
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                stream.Add(bare, StreamedTestCloud.Geo(bare));
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(stream.Pool.UsedBytes, Is.LessThan(0.8 * withColor));
-            }
+            using var stream = StreamedTestCloud.Stream();
+            stream.Add(bare, StreamedTestCloud.Geo(bare));
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(stream.Pool.UsedBytes, Is.LessThan(0.8 * withColor));
         }
 
         [Test]
@@ -213,38 +209,36 @@ namespace FastPoints.Tests.Streaming
         public void Run_AtRestAndAmongWhatIsThere_MakesNoGarbage()
         {
             var camera = StreamedTestCloud.Near(60, 60, 0.6);
-            using (var views = new NativeArray<StreamView>(1, Allocator.Persistent))
+            using var views = new NativeArray<StreamView>(1, Allocator.Persistent);
+            var settable = views;
+            // The safety checks of the headless host's test build remember each job; nothing else may allocate.
+            long OfChecks()
             {
-                var settable = views;
-                // The safety checks of the headless host's test build remember each job; nothing else may allocate.
-                long OfChecks()
-                {
-                    long before = GC.GetAllocatedBytesForCurrentThread();
-                    for (int i = 0; i < 50; i++)
-                        m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
-                    return GC.GetAllocatedBytesForCurrentThread() - before;
-                }
-                long Garbage(double step)
-                {
-                    long before = GC.GetAllocatedBytesForCurrentThread();
-                    for (int i = 0; i < 50; i++)
-                    {
-                        var moved = camera;
-                        moved.EyeGeo.x += i * step;
-                        settable[0] = moved.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx);
-                        FrameStep.Run(m_stream, settable);
-                    }
-                    return GC.GetAllocatedBytesForCurrentThread() - before;
-                }
-                m_stream.Settings.FramesAhead = 0;
-                StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
-                StreamedTestCloud.Settle(m_stream, camera);
-                Garbage(1e-6);
-                OfChecks();
-                StreamedTestCloud.Settle(m_stream, camera);
-                Assert.That(Garbage(0), Is.EqualTo(OfChecks()));
-                Assert.That(Garbage(1e-6), Is.EqualTo(OfChecks()));
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                for (int i = 0; i < 50; i++)
+                    m_stream.Selector.Choose(settable, m_stream.Settings.Selection);
+                return GC.GetAllocatedBytesForCurrentThread() - before;
             }
+            long Garbage(double step)
+            {
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                for (int i = 0; i < 50; i++)
+                {
+                    var moved = camera;
+                    moved.EyeGeo.x += i * step;
+                    settable[0] = moved.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx);
+                    FrameStep.Run(m_stream, settable);
+                }
+                return GC.GetAllocatedBytesForCurrentThread() - before;
+            }
+            m_stream.Settings.FramesAhead = 0;
+            StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Overview());
+            StreamedTestCloud.Settle(m_stream, camera);
+            Garbage(1e-6);
+            OfChecks();
+            StreamedTestCloud.Settle(m_stream, camera);
+            Assert.That(Garbage(0), Is.EqualTo(OfChecks()));
+            Assert.That(Garbage(1e-6), Is.EqualTo(OfChecks()));
         }
 
         [Test]

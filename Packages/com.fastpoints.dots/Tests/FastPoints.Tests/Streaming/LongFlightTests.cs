@@ -10,11 +10,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    /// <summary>
-    /// Thousands of frames in which everything happens at once: teleports, budgets and limits that change, clouds that come and
-    /// go, files that vanish and come back. Nothing leaks, no limit is passed, nothing fails but what was made to, and in the
-    /// end the picture is that of a fresh load.
-    /// </summary>
+    /// <summary>Thousands of frames in which everything happens at once: teleports, budgets and limits that change, clouds that
+    /// come and go, files that vanish and come back. Nothing leaks, no limit is passed, nothing fails but what was made to, and
+    /// in the end the picture is that of a fresh load.</summary>
     public class LongFlightTests
     {
         static readonly double3 s_beside = new double3(0, 210, 0);
@@ -27,9 +25,7 @@ namespace FastPoints.Tests.Streaming
         [TearDown]
         public void DeleteCloud() => m_cloud.Dispose();
 
-        [TestCase(1500, 1u)]
-        [TestCase(10_000, 2u)]
-        [TestCase(10_000, 3u)]
+        [TestCase(1500, 1u), TestCase(10_000, 2u), TestCase(10_000, 3u)]
         [Category("Long"), Explicit]
         public void Fly_WithAllThatCanHappen_EndsAsAFreshLoad(int frames, uint seed)
         {
@@ -141,20 +137,18 @@ namespace FastPoints.Tests.Streaming
         {
             var options = new PictureOptions { WidthPx = StreamedTestCloud.WidthPx, HeightPx = StreamedTestCloud.HeightPx };
             var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
-            using (var picture = new StreamedPicture(options))
+            using var picture = new StreamedPicture(options);
+            foreach (var moved in new[] { new double3(0, 0, 0), s_beside })
             {
-                foreach (var moved in new[] { new double3(0, 0, 0), s_beside })
-                {
-                    int cloud = Add(stream, moved);
-                    var source = stream.Clouds[cloud].Source;
-                    var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
-                    picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
-                }
-                StreamedTestCloud.Settle(stream, camera);
-                var image = picture.Draw(camera);
-                Assert.That(image.Rgba.Distinct().Count(), Is.GreaterThan(20), "the picture is empty");
-                return image.Rgba;
+                int cloud = Add(stream, moved);
+                var source = stream.Clouds[cloud].Source;
+                var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+                picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
             }
+            StreamedTestCloud.Settle(stream, camera);
+            var image = picture.Draw(camera);
+            Assert.That(image.Rgba.Distinct().Count(), Is.GreaterThan(20), "the picture is empty");
+            return image.Rgba;
         }
     }
 }

@@ -11,34 +11,32 @@ namespace FastPoints.Tests.Streaming
         {
             var random = new Unity.Mathematics.Random(9);
             var order = new List<int>();
-            using (var cache = new NodeCache())
+            using var cache = new NodeCache();
+            for (uint turn = 1; turn < 2000; turn++)
             {
-                for (uint turn = 1; turn < 2000; turn++)
+                int what = random.NextInt(4);
+                if (order.Count == 0 || what == 0)
                 {
-                    int what = random.NextInt(4);
-                    if (order.Count == 0 || what == 0)
+                    order.Add(cache.Add(0, 0, (int)turn, default));
+                }
+                else
+                {
+                    int slot = order[random.NextInt(order.Count)];
+                    order.Remove(slot);
+                    if (what == 1)
                     {
-                        order.Add(cache.Add(0, 0, (int)turn, default));
+                        int version = cache[slot].Version;
+                        cache.Remove(slot);
+                        Assert.That(cache.IsAlive(slot, version), Is.False);
                     }
                     else
                     {
-                        int slot = order[random.NextInt(order.Count)];
-                        order.Remove(slot);
-                        if (what == 1)
-                        {
-                            int version = cache[slot].Version;
-                            cache.Remove(slot);
-                            Assert.That(cache.IsAlive(slot, version), Is.False);
-                        }
-                        else
-                        {
-                            cache.Use(slot, turn, 0);
-                            order.Add(slot);
-                        }
+                        cache.Use(slot, turn, 0);
+                        order.Add(slot);
                     }
-                    Assert.That(cache.Count, Is.EqualTo(order.Count));
-                    Assert.That(cache.LeastUseful, Is.EqualTo(order.Count == 0 ? NodeCache.None : order[0]));
                 }
+                Assert.That(cache.Count, Is.EqualTo(order.Count));
+                Assert.That(cache.LeastUseful, Is.EqualTo(order.Count == 0 ? NodeCache.None : order[0]));
             }
         }
     }

@@ -8,68 +8,63 @@ namespace FastPoints.Tests.Streaming
 {
     public class RangeAllocatorTests
     {
-        [TestCase(1, 1u)]
-        [TestCase(64, 2u)]
-        [TestCase(1000, 3u)]
-        [TestCase(4096, 4u)]
+        [TestCase(1, 1u), TestCase(64, 2u), TestCase(1000, 3u), TestCase(4096, 4u)]
         public void TakeAndGive_AtRandom_NeverOverlapAndLoseNothing(int capacity, uint seed)
         {
             var random = new Unity.Mathematics.Random(seed);
             var owner = new int[capacity];
             var runs = new List<(int First, int Count)>();
-            using (var heap = new RangeAllocator(capacity, Allocator.Persistent))
+            using var heap = new RangeAllocator(capacity, Allocator.Persistent);
+            var books = heap;
+            int used = 0;
+            for (int turn = 1; turn <= 3000; turn++)
             {
-                var books = heap;
-                int used = 0;
-                for (int turn = 1; turn <= 3000; turn++)
+                if (runs.Count == 0 || random.NextInt(5) < 3)
                 {
-                    if (runs.Count == 0 || random.NextInt(5) < 3)
+                    int count = 1 + random.NextInt(Math.Max(1, capacity / (random.NextBool() ? 50 : 5)));
+                    int first = books.Take(count);
+                    if (first >= 0)
                     {
-                        int count = 1 + random.NextInt(Math.Max(1, capacity / (random.NextBool() ? 50 : 5)));
-                        int first = books.Take(count);
-                        if (first >= 0)
+                        for (int i = first; i < first + count; i++)
                         {
-                            for (int i = first; i < first + count; i++)
-                            {
-                                Assert.That(owner[i], Is.Zero);
-                                owner[i] = turn;
-                            }
-                            runs.Add((first, count));
-                            used += count;
+                            Assert.That(owner[i], Is.Zero);
+                            owner[i] = turn;
                         }
-                        else
-                        {
-                            Assert.That(LongestFree(owner), Is.LessThan(count));
-                        }
+                        runs.Add((first, count));
+                        used += count;
                     }
                     else
                     {
-                        int at = random.NextInt(runs.Count);
-                        if (random.NextInt(3) == 0)
-                        {
-                            var (first, count) = runs[at];
-                            int kept = 1 + random.NextInt(count);
-                            books.Shorten(first, kept);
-                            Array.Clear(owner, first + kept, count - kept);
-                            used -= count - kept;
-                            runs[at] = (first, kept);
-                            Assert.That(books.UsedSlots, Is.EqualTo(used));
-                            continue;
-                        }
-                        books.Give(runs[at].First);
-                        Array.Clear(owner, runs[at].First, runs[at].Count);
-                        used -= runs[at].Count;
-                        runs.RemoveAt(at);
+                        Assert.That(LongestFree(owner), Is.LessThan(count));
                     }
-                    Assert.That(books.UsedSlots, Is.EqualTo(used));
-                    if (turn % 50 == 0)
-                        Assert.That(books.FindProblem(), Is.Null);
                 }
-                foreach (var run in runs)
-                    books.Give(run.First);
-                Assert.That(books.FindProblem(), Is.Null);
-                Assert.That(books.Take(capacity), Is.Zero);
+                else
+                {
+                    int at = random.NextInt(runs.Count);
+                    if (random.NextInt(3) == 0)
+                    {
+                        var (first, count) = runs[at];
+                        int kept = 1 + random.NextInt(count);
+                        books.Shorten(first, kept);
+                        Array.Clear(owner, first + kept, count - kept);
+                        used -= count - kept;
+                        runs[at] = (first, kept);
+                        Assert.That(books.UsedSlots, Is.EqualTo(used));
+                        continue;
+                    }
+                    books.Give(runs[at].First);
+                    Array.Clear(owner, runs[at].First, runs[at].Count);
+                    used -= runs[at].Count;
+                    runs.RemoveAt(at);
+                }
+                Assert.That(books.UsedSlots, Is.EqualTo(used));
+                if (turn % 50 == 0)
+                    Assert.That(books.FindProblem(), Is.Null);
             }
+            foreach (var run in runs)
+                books.Give(run.First);
+            Assert.That(books.FindProblem(), Is.Null);
+            Assert.That(books.Take(capacity), Is.Zero);
         }
 
         static int LongestFree(int[] owner)
@@ -86,29 +81,25 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Give_WhatIsNoRun_Throws()
         {
-            using (var heap = new RangeAllocator(100, Allocator.Persistent))
-            {
-                var books = heap;
-                int run = books.Take(10);
-                Assert.That(() => books.Give(run + 3), Throws.ArgumentException);
-                Assert.That(() => books.Give(50), Throws.ArgumentException);
-                Assert.That(() => books.Give(-1), Throws.ArgumentException);
-                books.Give(run);
-                Assert.That(() => books.Give(run), Throws.ArgumentException);
-            }
+            using var heap = new RangeAllocator(100, Allocator.Persistent);
+            var books = heap;
+            int run = books.Take(10);
+            Assert.That(() => books.Give(run + 3), Throws.ArgumentException);
+            Assert.That(() => books.Give(50), Throws.ArgumentException);
+            Assert.That(() => books.Give(-1), Throws.ArgumentException);
+            books.Give(run);
+            Assert.That(() => books.Give(run), Throws.ArgumentException);
         }
 
         [Test]
         public void Take_MoreThanThereIs_IsNone()
         {
-            using (var heap = new RangeAllocator(100, Allocator.Persistent))
-            {
-                var books = heap;
-                Assert.That(books.Take(101), Is.EqualTo(-1));
-                Assert.That(books.Take(0), Is.EqualTo(-1));
-                Assert.That(books.Take(60), Is.Not.EqualTo(-1));
-                Assert.That(books.Take(60), Is.EqualTo(-1));
-            }
+            using var heap = new RangeAllocator(100, Allocator.Persistent);
+            var books = heap;
+            Assert.That(books.Take(101), Is.EqualTo(-1));
+            Assert.That(books.Take(0), Is.EqualTo(-1));
+            Assert.That(books.Take(60), Is.Not.EqualTo(-1));
+            Assert.That(books.Take(60), Is.EqualTo(-1));
         }
     }
 }

@@ -60,30 +60,28 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Remove_WhileItStreams_LeavesTheOthersAndItsNumberIsFreeAgain()
         {
-            using (var stream = StreamedTestCloud.Stream())
+            using var stream = StreamedTestCloud.Stream();
+            int first = Add(stream);
+            int second = Add(stream, new double3(0, 150, 0));
+            for (int frames = 1; frames < 30; frames++)
             {
-                int first = Add(stream);
-                int second = Add(stream, new double3(0, 150, 0));
-                for (int frames = 1; frames < 30; frames++)
-                {
-                    for (int i = 0; i < frames; i++)
-                        StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
-                    stream.Remove(second);
-                    stream.Remove(second);
+                for (int i = 0; i < frames; i++)
                     StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
-                    Assert.That(CloudsDrawn(stream), Has.None.EqualTo(second));
-                    StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                    Assert.That(stream.Clouds[second], Is.Null);
-                    Assert.That(Add(stream, new double3(0, 150, 0)), Is.EqualTo(second));
-                }
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(CloudsDrawn(stream), Is.EquivalentTo(new[] { first, second }));
-                stream.Remove(first);
                 stream.Remove(second);
+                stream.Remove(second);
+                StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
+                Assert.That(CloudsDrawn(stream), Has.None.EqualTo(second));
                 StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(stream.Pool.UsedBytes, Is.Zero);
-                Assert.That(stream.Pool.FindProblem(), Is.Null);
+                Assert.That(stream.Clouds[second], Is.Null);
+                Assert.That(Add(stream, new double3(0, 150, 0)), Is.EqualTo(second));
             }
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(CloudsDrawn(stream), Is.EquivalentTo(new[] { first, second }));
+            stream.Remove(first);
+            stream.Remove(second);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(stream.Pool.UsedBytes, Is.Zero);
+            Assert.That(stream.Pool.FindProblem(), Is.Null);
         }
 
         [Test]
@@ -110,18 +108,16 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_ChunkFileGoesWhileItIsShown_WhatIsThereStays()
         {
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                stream.Settings.Selection.PointBudget = 10_000;
-                int before = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnNodes;
-                foreach (string file in m_cloud.ChunkFiles)
-                    File.Delete(file);
-                stream.Settings.Selection.PointBudget = 60_000;
-                var stats = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(stats.DrawnNodes, Is.GreaterThanOrEqualTo(before));
-                Assert.That(Failures(stream), Is.Not.Empty.And.All.Contains("cannot be read"));
-            }
+            using var stream = StreamedTestCloud.Stream();
+            Add(stream);
+            stream.Settings.Selection.PointBudget = 10_000;
+            int before = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnNodes;
+            foreach (string file in m_cloud.ChunkFiles)
+                File.Delete(file);
+            stream.Settings.Selection.PointBudget = 60_000;
+            var stats = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(stats.DrawnNodes, Is.GreaterThanOrEqualTo(before));
+            Assert.That(Failures(stream), Is.Not.Empty.And.All.Contains("cannot be read"));
         }
 
         [Test]
@@ -136,15 +132,13 @@ namespace FastPoints.Tests.Streaming
                 bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
                 File.WriteAllBytes(folder.UpperPath, bytes);
             }
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(Failures(stream), Is.EqualTo(new[] { Path.Combine(m_cloud.Path, StoreFormat.UpperName) + " at " +
-                    stream.Clouds[0].RangeOf(0, node, 0).OffsetBytes + ": node 0 is damaged" }));
-                Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
-                Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
-            }
+            using var stream = StreamedTestCloud.Stream();
+            Add(stream);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(Failures(stream), Is.EqualTo(new[] { Path.Combine(m_cloud.Path, StoreFormat.UpperName) + " at " +
+                stream.Clouds[0].RangeOf(0, node, 0).OffsetBytes + ": node 0 is damaged" }));
+            Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
+            Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
         }
 
         [Test]
@@ -154,34 +148,29 @@ namespace FastPoints.Tests.Streaming
             byte[] bytes = File.ReadAllBytes(file);
             bytes[bytes.Length - 5] ^= 1;
             File.WriteAllBytes(file, bytes);
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains(Path.GetFileName(file)).And.All
-                    .Contains("hash"));
-                Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
-            }
+            using var stream = StreamedTestCloud.Stream();
+            Add(stream);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains(Path.GetFileName(file)).And.All.Contains("hash"));
+            Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
         }
 
         [Test]
         public void Run_HierarchyTooLarge_GivesUpPagesOutOfView()
         {
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                long all = stream.Clouds[0].HierarchyBytes;
-                stream.Settings.HierarchyBytes = 0;
-                stream.Pool.LimitBytes = 0;
-                var away = StreamedTestCloud.Near(-500, -500, 4);
-                for (int i = 0; i < 1000; i++)
-                    StreamedTestCloud.Frame(stream, away);
-                Assert.That(stream.Clouds[0].HierarchyBytes, Is.LessThan(all / 2));
-                stream.Pool.LimitBytes = 64 << 20;
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                Assert.That(stream.Clouds[0].HierarchyBytes, Is.EqualTo(all));
-            }
+            using var stream = StreamedTestCloud.Stream();
+            Add(stream);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            long all = stream.Clouds[0].HierarchyBytes;
+            stream.Settings.HierarchyBytes = 0;
+            stream.Pool.LimitBytes = 0;
+            var away = StreamedTestCloud.Near(-500, -500, 4);
+            for (int i = 0; i < 1000; i++)
+                StreamedTestCloud.Frame(stream, away);
+            Assert.That(stream.Clouds[0].HierarchyBytes, Is.LessThan(all / 2));
+            stream.Pool.LimitBytes = 64 << 20;
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            Assert.That(stream.Clouds[0].HierarchyBytes, Is.EqualTo(all));
         }
     }
 }

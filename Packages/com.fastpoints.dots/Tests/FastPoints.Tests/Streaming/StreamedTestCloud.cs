@@ -28,9 +28,7 @@ namespace FastPoints.Tests.Streaming
         readonly string m_scratch;
 
         public StreamedTestCloud(int points = 120_000, long pointsPerChunk = 6000, uint seed = 7)
-            : this(pointsPerChunk, Hills(points, seed))
-        {
-        }
+            : this(pointsPerChunk, Hills(points, seed)) { }
 
         public StreamedTestCloud(long pointsPerChunk, params PointReader[] readers)
         {
@@ -94,8 +92,8 @@ namespace FastPoints.Tests.Streaming
 
         public static FrameStats Frame(StreamContext stream, Camera camera)
         {
-            using (var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(WidthPx, HeightPx) })
-                return FrameStep.Run(stream, views);
+            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(WidthPx, HeightPx) };
+            return FrameStep.Run(stream, views);
         }
 
         /// <summary>Frames until nothing more comes.</summary>

@@ -22,9 +22,7 @@ namespace FastPoints.Tests.Streaming
             Assert.That(math.abs(b - a).y, Is.EqualTo(s_bounds.Size[(int)up]));
         }
 
-        [TestCase(UpAxis.X, 2, 1, 3)]
-        [TestCase(UpAxis.Y, 1, 2, -3)]
-        [TestCase(UpAxis.Z, 1, 3, 2)]
+        [TestCase(UpAxis.X, 2, 1, 3), TestCase(UpAxis.Y, 1, 2, -3), TestCase(UpAxis.Z, 1, 3, 2)]
         public void FromGeo_Axes_AreLeftHandedWithUpAsY(UpAxis up, double x, double y, double z)
         {
             var space = new UnitySpace { Scale = 0.5, Up = up };

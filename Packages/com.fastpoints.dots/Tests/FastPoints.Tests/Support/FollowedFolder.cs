@@ -5,10 +5,9 @@ using FastPoints.Streaming;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>
-    /// A cloud's folder that may still be in the making, streamed as it grows: each new generation is added beside the one that
-    /// is shown, and takes its place when nearly all that is selected of it is there. Main thread, but for opening folders.
-    /// </summary>
+    /// <summary>A cloud's folder that may still be in the making, streamed as it grows: each new generation is added beside the
+    /// one that is shown, and takes its place when nearly all that is selected of it is there. Main thread, but for opening
+    /// folders.</summary>
     public sealed class FollowedFolder : IDisposable
     {
         readonly CloudSuccession m_succession;
@@ -21,9 +20,7 @@ namespace FastPoints.Tests.Support
         /// <param name="planes">As <see cref="FolderSource"/> has them.</param>
         /// <exception cref="PointCloudException">There is no cloud yet, or it is damaged.</exception>
         public FollowedFolder(StreamContext stream, string path, CloudPlacement? placement, params string[] planes)
-            : this(new CloudSuccession(stream), path, placement, planes)
-        {
-        }
+            : this(new CloudSuccession(stream), path, placement, planes) { }
 
         /// <param name="succession">What is shown until the folder is there: a preview.</param>
         /// <param name="path">With or without the suffix of a folder in the making.</param>

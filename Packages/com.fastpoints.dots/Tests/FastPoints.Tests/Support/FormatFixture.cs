@@ -8,10 +8,8 @@ using FastPoints.Tests.Files;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>
-    /// A small cloud of one format, made by the tests themselves or a sample: what the manual's table of formats and the mutation
-    /// tests go over. A format that is new gets one here.
-    /// </summary>
+    /// <summary>A small cloud of one format, made by the tests themselves or a sample: what the manual's table of formats and the
+    /// mutation tests go over. A format that is new gets one here.</summary>
     public sealed class FormatFixture
     {
         /// <summary>As <see cref="SourceInfo.Format"/> says it.</summary>
@@ -120,8 +118,8 @@ namespace FastPoints.Tests.Support
 
         static byte[] Las(int minor, int pointFormat)
         {
-            using (var file = new LasTestFile { Minor = minor, Format = pointFormat, ExtraBytes = 3 })
-                return file.RandomPoints(60, pointFormat).ToBytes();
+            using var file = new LasTestFile { Minor = minor, Format = pointFormat, ExtraBytes = 3 };
+            return file.RandomPoints(60, pointFormat).ToBytes();
         }
 
         static byte[] Laz(int pointFormat, int version, LazTablePlace table) => new LazFileWriter
@@ -135,18 +133,16 @@ namespace FastPoints.Tests.Support
 
         static byte[] Ply(string format)
         {
-            using (var file = PlyTestFile.WithHeader(format, "element vertex 20", "property float x", "property double y",
+            using var file = PlyTestFile.WithHeader(format, "element vertex 20", "property float x", "property double y",
                 "property short z", "property uchar red", "property uchar green", "property uchar blue",
-                "element face 1", "property list uchar int i"))
-            {
-                for (int i = 0; i < 20; i++)
-                    if (format == "ascii")
-                        file.Text(i + ".5 " + i + "e-3 " + -i + " 1 2 3\n");
-                    else
-                        file.Values(format == "binary_big_endian", i + 0.5f, i * 1e-3, (short)-i, (byte)1, (byte)2, (byte)3);
-                return (format == "ascii" ? file.Text("3 0 1 2\n")
-                    : file.Values(format == "binary_big_endian", (byte)3, 0, 1, 2)).ToArray();
-            }
+                "element face 1", "property list uchar int i");
+            for (int i = 0; i < 20; i++)
+                if (format == "ascii")
+                    file.Text(i + ".5 " + i + "e-3 " + -i + " 1 2 3\n");
+                else
+                    file.Values(format == "binary_big_endian", i + 0.5f, i * 1e-3, (short)-i, (byte)1, (byte)2, (byte)3);
+            return (format == "ascii" ? file.Text("3 0 1 2\n")
+                : file.Values(format == "binary_big_endian", (byte)3, 0, 1, 2)).ToArray();
         }
 
         static byte[] Text(string head, char separator)
@@ -162,27 +158,23 @@ namespace FastPoints.Tests.Support
         {
             var records = LazRecords.Make(0, 0, 300, 3);
             var rest = new[] { ("Rest", "unsigned", 8) };
-            using (var ept = new EptFolder(type, records,
-                type == EptDataType.Binary ? rest : new (string, string, int)[0], 0, 60, 1))
-                Copy(ept.Path, Directory.GetFiles(ept.Path, "*", SearchOption.AllDirectories), folder);
+            using var ept = new EptFolder(type, records,
+                type == EptDataType.Binary ? rest : new (string, string, int)[0], 0, 60, 1);
+            Copy(ept.Path, Directory.GetFiles(ept.Path, "*", SearchOption.AllDirectories), folder);
         }
 
         static void Potree1(string folder, string version)
         {
-            using (var tree = new PotreeTestFolder())
-            {
-                new Potree1Writer { Version = version, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 4));
-                Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
-            }
+            using var tree = new PotreeTestFolder();
+            new Potree1Writer { Version = version, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 4));
+            Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
         }
 
         static void Potree2(string folder, bool isBrotli)
         {
-            using (var tree = new PotreeTestFolder())
-            {
-                new Potree2Writer { IsBrotli = isBrotli, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 5));
-                Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
-            }
+            using var tree = new PotreeTestFolder();
+            new Potree2Writer { IsBrotli = isBrotli, StepSize = 1 }.Write(tree, new PotreeTestCloud(60, 2, 5));
+            Copy(tree.Folder, Directory.GetFiles(tree.Folder, "*", SearchOption.AllDirectories), folder);
         }
 
         static byte[] E57()

@@ -129,9 +129,7 @@ namespace FastPoints.Tests.Support
 
         public override long Bytes => sizeof(long);
 
-        public override void Dispose()
-        {
-        }
+        public override void Dispose() { }
     }
 
     [BurstCompile]

@@ -8,9 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>
-    /// All points of a source as sorted hashes, to hold two files with the same points in another order against each other.
-    /// </summary>
+    /// <summary>All points of a source as sorted hashes, to hold two files with the same points in another order against each
+    /// other.</summary>
     static class PointMultiset
     {
         /// <summary>Names that two sources have in the same type; positions are compared by their place in the world.</summary>
@@ -64,36 +63,21 @@ namespace FastPoints.Tests.Support
             hash ^= hash >> 29;
         }
 
-        static ulong Bits(PointBatch points, int column, int i)
+        static ulong Bits(PointBatch points, int column, int i) => points.Schema[column].Type.SizeOf() switch
         {
-            switch (points.Schema[column].Type.SizeOf())
-            {
-                case 1:
-                    return points.Column<byte>(column)[i];
-                case 2:
-                    return points.Column<ushort>(column)[i];
-                case 4:
-                    return points.Column<uint>(column)[i];
-                default:
-                    return points.Column<ulong>(column)[i];
-            }
-        }
+            1 => points.Column<byte>(column)[i],
+            2 => points.Column<ushort>(column)[i],
+            4 => points.Column<uint>(column)[i],
+            _ => points.Column<ulong>(column)[i],
+        };
 
-        static double Number(PointBatch points, int column, int i)
+        static double Number(PointBatch points, int column, int i) => points.Schema[column].Type switch
         {
-            switch (points.Schema[column].Type)
-            {
-                case AttributeType.Int32:
-                    return points.Column<int>(column)[i];
-                case AttributeType.Float32:
-                    return points.Column<float>(column)[i];
-                case AttributeType.Float64:
-                    return points.Column<double>(column)[i];
-                case AttributeType.Int64:
-                    return points.Column<long>(column)[i];
-                default:
-                    throw new NotSupportedException("positions of type " + points.Schema[column].Type);
-            }
-        }
+            AttributeType.Int32 => points.Column<int>(column)[i],
+            AttributeType.Float32 => points.Column<float>(column)[i],
+            AttributeType.Float64 => points.Column<double>(column)[i],
+            AttributeType.Int64 => points.Column<long>(column)[i],
+            _ => throw new NotSupportedException("positions of type " + points.Schema[column].Type),
+        };
     }
 }

@@ -80,36 +80,16 @@ namespace FastPoints.Tests.Support
         {
             switch (batch.Schema[column].Type)
             {
-                case AttributeType.UInt8:
-                    Put(batch, column, index, (byte)value);
-                    break;
-                case AttributeType.Int8:
-                    Put(batch, column, index, (sbyte)value);
-                    break;
-                case AttributeType.UInt16:
-                    Put(batch, column, index, (ushort)value);
-                    break;
-                case AttributeType.Int16:
-                    Put(batch, column, index, (short)value);
-                    break;
-                case AttributeType.UInt32:
-                    Put(batch, column, index, (uint)value);
-                    break;
-                case AttributeType.Int32:
-                    Put(batch, column, index, (int)value);
-                    break;
-                case AttributeType.UInt64:
-                    Put(batch, column, index, (ulong)value);
-                    break;
-                case AttributeType.Int64:
-                    Put(batch, column, index, (long)value);
-                    break;
-                case AttributeType.Float32:
-                    Put(batch, column, index, (float)value);
-                    break;
-                default:
-                    Put(batch, column, index, value);
-                    break;
+                case AttributeType.UInt8: Put(batch, column, index, (byte)value); break;
+                case AttributeType.Int8: Put(batch, column, index, (sbyte)value); break;
+                case AttributeType.UInt16: Put(batch, column, index, (ushort)value); break;
+                case AttributeType.Int16: Put(batch, column, index, (short)value); break;
+                case AttributeType.UInt32: Put(batch, column, index, (uint)value); break;
+                case AttributeType.Int32: Put(batch, column, index, (int)value); break;
+                case AttributeType.UInt64: Put(batch, column, index, (ulong)value); break;
+                case AttributeType.Int64: Put(batch, column, index, (long)value); break;
+                case AttributeType.Float32: Put(batch, column, index, (float)value); break;
+                default: Put(batch, column, index, value); break;
             }
         }
 

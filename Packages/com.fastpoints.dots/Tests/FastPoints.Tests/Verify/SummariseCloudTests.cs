@@ -18,9 +18,7 @@ namespace FastPoints.Tests.Verify
             return cloud.Summary;
         }
 
-        [TestCase(1, 10_000)]
-        [TestCase(3, 333)]
-        [TestCase(8, 1)]
+        [TestCase(1, 10_000), TestCase(3, 333), TestCase(8, 1)]
         public void Run_SeededScan_FindsCountBoundsRangesAndSums(int slots, int pointsPerBlock)
         {
             var batch = TestBatches.Scan(2000, 6);

@@ -37,10 +37,7 @@ namespace FastPoints.Tests.Writing
         {
             readonly System.Random m_random = new System.Random(2);
 
-            public Trickle(byte[] bytes)
-                : base(bytes)
-            {
-            }
+            public Trickle(byte[] bytes) : base(bytes) { }
 
             public ManualResetEventSlim WaitsFor;
             public bool IsDisposed { get; private set; }
@@ -58,8 +55,7 @@ namespace FastPoints.Tests.Writing
             }
         }
 
-        [TestCase(-1)]
-        [TestCase(Length)]
+        [TestCase(-1), TestCase(Length)]
         public void Work_Stream_IsTheFile(long length)
         {
             string path = Path.Combine(m_folder, "scan.las");

@@ -9,10 +9,8 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// What any octree build must do at the least, without checks, samples, packing, or care for memory: read and count, read and
-    /// scatter, order each cell along the Morton curve, write 12 bytes a point.
-    /// </summary>
+    /// <summary>What any octree build must do at the least, without checks, samples, packing, or care for memory: read and count,
+    /// read and scatter, order each cell along the Morton curve, write 12 bytes a point.</summary>
     public unsafe struct BarePassWorkload : IWorkload
     {
         const int PiecePoints = 32768;
@@ -148,14 +146,12 @@ namespace FastPoints.Benchmarks
                 }
                 RadixSort.Sort(keys, order, keys + count, order + count, count);
                 fixed (byte* to = bytes)
-                {
                     for (int i = 0; i < count; i++)
                     {
                         byte* from = records + (long)order[i] * StrideBytes;
                         *(long*)(to + i * 12) = *(long*)from;
                         *(int*)(to + i * 12 + 8) = *(int*)(from + 12);
                     }
-                }
                 UnsafeUtility.Free(order, Allocator.Persistent);
                 UnsafeUtility.Free(keys, Allocator.Persistent);
                 lock (file)
@@ -168,10 +164,7 @@ namespace FastPoints.Benchmarks
             public readonly FileStream File;
             public readonly byte[] Bytes = new byte[PiecePoints * TerrainBenchmarkFile.RecordBytes];
 
-            public Piece(string path)
-            {
-                File = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
-            }
+            public Piece(string path) => File = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
 
             public void Dispose() => File.Dispose();
         }

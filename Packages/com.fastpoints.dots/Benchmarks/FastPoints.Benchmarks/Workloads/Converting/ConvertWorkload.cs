@@ -1,37 +1,48 @@
+using System.Collections.Generic;
 using System.IO;
 using FastPoints.Base;
 using FastPoints.Convert;
 using FastPoints.Files;
 using FastPoints.Points;
+using FastPoints.Samplers;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>The whole conversion, position and colour, with the random sampler.</summary>
-    public struct ConvertWorkload : IWorkload
+    /// <summary>The whole conversion, position and colour, with one sampler.</summary>
+    sealed class ConvertWorkload : IWorkload
     {
+        readonly Sampler m_sampler;
         string m_source;
         string m_target;
 
-        public string Name => "convert random";
+        ConvertWorkload(string name, Sampler sampler) => (Name, m_sampler) = (name, sampler);
+
+        public static IEnumerable<IWorkload> All() => new[]
+        {
+            new ConvertWorkload("convert random", Sampler.Random), new ConvertWorkload("convert poisson", Sampler.Poisson),
+        };
+
+        public string Name { get; }
         public string LimitName => "convert bare pass";
 
         public void Prepare(WorkloadContext context)
         {
             m_source = TerrainBenchmarkFile.Make(context);
-            m_target = Path.Combine(context.ScratchFolder, "convert.fastpoints");
+            m_target = Path.Combine(context.ScratchFolder, Name + ".fastpoints");
             Run();
         }
 
         public WorkloadResult Run()
         {
             ConvertResult result = null;
-            var settings =
-                new ConvertSettings { Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue } };
-            using (var reader = PointReaders.Open(m_source))
+            var settings = new ConvertSettings
             {
-                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
-                return new WorkloadResult { Points = result.Manifest.Points, Bytes = reader.Info.FileBytes };
-            }
+                Sampler = m_sampler,
+                Attributes = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
+            };
+            using var reader = PointReaders.Open(m_source);
+            WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
+            return new WorkloadResult { Points = result.Manifest.Points, Bytes = reader.Info.FileBytes };
         }
 
         public void Dispose()

@@ -16,11 +16,9 @@ using Unity.Jobs.LowLevel.Unsafe;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// Frames of 16 ms beside a build, as an editor runs it: a worker for each core but one, one chain of the build less than
-    /// there are workers, a tick of the pump a frame. Each frame has a few small jobs of its own and waits for them before it
-    /// ends: how long, is the error. Points are those of the build.
-    /// </summary>
+    /// <summary>Frames of 16 ms beside a build, as an editor runs it: a worker for each core but one, one chain of the build less
+    /// than there are workers, a tick of the pump a frame. Each frame has a few small jobs of its own and waits for them before
+    /// it ends: how long, is the error. Points are those of the build.</summary>
     public struct FrameBesideBuildWorkload : IWorkload
     {
         const double FrameMs = 16;
@@ -57,31 +55,29 @@ namespace FastPoints.Benchmarks
             };
             try
             {
-                using (var reader = PointReaders.Open(m_source))
+                using var reader = PointReaders.Open(m_source);
+                var pump = new WorkPump(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
+                try
                 {
-                    var pump = new WorkPump(ConvertCloud.Run(new[] { reader }, m_target, settings, r => result = r, null));
-                    try
-                    {
-                        for (; !pump.IsDone; frames++)
-                            RunFrame(pump, waits, ticks);
-                    }
-                    finally
-                    {
-                        pump.Cancel();
-                    }
-                    return new WorkloadResult
-                    {
-                        Points = result.Manifest.Points,
-                        Bytes = reader.Info.FileBytes,
-                        Error = waits.QuantileMs(0.99),
-                        ErrorUnit = "ms p99 wait",
-                        Note = string.Format(CultureInfo.InvariantCulture,
-                            "{0} frames waited for their own jobs {1:0.0} ms (p50), "
-                            + "{2:0.0} (p99), {3:0.0} (max), and for the pump {4:0.0}, {5:0.0}, {6:0.0}", frames,
-                            waits.QuantileMs(0.5), waits.QuantileMs(0.99), waits.QuantileMs(1),
-                            ticks.QuantileMs(0.5), ticks.QuantileMs(0.99), ticks.QuantileMs(1)),
-                    };
+                    for (; !pump.IsDone; frames++)
+                        RunFrame(pump, waits, ticks);
                 }
+                finally
+                {
+                    pump.Cancel();
+                }
+                return new WorkloadResult
+                {
+                    Points = result.Manifest.Points,
+                    Bytes = reader.Info.FileBytes,
+                    Error = waits.QuantileMs(0.99),
+                    ErrorUnit = "ms p99 wait",
+                    Note = string.Format(CultureInfo.InvariantCulture,
+                        "{0} frames waited for their own jobs {1:0.0} ms (p50), "
+                        + "{2:0.0} (p99), {3:0.0} (max), and for the pump {4:0.0}, {5:0.0}, {6:0.0}", frames,
+                        waits.QuantileMs(0.5), waits.QuantileMs(0.99), waits.QuantileMs(1),
+                        ticks.QuantileMs(0.5), ticks.QuantileMs(0.99), ticks.QuantileMs(1)),
+                };
             }
             finally
             {

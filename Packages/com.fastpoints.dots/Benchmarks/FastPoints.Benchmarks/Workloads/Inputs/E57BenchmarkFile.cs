@@ -7,10 +7,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// The seeded E57 file that the workloads read: one scan of a hilly surface as scanners write them, scaled integers of 21
-    /// bits, colours of 8, intensity of 12, and a state that one point in 64 has as invalid.
-    /// </summary>
+    /// <summary>The seeded E57 file that the workloads read: one scan of a hilly surface as scanners write them, scaled integers
+    /// of 21 bits, colours of 8, intensity of 12, and a state that one point in 64 has as invalid.</summary>
     static unsafe class E57BenchmarkFile
     {
         public const int PageBytes = 1024;
@@ -22,6 +20,9 @@ namespace FastPoints.Benchmarks
         const int SectionHeaderBytes = 32;
         const int PositionBits = 21;
 
+        /// <summary>100 bits, nearly.</summary>
+        public const int BytesPerPoint = 13;
+
         static readonly int[] s_bits = { PositionBits, PositionBits, PositionBits, 8, 8, 8, 12, 1 };
 
         /// <summary>Content cut into pages with their checksums, as it comes; the first page last.</summary>
@@ -32,10 +33,8 @@ namespace FastPoints.Benchmarks
             readonly byte[] m_page = new byte[PageBytes];
             byte[] m_firstPage;
 
-            public Pages(string path)
-            {
+            public Pages(string path) =>
                 m_stream = new FileStream(path, FileMode.Create, FileAccess.ReadWrite, FileShare.None, 1 << 20);
-            }
 
             public long Length { get; private set; }
 
@@ -83,7 +82,7 @@ namespace FastPoints.Benchmarks
         /// <returns>Its path.</returns>
         public static string Make(WorkloadContext context)
         {
-            string path = Path.Combine(context.ScratchFolder, "hills-" + context.Points + "-" + context.Seed + ".e57");
+            string path = context.PathOf("hills", ".e57");
             if (File.Exists(path))
                 return path;
             using (var pages = new Pages(path))

@@ -9,10 +9,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// EPT octrees that the workloads make of <see cref="TerrainBenchmarkFile"/>: its strips as nodes of one level, under a root
-    /// without points. Shaped unlike a real one, which a decoder does not see; as large nodes as real ones have.
-    /// </summary>
+    /// <summary>EPT octrees that the workloads make of <see cref="TerrainBenchmarkFile"/>: its strips as nodes of one level,
+    /// under a root without points. Shaped unlike a real one, which a decoder does not see; as large nodes as real ones
+    /// have.</summary>
     static class EptBenchmarkFolder
     {
         const int NodePoints = 1 << 16;

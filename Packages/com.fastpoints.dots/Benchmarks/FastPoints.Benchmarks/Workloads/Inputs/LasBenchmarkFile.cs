@@ -29,7 +29,7 @@ namespace FastPoints.Benchmarks
         /// <summary>The file, written where it is not there yet.</summary>
         public static string Make(WorkloadContext context)
         {
-            string path = Path.Combine(context.ScratchFolder, "las-" + context.Points + "-" + context.Seed + ".las");
+            string path = context.PathOf("las", ".las");
             if (File.Exists(path))
                 return path;
             var settings = new LasWriterSettings

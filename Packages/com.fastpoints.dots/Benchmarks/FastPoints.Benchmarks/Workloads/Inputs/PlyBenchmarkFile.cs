@@ -15,8 +15,7 @@ namespace FastPoints.Benchmarks
         /// <returns>Its path.</returns>
         public static string Make(WorkloadContext context, bool isAscii)
         {
-            string path = Path.Combine(context.ScratchFolder,
-                "ply-" + (isAscii ? "ascii-" : "binary-") + context.Points + "-" + context.Seed + ".ply");
+            string path = context.PathOf(isAscii ? "ply-ascii" : "ply-binary", ".ply");
             if (File.Exists(path))
                 return path;
             var random = new Random((int)context.Seed);
@@ -53,6 +52,23 @@ namespace FastPoints.Benchmarks
                 }
             }
             return path;
+        }
+
+        /// <summary>Records to columns by pointers: <see cref="PlainPassWorkload.DecodeStretch"/>.</summary>
+        public static unsafe void Decode(byte* source, byte* target, int points)
+        {
+            const int Stretch = PlainPassWorkload.StretchPoints;
+            uint* x = (uint*)target, y = x + Stretch, z = y + Stretch;
+            byte* red = (byte*)(z + Stretch), green = red + Stretch, blue = green + Stretch;
+            for (int i = 0; i < points; i++, source += RecordBytes)
+            {
+                x[i] = *(uint*)source;
+                y[i] = *(uint*)(source + 4);
+                z[i] = *(uint*)(source + 8);
+                red[i] = source[12];
+                green[i] = source[13];
+                blue[i] = source[14];
+            }
         }
 
         static void Write(Stream stream, string text)

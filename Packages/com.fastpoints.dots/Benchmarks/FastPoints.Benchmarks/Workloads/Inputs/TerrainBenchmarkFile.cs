@@ -24,7 +24,7 @@ namespace FastPoints.Benchmarks
 
         public static string Make(WorkloadContext context)
         {
-            string path = Path.Combine(context.ScratchFolder, "terrain-" + context.Points + "-" + context.Seed + ".las");
+            string path = context.PathOf("terrain", ".las");
             if (File.Exists(path))
                 return path;
             var settings = new LasWriterSettings { VersionMinor = 2, PointFormat = 2, Offset = new double3(500000, 4500000, 0) };

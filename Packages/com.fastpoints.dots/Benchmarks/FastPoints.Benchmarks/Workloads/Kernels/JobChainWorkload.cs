@@ -16,10 +16,7 @@ namespace FastPoints.Benchmarks
         public string Name => "job chain of 1,000 slices";
         public string LimitName => null;
 
-        public void Prepare(WorkloadContext context)
-        {
-            m_count = new NativeReference<int>(Allocator.Persistent);
-        }
+        public void Prepare(WorkloadContext context) => m_count = new NativeReference<int>(Allocator.Persistent);
 
         public WorkloadResult Run()
         {

@@ -5,11 +5,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// A seeded surface with 16-bit colour drawn into 1280 by 720 pixels on all workers, one pixel a point, lighting included.
-    /// Its
-    /// error is that of half the points against all of them.
-    /// </summary>
+    /// <summary>A seeded surface with 16-bit colour drawn into 1280 by 720 pixels on all workers, one pixel a point, lighting
+    /// included. Its error is that of half the points against all of them.</summary>
     public struct RasterWorkload : IWorkload
     {
         PointBatch m_points;

@@ -1,3 +1,4 @@
+using System;
 using FastPoints.Base;
 using FastPoints.Files;
 using FastPoints.Points;
@@ -7,7 +8,7 @@ namespace FastPoints.Benchmarks
 {
     /// <summary>A file or a folder to columns, through its reader and all workers, from opening it on; finding the points is part
     /// of it. Without a file it does nothing, and reports no points.</summary>
-    public abstract class ColumnsWorkload : IWorkload
+    sealed class ColumnsWorkload : IWorkload
     {
         sealed class Counter : IBlockConsumer
         {
@@ -18,12 +19,17 @@ namespace FastPoints.Benchmarks
             public void Completed(BlockRead read, int slot) => Points += read.Points.Count;
         }
 
+        readonly Func<WorkloadContext, string> m_find;
+        readonly Func<PointSchema, PointSchema> m_wanted;
         string m_path;
 
-        protected ColumnsWorkload(string name, string limitName)
+        /// <param name="find">The path; null where there is none.</param>
+        /// <param name="wanted">The attributes; null for all.</param>
+        public ColumnsWorkload(string name, string limitName, Func<WorkloadContext, string> find,
+            Func<PointSchema, PointSchema> wanted = null)
         {
-            Name = name;
-            LimitName = limitName;
+            (Name, LimitName) = (name, limitName);
+            (m_find, m_wanted) = (find, wanted ?? (schema => schema));
         }
 
         public string Name { get; }
@@ -31,7 +37,7 @@ namespace FastPoints.Benchmarks
 
         public void Prepare(WorkloadContext context)
         {
-            m_path = Find(context);
+            m_path = m_find(context);
             Run();
         }
 
@@ -40,34 +46,12 @@ namespace FastPoints.Benchmarks
             if (m_path == null)
                 return default;
             var counter = new Counter();
-            using (var reader = PointReaders.Open(m_path))
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                WorkPump.RunToEnd(SourceScan.Run(reader, Wanted(reader.Info.Schema), counter, SourceScan.DefaultSlots, null));
-            }
+            using var reader = PointReaders.Open(m_path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            WorkPump.RunToEnd(SourceScan.Run(reader, m_wanted(reader.Info.Schema), counter, SourceScan.DefaultSlots, null));
             return new WorkloadResult { Points = counter.Points, Bytes = ReadCopyWorkload.BytesOf(m_path) };
         }
 
-        public void Dispose()
-        {
-        }
-
-        /// <returns>The path; null where there is none.</returns>
-        protected abstract string Find(WorkloadContext context);
-
-        /// <summary>All attributes, unless said otherwise.</summary>
-        protected virtual PointSchema Wanted(PointSchema schema) => schema;
-    }
-
-    /// <summary>Position and colour of a LAS file.</summary>
-    public sealed class LasColumnsWorkload : ColumnsWorkload
-    {
-        public LasColumnsWorkload() : base("las columns", "las read and copy")
-        {
-        }
-
-        protected override string Find(WorkloadContext context) => LasBenchmarkFile.Make(context);
-
-        protected override PointSchema Wanted(PointSchema schema) => LasBenchmarkFile.Wanted(schema);
+        public void Dispose() { }
     }
 }

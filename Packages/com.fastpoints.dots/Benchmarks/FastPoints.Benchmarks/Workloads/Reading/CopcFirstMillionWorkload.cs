@@ -6,10 +6,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// The first million points of a COPC file, level by level, all attributes: opened, as many pages of the hierarchy read as
-    /// that takes, nodes decoded, as many at once as a scan takes.
-    /// </summary>
+    /// <summary>The first million points of a COPC file, level by level, all attributes: opened, as many pages of the hierarchy
+    /// read as that takes, nodes decoded, as many at once as a scan takes.</summary>
     public struct CopcFirstMillionWorkload : IWorkload
     {
         const int WantedPoints = 1_000_000;
@@ -29,14 +27,12 @@ namespace FastPoints.Benchmarks
         {
             if (m_path == null)
                 return default;
-            using (var reader = PointReaders.Open(m_path))
-            {
-                int levels = 0;
-                do
-                    WorkPump.RunToEnd(reader.FindLevels(++levels));
-                while (reader.PointCount < WantedPoints && reader.Tree.LevelCount >= levels);
-                return ReadFirst(reader);
-            }
+            using var reader = PointReaders.Open(m_path);
+            int levels = 0;
+            do
+                WorkPump.RunToEnd(reader.FindLevels(++levels));
+            while (reader.PointCount < WantedPoints && reader.Tree.LevelCount >= levels);
+            return ReadFirst(reader);
         }
 
         static WorkloadResult ReadFirst(PointReader reader)
@@ -73,8 +69,6 @@ namespace FastPoints.Benchmarks
             return result;
         }
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

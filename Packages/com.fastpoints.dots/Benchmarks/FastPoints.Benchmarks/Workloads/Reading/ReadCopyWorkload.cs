@@ -7,25 +7,24 @@ namespace FastPoints.Benchmarks
 {
     /// <summary>The limit of a <see cref="ColumnsWorkload"/> of compressed points: its files are read, and as many bytes copied
     /// as its columns have, on one thread.</summary>
-    public abstract class ReadCopyWorkload : IWorkload
+    sealed class ReadCopyWorkload : IWorkload
     {
         const int BufferBytes = 1 << 20;
 
+        readonly Func<WorkloadContext, string> m_find;
         string m_path;
         byte[] m_from;
         byte[] m_to;
 
-        protected ReadCopyWorkload(string name)
-        {
-            Name = name;
-        }
+        /// <param name="find">The path; null where there is none.</param>
+        public ReadCopyWorkload(string name, Func<WorkloadContext, string> find) => (Name, m_find) = (name, find);
 
         public string Name { get; }
         public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {
-            m_path = Find(context);
+            m_path = m_find(context);
             m_from = new byte[BufferBytes];
             m_to = new byte[BufferBytes];
             Run();
@@ -44,23 +43,16 @@ namespace FastPoints.Benchmarks
             }
             foreach (string file in FilesOf(m_path))
                 using (var stream = new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
-                    while (stream.Read(m_to, 0, m_to.Length) > 0)
-                    {
-                    }
+                    while (stream.Read(m_to, 0, m_to.Length) > 0) { }
             for (long at = 0; at < bytes; at += BufferBytes)
                 Buffer.BlockCopy(m_from, 0, m_to, 0, (int)Math.Min(BufferBytes, bytes - at));
             return new WorkloadResult { Points = points, Bytes = BytesOf(m_path) };
         }
 
-        public void Dispose()
-        {
-        }
-
-        /// <returns>The path; null where there is none.</returns>
-        protected abstract string Find(WorkloadContext context);
+        public void Dispose() { }
 
         /// <param name="path">A file, or a folder of files.</param>
-        internal static long BytesOf(string path)
+        public static long BytesOf(string path)
         {
             long bytes = 0;
             foreach (string file in FilesOf(path))

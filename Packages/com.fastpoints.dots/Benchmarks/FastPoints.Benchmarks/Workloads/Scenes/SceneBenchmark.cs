@@ -11,10 +11,8 @@ using Unity.Transforms;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// A world as scenes have it, with the package's systems and memory in place of a graphics card: what clouds in a scene cost
-    /// the main thread, frame by frame. Frames follow one another without a pause.
-    /// </summary>
+    /// <summary>A world as scenes have it, with the package's systems and memory in place of a graphics card: what clouds in a
+    /// scene cost the main thread, frame by frame. Frames follow one another without a pause.</summary>
     sealed class SceneBenchmark : IDisposable
     {
         const int BankBytes = 1 << 20;

@@ -7,11 +7,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// The hierarchy of a surface scan that nobody has to store: squares of a hilly plane, each with four below it, a twentieth
-    /// of the finest with four more. Nine levels and up have 100,000 nodes with 10,000 points each: a billion points. The upper
-    /// four levels are page 0, the squares of the fifth and all below are a page each.
-    /// </summary>
+    /// <summary>The hierarchy of a surface scan that nobody has to store: squares of a hilly plane, each with four below it, a
+    /// twentieth of the finest with four more. Nine levels and up have 100,000 nodes with 10,000 points each: a billion points.
+    /// The upper four levels are page 0, the squares of the fifth and all below are a page each.</summary>
     public sealed unsafe class SimulatedHierarchy : IDisposable
     {
         public const int UpperLevels = 4;

@@ -6,11 +6,9 @@ using Unity.Collections;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// Memory that a resident point takes in the pool, with all that is lost to pages and banks that are not full: of a whole
-    /// coloured cloud, which is the error, and of a quarter of its points. Banks are those of the graphics card. The time is that
-    /// of filling a fresh pool, memory that is touched for the first time included.
-    /// </summary>
+    /// <summary>Memory that a resident point takes in the pool, with all that is lost to pages and banks that are not full: of a
+    /// whole coloured cloud, which is the error, and of a quarter of its points. Banks are those of the graphics card. The time
+    /// is that of filling a fresh pool, memory that is touched for the first time included.</summary>
     public sealed unsafe class StreamPoolWorkload : IWorkload
     {
         /// <summary>As of the pool on the graphics card.</summary>
@@ -55,20 +53,18 @@ namespace FastPoints.Benchmarks
         /// <returns>Bytes of all banks, and the points of all nodes in them.</returns>
         (long Bytes, long Points) Fill(long budget)
         {
-            using (var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes)))
-            {
-                stream.Settings.Selection = new SelectionSettings { PointBudget = budget, Hysteresis = 1 };
-                stream.Settings.UploadBytesPerFrame = 64 << 20;
-                var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
-                stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
-                while (!FrameStep.Run(stream, m_views).IsSettled)
-                    Thread.Yield();
-                long points = 0;
-                foreach (var slot in stream.Cache.Slots)
-                    if (slot.Phase == CachePhase.Resident)
-                        points += stream.Clouds[slot.Cloud].Pages[slot.Page].Nodes[slot.Node].PointCount;
-                return (stream.Pool.AllocatedBytes, points);
-            }
+            using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
+            stream.Settings.Selection = new SelectionSettings { PointBudget = budget, Hysteresis = 1 };
+            stream.Settings.UploadBytesPerFrame = 64 << 20;
+            var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
+            stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
+            while (!FrameStep.Run(stream, m_views).IsSettled)
+                Thread.Yield();
+            long points = 0;
+            foreach (var slot in stream.Cache.Slots)
+                if (slot.Phase == CachePhase.Resident)
+                    points += stream.Clouds[slot.Cloud].Pages[slot.Page].Nodes[slot.Node].PointCount;
+            return (stream.Pool.AllocatedBytes, points);
         }
     }
 }

@@ -31,12 +31,10 @@ namespace FastPoints.Benchmarks
             long at = 0;
             foreach (string file in m_files)
             {
-                using (var stream = new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
-                {
-                    for (int got; (got = stream.Read(m_piece, 0, m_piece.Length)) > 0; at += got)
-                        fixed (byte* from = m_piece)
-                            UnsafeUtility.MemCpy((byte*)m_to.GetUnsafePtr() + at, from, got);
-                }
+                using var stream = new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1);
+                for (int got; (got = stream.Read(m_piece, 0, m_piece.Length)) > 0; at += got)
+                    fixed (byte* from = m_piece)
+                        UnsafeUtility.MemCpy((byte*)m_to.GetUnsafePtr() + at, from, got);
             }
             return new WorkloadResult { Bytes = at };
         }

@@ -7,10 +7,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>
-    /// A converted cloud from its files (in the system's cache) through reads, hashes and checks into the pool, with frames that
-    /// follow one another without a pause. Two of them take turns in a pool with room for one, so that its memory is warm.
-    /// </summary>
+    /// <summary>A converted cloud from its files (in the system's cache) through reads, hashes and checks into the pool, with
+    /// frames that follow one another without a pause. Two of them take turns in a pool with room for one, so that its memory is
+    /// warm.</summary>
     public sealed class StreamUploadWorkload : IWorkload
     {
         StreamContext m_stream;

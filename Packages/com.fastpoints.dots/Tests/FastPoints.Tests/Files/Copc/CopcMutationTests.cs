@@ -7,10 +7,8 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Seeded damage to the info VLR and the hierarchy: whatever comes of it is a failure of one line, or points that were
-    /// written, each once, and a warning where some are missing.
-    /// </summary>
+    /// <summary>Seeded damage to the info VLR and the hierarchy: whatever comes of it is a failure of one line, or points that
+    /// were written, each once, and a warning where some are missing.</summary>
     /// <remarks>More cases: <c>FASTPOINTS_MUTATIONS=1000000 ./test --only CopcMutationTests</c>.</remarks>
     public class CopcMutationTests
     {
@@ -19,9 +17,7 @@ namespace FastPoints.Tests.Files
         const int LongCases = 20000;
         const int InfoAt = 375 + 54;
 
-        [TestCase(1)]
-        [TestCase(2)]
-        [TestCase(99)]
+        [TestCase(1), TestCase(2), TestCase(99)]
         public void Mutate(int levelsPerPage) => Mutate(levelsPerPage, Cases, levelsPerPage);
 
         [Test, Category("Long"), Explicit]
@@ -50,8 +46,8 @@ namespace FastPoints.Tests.Files
                     Damage(bytes, writer, random);
                 if (random.Next(20) == 0)
                     Array.Resize(ref bytes, random.Next(1, bytes.Length));
-                using (var file = new TemporaryFile(bytes, ".copc.laz"))
-                    Check(file.Path, writer.RecordBytes, written, "seed " + seed + ", case " + i);
+                using var file = new TemporaryFile(bytes, ".copc.laz");
+                Check(file.Path, writer.RecordBytes, written, "seed " + seed + ", case " + i);
             }
         }
 
@@ -59,23 +55,21 @@ namespace FastPoints.Tests.Files
         {
             try
             {
-                using (var reader = CopcReaderTests.Open(path))
+                using var reader = CopcReaderTests.Open(path);
+                var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(path));
+                Assert.That(got.Length == Points * recordBytes || reader.Info.Warnings.Count > 0, story);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(200), story);
+                var left = new Dictionary<string, int>(written);
+                int noise = 0;
+                for (int at = 0; at < got.Length; at += recordBytes)
                 {
-                    var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(path));
-                    Assert.That(got.Length == Points * recordBytes || reader.Info.Warnings.Count > 0, story);
-                    Assert.That(reader.Info.Warnings.Count, Is.LessThan(200), story);
-                    var left = new Dictionary<string, int>(written);
-                    int noise = 0;
-                    for (int at = 0; at < got.Length; at += recordBytes)
-                    {
-                        string text = System.Convert.ToBase64String(got, at, recordBytes);
-                        if (left.TryGetValue(text, out int count) && count > 0)
-                            left[text] = count - 1;
-                        else
-                            noise++;
-                    }
-                    Assert.That(noise, Is.EqualTo(0), story + "\n" + string.Join("\n", reader.Info.Warnings));
+                    string text = System.Convert.ToBase64String(got, at, recordBytes);
+                    if (left.TryGetValue(text, out int count) && count > 0)
+                        left[text] = count - 1;
+                    else
+                        noise++;
                 }
+                Assert.That(noise, Is.EqualTo(0), story + "\n" + string.Join("\n", reader.Info.Warnings));
             }
             catch (PointCloudException failure)
             {

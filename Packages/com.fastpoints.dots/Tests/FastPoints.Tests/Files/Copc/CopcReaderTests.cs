@@ -19,29 +19,24 @@ namespace FastPoints.Tests.Files
         const int RootOffsetAt = InfoAt + 40;
         const int RootBytesAt = InfoAt + 48;
 
-        [TestCase(6, 0, 99)]
-        [TestCase(7, 3, 1)]
-        [TestCase(8, 0, 2)]
+        [TestCase(6, 0, 99), TestCase(7, 3, 1), TestCase(8, 0, 2)]
         public void Read_EachNode_HasItsPoints(int format, int extraBytes, int levelsPerPage)
         {
             var writer = new CopcFileWriter { PointFormat = format, ExtraBytes = extraBytes, LevelsPerPage = levelsPerPage };
             var bytes = writer.Write(LazRecords.Make(format, extraBytes, 3000, format));
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
-                Assert.That(reader.PointCount, Is.EqualTo(3000));
-                Assert.That(reader.Info.PointsReadable, Is.EqualTo(3000));
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count));
-                Assert.That(reader.Tree.PageCount, Is.EqualTo(writer.Pages.Count));
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(writer.Nodes.Max(node => node.Level) + 1).And.GreaterThan(3));
-                CheckNodes(reader, file.Path, writer, 3);
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
+            Assert.That(reader.PointCount, Is.EqualTo(3000));
+            Assert.That(reader.Info.PointsReadable, Is.EqualTo(3000));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count));
+            Assert.That(reader.Tree.PageCount, Is.EqualTo(writer.Pages.Count));
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(writer.Nodes.Max(node => node.Level) + 1).And.GreaterThan(3));
+            CheckNodes(reader, file.Path, writer, 3);
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
-        [TestCase(1)]
-        [TestCase(4)]
+        [TestCase(1), TestCase(4)]
         public void Read_AnyNumberOfWorkersInReverse_IsTheSame(int workers)
         {
             var writer = new CopcFileWriter();
@@ -55,89 +50,83 @@ namespace FastPoints.Tests.Files
         public void Tree_Parents_ComeBeforeTheirChildren()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 2 };
-            using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 6)), ".copc.laz"))
-            using (var reader = Open(file.Path))
+            using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 6)), ".copc.laz");
+            using var reader = Open(file.Path);
+            var known = new HashSet<int4>();
+            for (int i = 0; i < reader.Tree.NodeCount; i++)
             {
-                var known = new HashSet<int4>();
-                for (int i = 0; i < reader.Tree.NodeCount; i++)
-                {
-                    var node = reader.Tree[i];
-                    if (node.Level > 0)
-                        Assert.That(known, Has.Member(new int4(node.Cell >> 1, node.Level - 1)));
-                    known.Add(new int4(node.Cell, node.Level));
-                }
-                Assert.That(reader.Tree.Cube.Size.x, Is.EqualTo(reader.Tree.Cube.Size.z).Within(1e-3));
-                Assert.That(reader.Tree.Spacing, Is.EqualTo(reader.Tree.Cube.Size.x / 128).Within(1e-3));
+                var node = reader.Tree[i];
+                if (node.Level > 0)
+                    Assert.That(known, Has.Member(new int4(node.Cell >> 1, node.Level - 1)));
+                known.Add(new int4(node.Cell, node.Level));
             }
+            Assert.That(reader.Tree.Cube.Size.x, Is.EqualTo(reader.Tree.Cube.Size.z).Within(1e-3));
+            Assert.That(reader.Tree.Spacing, Is.EqualTo(reader.Tree.Cube.Size.x / 128).Within(1e-3));
         }
 
         [Test]
         public void FindLevels_Few_ReadsOnlyTheirPages()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 1, MaxNodePoints = 50 };
-            using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 7)), ".copc.laz"))
-            using (var reader = PointReaders.Open(file.Path))
+            using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 7)), ".copc.laz");
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.BlocksAreKnown, Is.False);
+            Assert.That(reader.BlockCount, Is.EqualTo(0));
+            WorkPump.RunToEnd(reader.FindLevels(1));
+            Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
+            Assert.That(reader.BlockCount, Is.EqualTo(1));
+            int levels = writer.Nodes.Max(node => node.Level) + 1;
+            using (var read = reader.CreateRead(reader.Info.Schema, 50, Allocator.Persistent))
             {
-                Assert.That(reader.BlocksAreKnown, Is.False);
-                Assert.That(reader.BlockCount, Is.EqualTo(0));
-                WorkPump.RunToEnd(reader.FindLevels(1));
-                Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
-                Assert.That(reader.BlockCount, Is.EqualTo(1));
-                int levels = writer.Nodes.Max(node => node.Level) + 1;
-                using (var read = reader.CreateRead(reader.Info.Schema, 50, Allocator.Persistent))
+                for (int level = 1; level <= levels; level++)
                 {
-                    for (int level = 1; level <= levels; level++)
+                    int before = reader.BlockCount;
+                    WorkPump.RunToEnd(reader.FindLevels(level));
+                    Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count(node => node.Level < level)));
+                    Assert.That(reader.Tree.LevelCount, Is.EqualTo(level));
+                    // The slot was made when only the root was known.
+                    for (int block = before; block < reader.BlockCount; block++)
                     {
-                        int before = reader.BlockCount;
-                        WorkPump.RunToEnd(reader.FindLevels(level));
-                        Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count(node => node.Level < level)));
-                        Assert.That(reader.Tree.LevelCount, Is.EqualTo(level));
-                        // The slot was made when only the root was known.
-                        for (int block = before; block < reader.BlockCount; block++)
-                        {
-                            read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                            read.Complete();
-                            Assert.That(read.Points.Count, Is.EqualTo(reader.PointsInBlock(block)));
-                        }
-                        Assert.That(reader.BlocksAreKnown, Is.False);
+                        read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                        read.Complete();
+                        Assert.That(read.Points.Count, Is.EqualTo(reader.PointsInBlock(block)));
                     }
+                    Assert.That(reader.BlocksAreKnown, Is.False);
                 }
-                WorkPump.RunToEnd(reader.FindBlocks());
-                Assert.That(reader.BlocksAreKnown, Is.True);
-                CheckNodes(reader, file.Path, writer, 3);
             }
+            WorkPump.RunToEnd(reader.FindBlocks());
+            Assert.That(reader.BlocksAreKnown, Is.True);
+            CheckNodes(reader, file.Path, writer, 3);
         }
 
         [Test]
         public void FindBlocks_GivenUp_CanBeginAgain()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 1 };
-            using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2000, 8)), ".copc.laz"))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                for (int steps = 1; steps < 9; steps++)
-                    using (var work = new WorkSteps(reader.FindBlocks()))
-                        for (int i = 0; i < steps && work.MoveNext(); i++)
-                            work.Current.Complete();
-                WorkPump.RunToEnd(reader.FindBlocks());
-                CheckNodes(reader, file.Path, writer, 3);
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2000, 8)), ".copc.laz");
+            using var reader = PointReaders.Open(file.Path);
+            for (int steps = 1; steps < 9; steps++)
+                using (var work = new WorkSteps(reader.FindBlocks()))
+                    for (int i = 0; i < steps && work.MoveNext(); i++)
+                        work.Current.Complete();
+            WorkPump.RunToEnd(reader.FindBlocks());
+            CheckNodes(reader, file.Path, writer, 3);
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]
         public void Read_AnySelectionAndPrefix_IsTheSameAsTheWhole()
         {
             var writer = new CopcFileWriter { MaxNodePoints = 700 };
-            using (var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2500, 9)), ".copc.laz"))
-            using (var reader = Open(file.Path))
-                for (int i = 0; i < reader.Info.Schema.Count; i++)
-                {
-                    var schema = reader.Info.Schema;
-                    var wanted = schema.Select(schema[i].Name, schema[(i * 5 + 2) % schema.Count].Name);
-                    for (int block = 0; block < reader.BlockCount; block++)
-                        CheckPrefix(reader, wanted, block, Math.Min(reader.PointsInBlock(block), 1 + 97 * i % 700));
-                }
+            using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2500, 9)), ".copc.laz");
+            using var reader = Open(file.Path);
+            for (int i = 0; i < reader.Info.Schema.Count; i++)
+            {
+                var schema = reader.Info.Schema;
+                var wanted = schema.Select(schema[i].Name, schema[(i * 5 + 2) % schema.Count].Name);
+                for (int block = 0; block < reader.BlockCount; block++)
+                    CheckPrefix(reader, wanted, block, Math.Min(reader.PointsInBlock(block), 1 + 97 * i % 700));
+            }
         }
 
         [Test]
@@ -145,16 +134,14 @@ namespace FastPoints.Tests.Files
         {
             var writer = new CopcFileWriter { MaxNodePoints = 5000 };
             var records = LazRecords.Make(7, 0, 2500, 10);
-            using (var file = new TemporaryFile(writer.Write(records), ".copc.laz"))
-            using (var source = FileSource.Open(file.Path))
-            using (var reader = CopcReader.TryOpen(LasFile.Read(source), source, 1000))
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(3));
-                Assert.That(reader.Tree[2].PointCount, Is.EqualTo(500));
-                var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path));
-                Assert.That(LazFileReading.Difference(got, Flat(records), writer.RecordBytes), Is.Null);
-            }
+            using var file = new TemporaryFile(writer.Write(records), ".copc.laz");
+            using var source = FileSource.Open(file.Path);
+            using var reader = CopcReader.TryOpen(LasFile.Read(source), source, 1000);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(3));
+            Assert.That(reader.Tree[2].PointCount, Is.EqualTo(500));
+            var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path));
+            Assert.That(LazFileReading.Difference(got, Flat(records), writer.RecordBytes), Is.Null);
         }
 
         [TestCase(RootOffsetAt, 1L << 40, "root page")]
@@ -169,14 +156,12 @@ namespace FastPoints.Tests.Files
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 500, 11));
             BitConverter.GetBytes(value).CopyTo(bytes, at);
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                Assert.That(reader, Is.TypeOf<LazReader>());
-                Assert.That(reader.Tree, Is.Null);
-                Assert.That(reader.PointCount, Is.EqualTo(500));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains(story));
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            Assert.That(reader, Is.TypeOf<LazReader>());
+            Assert.That(reader.Tree, Is.Null);
+            Assert.That(reader.PointCount, Is.EqualTo(500));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains(story));
         }
 
         static IEnumerable<TestCaseData> Lies()
@@ -208,13 +193,11 @@ namespace FastPoints.Tests.Files
             var records = LazRecords.Make(7, 0, 2000, 12);
             var bytes = writer.Write(records);
             BitConverter.GetBytes(value).CopyTo(bytes, (int)writer.Pages[0].Offset + CopcEntry.Bytes + field);
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Match(story));
-                Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Match(story));
+            Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
         }
 
         [Test]
@@ -227,13 +210,11 @@ namespace FastPoints.Tests.Files
                 var bytes = writer.Write(records);
                 int at = (int)writer.Pages[0].Offset + CopcEntry.Bytes + 28;
                 BitConverter.GetBytes(BitConverter.ToInt32(bytes, at) + change).CopyTo(bytes, at);
-                using (var file = new TemporaryFile(bytes, ".copc.laz"))
-                using (var reader = Open(file.Path))
-                {
-                    long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
-                    Assert.That(points, Is.EqualTo(2000 + Math.Min(0, change)));
-                    Assert.That(reader.Info.Warnings, Is.Not.Empty);
-                }
+                using var file = new TemporaryFile(bytes, ".copc.laz");
+                using var reader = Open(file.Path);
+                long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+                Assert.That(points, Is.EqualTo(2000 + Math.Min(0, change)));
+                Assert.That(reader.Info.Warnings, Is.Not.Empty);
             }
         }
 
@@ -244,13 +225,11 @@ namespace FastPoints.Tests.Files
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 14));
             int at = (int)writer.Pages[0].Offset + CopcEntry.Bytes + 16;
             BitConverter.GetBytes(BitConverter.ToInt32(bytes, at) + 7).CopyTo(bytes, at);
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
-                Assert.That(points, Is.EqualTo(1900));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no chunk's"));
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+            Assert.That(points, Is.EqualTo(1900));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no chunk's"));
         }
 
         [Test]
@@ -268,16 +247,14 @@ namespace FastPoints.Tests.Files
                         BitConverter.GetBytes(rootOffset).CopyTo(bytes, at + 16);
                         BitConverter.GetBytes(rootBytes).CopyTo(bytes, at + 24);
                     }
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(1));
-                var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
-                Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("named twice"));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("in no node"));
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(1));
+            var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
+            Assert.That(Sorted(got, writer.RecordBytes), Is.EqualTo(Sorted(Flat(records), writer.RecordBytes)));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("named twice"));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("in no node"));
         }
 
         [Test]
@@ -299,13 +276,11 @@ namespace FastPoints.Tests.Files
             }
             BitConverter.GetBytes((long)start).CopyTo(bytes, RootOffsetAt);
             BitConverter.GetBytes((long)Entries * CopcEntry.Bytes).CopyTo(bytes, RootBytesAt);
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(1000), "by the chunk table");
-                Assert.That(reader.Tree.PageCount, Is.LessThan(3));
-                Assert.That(reader.Info.Warnings.Count, Is.LessThan(20));
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(1000), "by the chunk table");
+            Assert.That(reader.Tree.PageCount, Is.LessThan(3));
+            Assert.That(reader.Info.Warnings.Count, Is.LessThan(20));
         }
 
         [Test]
@@ -314,13 +289,11 @@ namespace FastPoints.Tests.Files
             var writer = new CopcFileWriter();
             var bytes = writer.Write(LazRecords.Make(7, 0, 2000, 17));
             Array.Resize(ref bytes, bytes.Length / 2);
-            using (var file = new TemporaryFile(bytes, ".copc.laz"))
-            using (var reader = Open(file.Path))
-            {
-                long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
-                Assert.That(points, Is.InRange(500, 1500));
-                Assert.That(reader.Info.Warnings, Is.Not.Empty);
-            }
+            using var file = new TemporaryFile(bytes, ".copc.laz");
+            using var reader = Open(file.Path);
+            long points = ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+            Assert.That(points, Is.InRange(500, 1500));
+            Assert.That(reader.Info.Warnings, Is.Not.Empty);
         }
 
         internal static PointReader Open(string path)
@@ -358,21 +331,19 @@ namespace FastPoints.Tests.Files
 
         static void CheckPrefix(PointReader reader, PointSchema wanted, int block, int count)
         {
-            using (var part = reader.CreateRead(wanted, count, Allocator.Persistent))
-            using (var whole = reader.CreateRead(reader.Info.Schema, reader.PointsInBlock(block), Allocator.Persistent))
+            using var part = reader.CreateRead(wanted, count, Allocator.Persistent);
+            using var whole = reader.CreateRead(reader.Info.Schema, reader.PointsInBlock(block), Allocator.Persistent);
+            part.Begin(new BlockRange(block, 0, count));
+            whole.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+            part.Complete();
+            whole.Complete();
+            Assert.That(part.Points.Count, Is.EqualTo(count));
+            for (int i = 0; i < wanted.Count; i++)
             {
-                part.Begin(new BlockRange(block, 0, count));
-                whole.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                part.Complete();
-                whole.Complete();
-                Assert.That(part.Points.Count, Is.EqualTo(count));
-                for (int i = 0; i < wanted.Count; i++)
-                {
-                    int bytes = count * wanted[i].Type.SizeOf();
-                    var got = part.Points.Bytes.GetSubArray(part.Points.Column(i).OffsetBytes, bytes).ToArray();
-                    int from = whole.Points.Column(reader.Info.Schema.IndexOf(wanted[i].Name)).OffsetBytes;
-                    Assert.That(got, Is.EqualTo(whole.Points.Bytes.GetSubArray(from, bytes).ToArray()));
-                }
+                int bytes = count * wanted[i].Type.SizeOf();
+                var got = part.Points.Bytes.GetSubArray(part.Points.Column(i).OffsetBytes, bytes).ToArray();
+                int from = whole.Points.Column(reader.Info.Schema.IndexOf(wanted[i].Name)).OffsetBytes;
+                Assert.That(got, Is.EqualTo(whole.Points.Bytes.GetSubArray(from, bytes).ToArray()));
             }
         }
 

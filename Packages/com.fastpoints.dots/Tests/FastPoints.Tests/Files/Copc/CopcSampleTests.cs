@@ -17,17 +17,15 @@ namespace FastPoints.Tests.Files
         [TestCase("lone-star", 518862, 15, 3, 1)]
         public void Sample_Tree_IsAsKnown(string name, int points, int nodes, int levels, int pages)
         {
-            using (var reader = CopcReaderTests.Open(TestData.SampleOrIgnore("copc/" + name + ".copc.laz")))
-            {
-                Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
-                Assert.That(reader.Info.Version, Is.EqualTo("1.4"));
-                Assert.That(reader.PointCount, Is.EqualTo(points));
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
-                Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
-                CheckPlaces(reader);
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = CopcReaderTests.Open(TestData.SampleOrIgnore("copc/" + name + ".copc.laz"));
+            Assert.That(reader.Info.Format, Is.EqualTo("COPC"));
+            Assert.That(reader.Info.Version, Is.EqualTo("1.4"));
+            Assert.That(reader.PointCount, Is.EqualTo(points));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(nodes));
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(levels));
+            Assert.That(reader.Tree.PageCount, Is.EqualTo(pages));
+            CheckPlaces(reader);
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [TestCase("1.2-with-color", "las/1.2-with-color.las", 1065)]
@@ -37,22 +35,20 @@ namespace FastPoints.Tests.Files
         public void Sample_Twin_HasTheSamePoints(string name, string twin, int points)
         {
             string path = TestData.SampleOrIgnore("copc/" + name + ".copc.laz");
-            using (var reader = CopcReaderTests.Open(path))
-            using (var other = PointReaders.Open(TestData.SampleOrIgnore(twin)))
-            {
-                var names = PointMultiset.CommonNames(reader, other);
-                // The twin's colours and intensities fill 16 bits, these 8.
-                if (name == "ellipsoid")
-                    names = names.Except(new[]
-                    {
-                        AttributeNames.Intensity, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
-                    }).ToArray();
-                Assert.That(names, Is.SupersetOf(new[] { AttributeNames.GpsTime, AttributeNames.PointSourceId }));
-                var step = math.abs(reader.Info.Transform.Scale);
-                var got = PointMultiset.Hashes(reader, names, step);
-                Assert.That(got.Length, Is.EqualTo(points));
-                Assert.That(got.SequenceEqual(PointMultiset.Hashes(other, names, step)), Is.True);
-            }
+            using var reader = CopcReaderTests.Open(path);
+            using var other = PointReaders.Open(TestData.SampleOrIgnore(twin));
+            var names = PointMultiset.CommonNames(reader, other);
+            // The twin's colours and intensities fill 16 bits, these 8.
+            if (name == "ellipsoid")
+                names = names.Except(new[]
+                {
+                    AttributeNames.Intensity, AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
+                }).ToArray();
+            Assert.That(names, Is.SupersetOf(new[] { AttributeNames.GpsTime, AttributeNames.PointSourceId }));
+            var step = math.abs(reader.Info.Transform.Scale);
+            var got = PointMultiset.Hashes(reader, names, step);
+            Assert.That(got.Length, Is.EqualTo(points));
+            Assert.That(got.SequenceEqual(PointMultiset.Hashes(other, names, step)), Is.True);
         }
 
         /// <summary>Every point lies in the cube of its node, and in the header's box.</summary>

@@ -76,10 +76,7 @@ namespace FastPoints.Tests.Files
             Assert.That(Failure(file).Message, Does.Contain("the checksum of page " + page).And.Contain("XML"));
         }
 
-        [TestCase(1)]
-        [TestCase(1000)]
-        [TestCase(2048)]
-        [TestCase(100000)]
+        [TestCase(1), TestCase(1000), TestCase(2048), TestCase(100000)]
         public void Open_TruncatedFile_FailsAsTheXmlIsGone(int bytes)
         {
             byte[] file = new E57FileWriter(Scan()).ToArray();
@@ -120,9 +117,7 @@ namespace FastPoints.Tests.Files
             Assert.That(contents.HasWarning("length of the file"));
         }
 
-        [TestCase("20001")]
-        [TestCase("4000000000000")]
-        [TestCase("18446744073709551615")]
+        [TestCase("20001"), TestCase("4000000000000"), TestCase("18446744073709551615")]
         public void Read_TooManyClaimed_GivesWhatIsThere(string claimed)
         {
             var scan = Scan();
@@ -142,9 +137,7 @@ namespace FastPoints.Tests.Files
             CheckPrefix(E57Contents.Read(new E57FileWriter(scan).ToArray()), 0, 17);
         }
 
-        [TestCase("-1")]
-        [TestCase("x")]
-        [TestCase("99999999999999999999")]
+        [TestCase("-1"), TestCase("x"), TestCase("99999999999999999999")]
         public void Open_RecordCountThatIsNone_IsAFailure(string claimed)
         {
             var scan = Scan(3);
@@ -152,11 +145,7 @@ namespace FastPoints.Tests.Files
             Assert.That(Failure(new E57FileWriter(scan).ToArray()).Message, Does.Contain("scan 1: recordCount"));
         }
 
-        [TestCase("0")]
-        [TestCase("46")]
-        [TestCase("1020")]
-        [TestCase("9223372036854775808")]
-        [TestCase("1048576")]
+        [TestCase("0"), TestCase("46"), TestCase("1020"), TestCase("9223372036854775808"), TestCase("1048576")]
         [TestCase("1024")]
         public void Read_SectionThatIsElsewhere_LosesThatScan(string offset)
         {
@@ -201,9 +190,7 @@ namespace FastPoints.Tests.Files
             Assert.That(contents.HasWarning("restarts its bytestreams within a value"));
         }
 
-        [TestCase(0UL)]
-        [TestCase(40UL)]
-        [TestCase(ulong.MaxValue)]
+        [TestCase(0UL), TestCase(40UL), TestCase(ulong.MaxValue)]
         public void Read_WrongSectionLength_GivesWhatItHolds(ulong length)
         {
             byte[] file = With(new E57FileWriter(Scan()).ToArray(), 48 + 8, BitConverter.GetBytes(length));
@@ -216,10 +203,8 @@ namespace FastPoints.Tests.Files
         [TestCase(48, new byte[] { 2 }, "section id")]
         [TestCase(64, new byte[] { 255, 255, 255, 255, 255, 255, 255, 255 }, "first packet")]
         [TestCase(64, new byte[] { 0, 0, 0, 0, 0, 0, 0, 0 }, "first packet")]
-        public void Open_WrongSectionHeader_IsAFailure(int at, byte[] bytes, string story)
-        {
+        public void Open_WrongSectionHeader_IsAFailure(int at, byte[] bytes, string story) =>
             Assert.That(Failure(With(new E57FileWriter(Scan()).ToArray(), at, bytes)).Message, Does.Contain(story));
-        }
 
         [TestCase("<cartesianX type=\"Integer\" minimum=\"5\" maximum=\"4\"/>", "above its maximum")]
         [TestCase("<cartesianX type=\"Integer\" minimum=\"1e3\"/>", "minimum: got")]
@@ -285,8 +270,7 @@ namespace FastPoints.Tests.Files
             string Wide(string xml) => xml.Replace("</e57Root>", Repeated("<a/>", 1100000) + "</e57Root>");
             string Attributes(string xml) => xml.Replace("<data3D", "<data3D" +
                 string.Concat(Enumerable.Range(0, 200000).Select(i => " a" + i + "=\"\"")));
-            string Tag(int tag) =>
-                "<b" + string.Concat(Enumerable.Range(tag * 600, 600).Select(i => " a" + i + "=\"\"")) + "/>";
+            string Tag(int tag) => "<b" + string.Concat(Enumerable.Range(tag * 600, 600).Select(i => " a" + i + "=\"\"")) + "/>";
             string ManyAttributes(string xml) =>
                 xml.Replace("</e57Root>", string.Concat(Enumerable.Range(0, 2000).Select(Tag)) + "</e57Root>");
             string LongText(string xml) =>

@@ -20,39 +20,32 @@ namespace FastPoints.Tests.Files
         /// <summary>Reads the attributes of these names, or all where none are named.</summary>
         public static E57Contents Read(byte[] file, params string[] names)
         {
-            using (var path = new E57TestFile(file))
-                return Read(path.Path, names);
+            using var path = new E57TestFile(file);
+            return Read(path.Path, names);
         }
 
         public static E57Contents Read(string path, params string[] names)
         {
-            using (var reader = PointReaders.Open(path))
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                var wanted = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
-                var contents = new E57Contents
+            using var reader = PointReaders.Open(path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            var wanted = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
+            var contents = new E57Contents { Info = reader.Info, Blocks = reader.BlockCount, PointsInBlocks = reader.PointCount };
+            var bytes = new MemoryStream[wanted.Count];
+            for (int i = 0; i < bytes.Length; i++)
+                bytes[i] = new MemoryStream();
+            if (reader.BlockCount > 0)
+                contents.Points = ReadPoints.EachBlock(reader, wanted, read =>
                 {
-                    Info = reader.Info,
-                    Blocks = reader.BlockCount,
-                    PointsInBlocks = reader.PointCount,
-                };
-                var bytes = new MemoryStream[wanted.Count];
-                for (int i = 0; i < bytes.Length; i++)
-                    bytes[i] = new MemoryStream();
-                if (reader.BlockCount > 0)
-                    contents.Points = ReadPoints.EachBlock(reader, wanted, read =>
+                    for (int i = 0; i < bytes.Length; i++)
                     {
-                        for (int i = 0; i < bytes.Length; i++)
-                        {
-                            int count = read.Points.Count * wanted[i].Type.SizeOf();
-                            var column = read.Points.Bytes.GetSubArray(read.Points.Column(i).OffsetBytes, count);
-                            bytes[i].Write(column.ToArray(), 0, count);
-                        }
-                    });
-                for (int i = 0; i < bytes.Length; i++)
-                    contents.m_columns.Add(wanted[i].Name, bytes[i].ToArray());
-                return contents;
-            }
+                        int count = read.Points.Count * wanted[i].Type.SizeOf();
+                        var column = read.Points.Bytes.GetSubArray(read.Points.Column(i).OffsetBytes, count);
+                        bytes[i].Write(column.ToArray(), 0, count);
+                    }
+                });
+            for (int i = 0; i < bytes.Length; i++)
+                contents.m_columns.Add(wanted[i].Name, bytes[i].ToArray());
+            return contents;
         }
 
         public byte[] Bytes(string name) => (byte[])m_columns[name];

@@ -46,11 +46,8 @@ namespace FastPoints.Tests.Files
             Assert.That(x[21], Is.EqualTo(0.25));
         }
 
-        [TestCase(0.001, 0.005, 0.001, 5)]
-        [TestCase(0.01, 0.025, 0.005, 5)]
-        [TestCase(0.001, -0.002, 0.001, -2)]
-        [TestCase(1, 0.25, 0.25, 1)]
-        [TestCase(1e-6, 1, 1e-6, 1000000)]
+        [TestCase(0.001, 0.005, 0.001, 5), TestCase(0.01, 0.025, 0.005, 5), TestCase(0.001, -0.002, 0.001, -2)]
+        [TestCase(1, 0.25, 0.25, 1), TestCase(1e-6, 1, 1e-6, 1000000)]
         public void Read_ScansOfDifferentScales_LieOnOneGridExactly(double first, double second, double step, long factor)
         {
             var moved = Grid(40, second, 12, 2);
@@ -76,9 +73,7 @@ namespace FastPoints.Tests.Files
             Assert.That(alone.Bytes("Y"), Is.EqualTo(contents.Bytes("Y")));
         }
 
-        [TestCase(0.001, 0.0003, 0)]
-        [TestCase(0.01, 0.02, 0.0033333333)]
-        [TestCase(1, 1e-9, 0)]
+        [TestCase(0.001, 0.0003, 0), TestCase(0.01, 0.02, 0.0033333333), TestCase(1, 1e-9, 0)]
         public void Read_ScansWithoutACommonStep_AreDoubles(double first, double second, double offset)
         {
             var scans = new[] { Grid(20, first), Grid(30, second, offset, 2) };

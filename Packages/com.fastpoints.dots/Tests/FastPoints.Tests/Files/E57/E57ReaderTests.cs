@@ -83,22 +83,20 @@ namespace FastPoints.Tests.Files
 
             int[] x = whole.Column<int>("X");
             var random = new Random(4);
-            using (var path = new E57TestFile(file))
-            using (var reader = E57Reader.Open(path.Path))
+            using var path = new E57TestFile(file);
+            using var reader = E57Reader.Open(path.Path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent);
+            for (int i = 0; i < 40; i++)
             {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                using (var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent))
-                    for (int i = 0; i < 40; i++)
-                    {
-                        int block = random.Next(reader.BlockCount);
-                        int first = random.Next(reader.PointsInBlock(block));
-                        int count = Math.Min(random.Next(5000), reader.PointsInBlock(block) - first);
-                        read.Begin(new BlockRange(block, first, count));
-                        read.Complete();
-                        Assert.That(read.Points.Count, Is.EqualTo(count));
-                        Assert.That(read.Points.Column<int>("X").GetSubArray(0, count).ToArray(),
-                            Is.EqualTo(x.Skip((int)read.FirstPoint).Take(count)));
-                    }
+                int block = random.Next(reader.BlockCount);
+                int first = random.Next(reader.PointsInBlock(block));
+                int count = Math.Min(random.Next(5000), reader.PointsInBlock(block) - first);
+                read.Begin(new BlockRange(block, first, count));
+                read.Complete();
+                Assert.That(read.Points.Count, Is.EqualTo(count));
+                Assert.That(read.Points.Column<int>("X").GetSubArray(0, count).ToArray(),
+                    Is.EqualTo(x.Skip((int)read.FirstPoint).Take(count)));
             }
         }
 
@@ -107,24 +105,22 @@ namespace FastPoints.Tests.Files
         {
             byte[] file = File(Grid(200000), Grid(50000, seed: 40));
             var whole = E57Contents.Read(file);
-            using (var path = new E57TestFile(file))
-            using (var reader = E57Reader.Open(path.Path))
+            using var path = new E57TestFile(file);
+            using var reader = E57Reader.Open(path.Path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            int[] x = whole.Column<int>("X");
+            var reads = new BlockRead[reader.BlockCount];
+            for (int i = 0; i < reads.Length; i++)
             {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                int[] x = whole.Column<int>("X");
-                var reads = new BlockRead[reader.BlockCount];
-                for (int i = 0; i < reads.Length; i++)
-                {
-                    reads[i] = reader.CreateRead(reader.Info.Schema, reader.MaxPointsPerBlock, Allocator.Persistent);
-                    reads[i].Begin(new BlockRange(i, 0, reader.PointsInBlock(i)));
-                }
-                for (int i = reads.Length - 1; i >= 0; i--)
-                {
-                    reads[i].Complete();
-                    Assert.That(reads[i].Points.Column<int>("X").GetSubArray(0, reads[i].Points.Count).ToArray(),
-                        Is.EqualTo(x.Skip((int)reads[i].FirstPoint).Take(reads[i].Points.Count)));
-                    reads[i].Dispose();
-                }
+                reads[i] = reader.CreateRead(reader.Info.Schema, reader.MaxPointsPerBlock, Allocator.Persistent);
+                reads[i].Begin(new BlockRange(i, 0, reader.PointsInBlock(i)));
+            }
+            for (int i = reads.Length - 1; i >= 0; i--)
+            {
+                reads[i].Complete();
+                Assert.That(reads[i].Points.Column<int>("X").GetSubArray(0, reads[i].Points.Count).ToArray(),
+                    Is.EqualTo(x.Skip((int)reads[i].FirstPoint).Take(reads[i].Points.Count)));
+                reads[i].Dispose();
             }
         }
 

@@ -38,25 +38,15 @@ namespace FastPoints.Tests.Files
 
         public static byte[] File(params E57TestScan[] scans) => new E57FileWriter(scans).ToArray();
 
-        public static long[] Integers(E57Contents contents, string name)
+        public static long[] Integers(E57Contents contents, string name) => contents.TypeOf(name) switch
         {
-            switch (contents.TypeOf(name))
-            {
-                case AttributeType.UInt8:
-                    return contents.Column<byte>(name).Select(v => (long)v).ToArray();
-                case AttributeType.Int8:
-                    return contents.Column<sbyte>(name).Select(v => (long)v).ToArray();
-                case AttributeType.UInt16:
-                    return contents.Column<ushort>(name).Select(v => (long)v).ToArray();
-                case AttributeType.Int16:
-                    return contents.Column<short>(name).Select(v => (long)v).ToArray();
-                case AttributeType.UInt32:
-                    return contents.Column<uint>(name).Select(v => (long)v).ToArray();
-                case AttributeType.Int32:
-                    return contents.Column<int>(name).Select(v => (long)v).ToArray();
-                default:
-                    return contents.Column<long>(name);
-            }
-        }
+            AttributeType.UInt8 => contents.Column<byte>(name).Select(v => (long)v).ToArray(),
+            AttributeType.Int8 => contents.Column<sbyte>(name).Select(v => (long)v).ToArray(),
+            AttributeType.UInt16 => contents.Column<ushort>(name).Select(v => (long)v).ToArray(),
+            AttributeType.Int16 => contents.Column<short>(name).Select(v => (long)v).ToArray(),
+            AttributeType.UInt32 => contents.Column<uint>(name).Select(v => (long)v).ToArray(),
+            AttributeType.Int32 => contents.Column<int>(name).Select(v => (long)v).ToArray(),
+            _ => contents.Column<long>(name),
+        };
     }
 }

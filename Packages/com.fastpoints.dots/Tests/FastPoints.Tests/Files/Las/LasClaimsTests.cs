@@ -17,81 +17,63 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_CutFile_GivesTheWholeRecordsAndWarns()
         {
-            using (var file = new LasTestFile().RandomPoints(10))
-            {
-                var bytes = file.ToBytes();
-                file.Save(bytes.Take(bytes.Length - 27).ToArray());
-                using (var reader = PointReaders.Open(file.Path))
-                {
-                    Assert.That(reader.PointCount, Is.EqualTo(8));
-                    Assert.That(reader.Info.PointsClaimed, Is.EqualTo(10));
-                    Assert.That(ReadPoints.Column<int>(reader, AttributeNames.X).Length, Is.EqualTo(8));
-                    CheckWarning(reader, CountAt, "claims 10 points, the file holds 8 and 13 of the 20 bytes of the next");
-                }
-            }
+            using var file = new LasTestFile().RandomPoints(10);
+            var bytes = file.ToBytes();
+            file.Save(bytes.Take(bytes.Length - 27).ToArray());
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(8));
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo(10));
+            Assert.That(ReadPoints.Column<int>(reader, AttributeNames.X).Length, Is.EqualTo(8));
+            CheckWarning(reader, CountAt, "claims 10 points, the file holds 8 and 13 of the 20 bytes of the next");
         }
 
-        [TestCase(0xFFFFFFFFul, 2)]
-        [TestCase(11949411299132633685ul, 4)]
-        [TestCase(ulong.MaxValue, 5)]
+        [TestCase(0xFFFFFFFFul, 2), TestCase(11949411299132633685ul, 4), TestCase(ulong.MaxValue, 5)]
         public void Open_AbsurdCount_CostsWhatTheFileHolds(ulong claimed, int minor)
         {
-            using (var file = new LasTestFile { Minor = minor }.RandomPoints(10))
-            {
-                file.SaveWith(minor < 4 ? CountAt : Count64At, minor < 4 ? BitConverter.GetBytes((uint)claimed)
-                    : BitConverter.GetBytes(claimed));
-                using (var reader = PointReaders.Open(file.Path))
-                {
-                    Assert.That(reader.Info.PointsClaimed, Is.EqualTo(claimed));
-                    Assert.That(reader.PointCount, Is.EqualTo(10));
-                    Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(10));
-                    CheckWarning(reader, minor < 4 ? CountAt : Count64At, "the file holds 10");
-                }
-            }
+            using var file = new LasTestFile { Minor = minor }.RandomPoints(10);
+            file.SaveWith(minor < 4 ? CountAt : Count64At, minor < 4 ? BitConverter.GetBytes((uint)claimed)
+                : BitConverter.GetBytes(claimed));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo(claimed));
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(10));
+            CheckWarning(reader, minor < 4 ? CountAt : Count64At, "the file holds 10");
         }
 
         [Test]
         public void Open_FileEndsBeforeTheFirstPoint_IsTruncated()
         {
-            using (var file = new LasTestFile().RandomPoints(10))
-            {
-                file.Save(file.ToBytes().Take(227 + 19).ToArray());
-                var failure = CheckFailure(file, FailureCode.Truncated, 227);
-                Assert.That(failure.Message, Does.Contain("claims 10 points, the file holds 0 and 19 of the 20 bytes"));
-            }
+            using var file = new LasTestFile().RandomPoints(10);
+            file.Save(file.ToBytes().Take(227 + 19).ToArray());
+            var failure = CheckFailure(file, FailureCode.Truncated, 227);
+            Assert.That(failure.Message, Does.Contain("claims 10 points, the file holds 0 and 19 of the 20 bytes"));
         }
 
         [Test]
         public void Open_MorePointsThanClaimed_GivesTheClaimedAndSaysSo()
         {
-            using (var file = new LasTestFile().RandomPoints(10).SaveWith(CountAt, BitConverter.GetBytes(4)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(4));
-                CheckWarning(reader, CountAt, "room for 6 more");
-            }
+            using var file = new LasTestFile().RandomPoints(10).SaveWith(CountAt, BitConverter.GetBytes(4));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(4));
+            CheckWarning(reader, CountAt, "room for 6 more");
         }
 
         [Test]
         public void Open_CountsThatDiffer_BelievesThe64BitOne()
         {
-            using (var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(CountAt, BitConverter.GetBytes(3)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(10));
-                CheckWarning(reader, CountAt, "the 32-bit point count is 3, the 64-bit one 10: 10 is used");
-            }
+            using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(CountAt, BitConverter.GetBytes(3));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            CheckWarning(reader, CountAt, "the 32-bit point count is 3, the 64-bit one 10: 10 is used");
         }
 
         [Test]
         public void Open_64BitCountMissing_TakesThe32BitOne()
         {
-            using (var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(Count64At, BitConverter.GetBytes(0L)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(10));
-                CheckWarning(reader, CountAt, "10 is used");
-            }
+            using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(Count64At, BitConverter.GetBytes(0L));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            CheckWarning(reader, CountAt, "10 is used");
         }
 
         [Test]
@@ -109,30 +91,26 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_WaveformsBehindThePoints_AreNoPoints()
         {
-            using (var file = new LasTestFile { Minor = 3, Format = 4 }.RandomPoints(10))
-            {
-                var bytes = file.ToBytes();
-                BitConverter.GetBytes((long)bytes.Length).CopyTo(bytes, 227);
-                BitConverter.GetBytes(1000).CopyTo(bytes, CountAt);
-                file.Save(bytes.Concat(new byte[500]).ToArray());
-                using (var reader = PointReaders.Open(file.Path))
-                    Assert.That(reader.PointCount, Is.EqualTo(10));
-                BitConverter.GetBytes(10).CopyTo(bytes, CountAt);
-                file.Save(bytes.Concat(new byte[500]).ToArray());
-                using (var reader = PointReaders.Open(file.Path))
-                    Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var file = new LasTestFile { Minor = 3, Format = 4 }.RandomPoints(10);
+            var bytes = file.ToBytes();
+            BitConverter.GetBytes((long)bytes.Length).CopyTo(bytes, 227);
+            BitConverter.GetBytes(1000).CopyTo(bytes, CountAt);
+            file.Save(bytes.Concat(new byte[500]).ToArray());
+            using (var reader = PointReaders.Open(file.Path))
+                Assert.That(reader.PointCount, Is.EqualTo(10));
+            BitConverter.GetBytes(10).CopyTo(bytes, CountAt);
+            file.Save(bytes.Concat(new byte[500]).ToArray());
+            using (var reader = PointReaders.Open(file.Path))
+                Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]
         public void Open_WaveformsAmongThePoints_BelievesTheCount()
         {
-            using (var file = new LasTestFile { Minor = 3 }.RandomPoints(10).SaveWith(227, BitConverter.GetBytes(300L)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(10));
-                CheckWarning(reader, 227, "among the points");
-            }
+            using var file = new LasTestFile { Minor = 3 }.RandomPoints(10).SaveWith(227, BitConverter.GetBytes(300L));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            CheckWarning(reader, 227, "among the points");
         }
 
         [TestCase(24, new byte[] { 2, 0 }, FailureCode.Unsupported, "LAS version: wanted 1.0 to 1.5, got 2.0")]
@@ -144,38 +122,29 @@ namespace FastPoints.Tests.Files
         [TestCase(96, new byte[] { 0, 0, 0, 255 }, FailureCode.Truncated, "claims 3 points, the file holds 0")]
         public void Open_UnreadableHeader_IsOneLineThatNamesTheField(int at, byte[] field, FailureCode code, string story)
         {
-            using (var file = new LasTestFile().RandomPoints(3).SaveWith(at, field))
-            {
-                var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(file.Path).Dispose());
-                Assert.That(failure.Code, Is.EqualTo(code));
-                Assert.That(failure.ByteOffset, Is.GreaterThanOrEqualTo(0));
-                Assert.That(failure.Message, Does.StartWith(file.Path).And.Contain(story));
-                Assert.That(failure.Message, Does.Not.Contain("\n"));
-            }
+            using var file = new LasTestFile().RandomPoints(3).SaveWith(at, field);
+            var failure = Assert.Throws<PointCloudException>(() => PointReaders.Open(file.Path).Dispose());
+            Assert.That(failure.Code, Is.EqualTo(code));
+            Assert.That(failure.ByteOffset, Is.GreaterThanOrEqualTo(0));
+            Assert.That(failure.Message, Does.StartWith(file.Path).And.Contain(story));
+            Assert.That(failure.Message, Does.Not.Contain("\n"));
         }
 
         [Test]
         public void Open_HeaderCutAnywhere_IsTruncated([Values(4, 24, 100, 226)] int bytes)
         {
-            using (var file = new LasTestFile().RandomPoints(3))
-            {
-                file.Save(file.ToBytes().Take(bytes).ToArray());
-                CheckFailure(file, FailureCode.Truncated, 0);
-            }
+            using var file = new LasTestFile().RandomPoints(3);
+            file.Save(file.ToBytes().Take(bytes).ToArray());
+            CheckFailure(file, FailureCode.Truncated, 0);
         }
 
-        [TestCase(0.0)]
-        [TestCase(double.NaN)]
-        [TestCase(double.PositiveInfinity)]
-        [TestCase(1e300)]
+        [TestCase(0.0), TestCase(double.NaN), TestCase(double.PositiveInfinity), TestCase(1e300)]
         public void Open_ScaleThatLosesPoints_IsTakenFromAnotherAxis(double scale)
         {
-            using (var file = new LasTestFile { Scale = new[] { 0.001, scale, 0.02 } }.Positions(1, 2, 3).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.001, 0.001, 0.02)));
-                CheckWarning(reader, 139, "scale of y");
-            }
+            using var file = new LasTestFile { Scale = new[] { 0.001, scale, 0.02 } }.Positions(1, 2, 3).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.001, 0.001, 0.02)));
+            CheckWarning(reader, 139, "scale of y");
         }
 
         [Test]
@@ -226,9 +195,9 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Open_BoundsThatLeaveOutPoints_AreKeptWithAWarning()
         {
-            using (var file = new LasTestFile { Max = new double[] { 5, 5, 5 } }.Positions(1, 2, 3, 1000, 1000, 1000).Save())
-            using (var reader = PointReaders.Open(file.Path))
-                CheckWarning(reader, 179, "leave out points");
+            using var file = new LasTestFile { Max = new double[] { 5, 5, 5 } }.Positions(1, 2, 3, 1000, 1000, 1000).Save();
+            using var reader = PointReaders.Open(file.Path);
+            CheckWarning(reader, 179, "leave out points");
         }
 
         [TestCase(0.0, 0.0, "all zero")]
@@ -237,33 +206,29 @@ namespace FastPoints.Tests.Files
         [TestCase(0.0, double.PositiveInfinity, "wanted a box")]
         public void Open_BoundsThatAreNone_AreLeftOutWithAWarning(double min, double max, string story)
         {
-            using (var file = new LasTestFile { Min = new[] { min, min, min }, Max = new[] { max, max, max } }.Positions(1, 2, 3)
-                .Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.HasBoundsClaimed, Is.False);
-                CheckWarning(reader, 179, story);
-                Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 3 }));
-            }
+            using var file = new LasTestFile { Min = new[] { min, min, min }, Max = new[] { max, max, max } }.Positions(1, 2, 3)
+                .Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.HasBoundsClaimed, Is.False);
+            CheckWarning(reader, 179, story);
+            Assert.That(ReadPoints.Column<int>(reader, AttributeNames.Z), Is.EqualTo(new[] { 3 }));
         }
 
         [Test]
         public void Open_HeaderSizeBelowItsVersions_TakesLaterFieldsAsAbsent()
         {
-            using (var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(94, BitConverter.GetBytes((ushort)227)))
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(10));
-                CheckWarning(reader, 94, "header size: wanted 375 for LAS 1.4, got 227");
-            }
+            using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(94, BitConverter.GetBytes((ushort)227));
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.EqualTo(10));
+            CheckWarning(reader, 94, "header size: wanted 375 for LAS 1.4, got 227");
         }
 
         [Test]
         public void Open_PointsInsideTheHeader_Warns()
         {
-            using (var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(96, BitConverter.GetBytes(300)))
-            using (var reader = PointReaders.Open(file.Path))
-                CheckWarning(reader, 96, "inside the header");
+            using var file = new LasTestFile { Minor = 4 }.RandomPoints(10).SaveWith(96, BitConverter.GetBytes(300));
+            using var reader = PointReaders.Open(file.Path);
+            CheckWarning(reader, 96, "inside the header");
         }
 
         static PointCloudException CheckFailure(LasTestFile file, FailureCode code, long at)

@@ -50,10 +50,7 @@ namespace FastPoints.Tests.Files
             Assert.That(crs.MetresPerUnit, Is.EqualTo(metresPerUnit));
         }
 
-        [TestCase("")]
-        [TestCase("]]]]")]
-        [TestCase("\"only a name\"")]
-        [TestCase("nothing of the kind")]
+        [TestCase(""), TestCase("]]]]"), TestCase("\"only a name\""), TestCase("nothing of the kind")]
         public void Wkt_NoneAtAll_IsRefused(string text)
         {
             var crs = new CoordinateSystem();

@@ -75,8 +75,7 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Schema_UndescribedBytes_AreSingleColumns()
         {
-            var file = new LasTestFile { Format = 3, ExtraBytes = 5 }.RandomPoints(3)
-                .Vlr("LASF_Spec", 4, Entry(0, 2, "Opaque"));
+            var file = new LasTestFile { Format = 3, ExtraBytes = 5 }.RandomPoints(3).Vlr("LASF_Spec", 4, Entry(0, 2, "Opaque"));
             using (file.Save())
             using (var reader = PointReaders.Open(file.Path))
             {
@@ -103,10 +102,7 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        [TestCase(31, 3)]
-        [TestCase(255, 3)]
-        [TestCase(10, 3)]
-        [TestCase(30, 23)]
+        [TestCase(31, 3), TestCase(255, 3), TestCase(10, 3), TestCase(30, 23)]
         public void Schema_DescriptionThatCannotBe_LeavesSingleBytes(int type, int bytes)
         {
             var file = new LasTestFile { Format = 3, ExtraBytes = bytes }.RandomPoints(3)
@@ -122,15 +118,13 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_LargestRecord_StaysWithinABlocksBytes()
         {
-            using (var file = new LasTestFile { ExtraBytes = 65535 - 20 }.RandomPoints(100).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Schema.Count, Is.EqualTo(15 + 65515));
-                Assert.That((long)reader.MaxPointsPerBlock * reader.Info.RecordBytes, Is.LessThanOrEqualTo(4 << 20));
-                Assert.That(reader.PointCount, Is.EqualTo(100));
-                var last = ReadPoints.Column<byte>(reader, "ExtraBytes[65514]");
-                Assert.That(last[99], Is.EqualTo(file.Points[file.Points.Length - 1]));
-            }
+            using var file = new LasTestFile { ExtraBytes = 65535 - 20 }.RandomPoints(100).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Schema.Count, Is.EqualTo(15 + 65515));
+            Assert.That((long)reader.MaxPointsPerBlock * reader.Info.RecordBytes, Is.LessThanOrEqualTo(4 << 20));
+            Assert.That(reader.PointCount, Is.EqualTo(100));
+            var last = ReadPoints.Column<byte>(reader, "ExtraBytes[65514]");
+            Assert.That(last[99], Is.EqualTo(file.Points[file.Points.Length - 1]));
         }
 
         static PointAttribute[] Extra(PointReader reader)

@@ -8,10 +8,8 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Seeded damage to small files: flipped bits, cuts, insertions, fields set to their extremes. Whatever comes of it is a
-    /// result or a <see cref="PointCloudException"/>, in memory that the file's real size justifies.
-    /// </summary>
+    /// <summary>Seeded damage to small files: flipped bits, cuts, insertions, fields set to their extremes. Whatever comes of it
+    /// is a result or a <see cref="PointCloudException"/>, in memory that the file's real size justifies.</summary>
     public class LasMutationTests
     {
         const int CasesPerFile = 300;
@@ -39,25 +37,23 @@ namespace FastPoints.Tests.Files
         [TestCaseSource(nameof(OwnFiles))]
         public void MutateOwn(int minor, int format)
         {
-            using (var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 })
-            {
-                file.RandomPoints(40, format);
-                file.Vlr("LASF_Projection", 34735, Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0))
-                    .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3))
-                    .Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
-                var extra = new byte[2 * 192];
-                extra[2] = 3;
-                extra[3] = 8;
-                extra[4] = (byte)'a';
-                extra[112] = 1;
-                extra[192 + 2] = 15;
-                extra[192 + 4] = (byte)'b';
-                file.Vlr("LASF_Spec", 4, extra);
-                if (minor >= 4)
-                    file.Evlr("u", 1, new byte[9])
-                        .Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]"));
-                Mutate(file.ToBytes(), file.PointsOffset, 1000 + 16 * minor + format);
-            }
+            using var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 };
+            file.RandomPoints(40, format);
+            file.Vlr("LASF_Projection", 34735, Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0))
+                .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3))
+                .Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
+            var extra = new byte[2 * 192];
+            extra[2] = 3;
+            extra[3] = 8;
+            extra[4] = (byte)'a';
+            extra[112] = 1;
+            extra[192 + 2] = 15;
+            extra[192 + 4] = (byte)'b';
+            file.Vlr("LASF_Spec", 4, extra);
+            if (minor >= 4)
+                file.Evlr("u", 1, new byte[9])
+                    .Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]"));
+            Mutate(file.ToBytes(), file.PointsOffset, 1000 + 16 * minor + format);
         }
 
         [TestCaseSource(nameof(Samples))]
@@ -86,17 +82,15 @@ namespace FastPoints.Tests.Files
         {
             try
             {
-                using (var reader = PointReaders.Open(path))
-                {
-                    long bytes = new FileInfo(path).Length;
-                    Assert.That((double)reader.PointCount * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
-                    Assert.That((long)reader.MaxPointsPerBlock * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
-                    Assert.That(reader.Info.Facts.Count, Is.LessThan(100 + bytes / 32), which);
-                    Assert.That(reader.Info.Warnings.Count, Is.LessThan(100 + bytes / 4), which);
-                    Assert.That(reader.Info.Transform.Scale.x, Is.Not.NaN.And.Not.EqualTo(0), which);
-                    ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
-                    return true;
-                }
+                using var reader = PointReaders.Open(path);
+                long bytes = new FileInfo(path).Length;
+                Assert.That((double)reader.PointCount * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
+                Assert.That((long)reader.MaxPointsPerBlock * reader.Info.RecordBytes, Is.LessThanOrEqualTo(bytes), which);
+                Assert.That(reader.Info.Facts.Count, Is.LessThan(100 + bytes / 32), which);
+                Assert.That(reader.Info.Warnings.Count, Is.LessThan(100 + bytes / 4), which);
+                Assert.That(reader.Info.Transform.Scale.x, Is.Not.NaN.And.Not.EqualTo(0), which);
+                ReadPoints.EachBlock(reader, reader.Info.Schema, read => { });
+                return true;
             }
             catch (PointCloudException failure)
             {

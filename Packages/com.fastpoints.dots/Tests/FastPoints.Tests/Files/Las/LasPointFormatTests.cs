@@ -7,10 +7,8 @@ namespace FastPoints.Tests.Files
     public class LasPointFormatTests
     {
         [Test]
-        public void Format_RecordBytes_AreTheSpecifications([Range(0, 10)] int id)
-        {
+        public void Format_RecordBytes_AreTheSpecifications([Range(0, 10)] int id) =>
             Assert.That(LasPointFormat.Of(id).RecordBytes, Is.EqualTo(LasTestFile.RecordBytesOfFormat[id]));
-        }
 
         [Test]
         public void Format_Fields_TakeEachBitOfTheRecordOnce([Range(0, 10)] int id)

@@ -23,65 +23,57 @@ namespace FastPoints.Tests.Files
         public void Open_EachVersionAndFormat_TellsWhatTheHeaderSays(int[] versionAndFormat)
         {
             var built = new LasTestFile { Minor = versionAndFormat[0], Format = versionAndFormat[1] };
-            using (var file = built.RandomPoints(7).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
-                Assert.That(reader.Info.Version, Is.EqualTo("1." + file.Minor));
-                Assert.That(reader.Info.PointFormat, Is.EqualTo(file.Format));
-                Assert.That(reader.Info.RecordBytes, Is.EqualTo(file.RecordBytes));
-                Assert.That(reader.Info.PointsClaimed, Is.EqualTo(7));
-                Assert.That(reader.Info.PointsReadable, Is.EqualTo(7));
-                Assert.That(reader.PointCount, Is.EqualTo(7));
-                Assert.That(reader.Info.BoundsClaimed.Max, Is.EqualTo(new double3(1000, 1000, 1000)));
-                Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-                Assert.That(reader.Info.Facts, Has.Some.EqualTo(
-                    new KeyValuePair<string, string>("created", "day 36 of 2024")));
-            }
+            using var file = built.RandomPoints(7).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
+            Assert.That(reader.Info.Version, Is.EqualTo("1." + file.Minor));
+            Assert.That(reader.Info.PointFormat, Is.EqualTo(file.Format));
+            Assert.That(reader.Info.RecordBytes, Is.EqualTo(file.RecordBytes));
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo(7));
+            Assert.That(reader.Info.PointsReadable, Is.EqualTo(7));
+            Assert.That(reader.PointCount, Is.EqualTo(7));
+            Assert.That(reader.Info.BoundsClaimed.Max, Is.EqualTo(new double3(1000, 1000, 1000)));
+            Assert.That(reader.Info.Transform.Scale, Is.EqualTo(new double3(0.01, 0.01, 0.01)));
+            Assert.That(reader.Info.Warnings, Is.Empty);
+            Assert.That(reader.Info.Facts, Has.Some.EqualTo(new KeyValuePair<string, string>("created", "day 36 of 2024")));
         }
 
         [Test]
         public void Read_AllColumns_AreTheRecordsBits([Range(0, 10)] int format)
         {
-            using (var file = new LasTestFile { Minor = 4, Format = format }.RandomPoints(3000, format + 1).Save())
-            using (var reader = PointReaders.Open(file.Path))
+            using var file = new LasTestFile { Minor = 4, Format = format }.RandomPoints(3000, format + 1).Save();
+            using var reader = PointReaders.Open(file.Path);
+            long read = ReadPoints.EachBlock(reader, reader.Info.Schema, slot =>
             {
-                long read = ReadPoints.EachBlock(reader, reader.Info.Schema, slot =>
-                {
-                    for (int i = 0; i < slot.Points.Count; i++)
-                        CheckPoint(slot.Points, i, file.Points, i * file.RecordBytes, format);
-                });
-                Assert.That(read, Is.EqualTo(3000));
-            }
+                for (int i = 0; i < slot.Points.Count; i++)
+                    CheckPoint(slot.Points, i, file.Points, i * file.RecordBytes, format);
+            });
+            Assert.That(read, Is.EqualTo(3000));
         }
 
         [Test]
         public void Read_AnyRangeAndSelection_IsTheSameAsTheWhole()
         {
-            using (var file = new LasTestFile { Minor = 4, Format = 10, ExtraBytes = 3 }.RandomPoints(5000).Save())
-            using (var reader = PointReaders.Open(file.Path))
+            using var file = new LasTestFile { Minor = 4, Format = 10, ExtraBytes = 3 }.RandomPoints(5000).Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.HasFixedStride);
+            var whole = ReadPoints.Column<int>(reader, AttributeNames.Y);
+            var red = ReadPoints.Column<ushort>(reader, AttributeNames.Red);
+            var wanted = reader.Info.Schema.Select(AttributeNames.Y, AttributeNames.Red, "ExtraBytes[2]");
+            Assert.That(wanted.Count, Is.EqualTo(3));
+            using var slot = reader.CreateRead(wanted, 700, Allocator.Persistent);
+            foreach (var (first, count) in new[] { (0, 700), (4999, 1), (1234, 513), (17, 0), (4300, 700), (1, 2) })
             {
-                Assert.That(reader.HasFixedStride);
-                var whole = ReadPoints.Column<int>(reader, AttributeNames.Y);
-                var red = ReadPoints.Column<ushort>(reader, AttributeNames.Red);
-                var wanted = reader.Info.Schema.Select(AttributeNames.Y, AttributeNames.Red, "ExtraBytes[2]");
-                Assert.That(wanted.Count, Is.EqualTo(3));
-                using (var slot = reader.CreateRead(wanted, 700, Allocator.Persistent))
-                    foreach (var (first, count) in new[] { (0, 700), (4999, 1), (1234, 513), (17, 0), (4300, 700), (1, 2) })
-                    {
-                        slot.Begin(new BlockRange(0, first, count));
-                        slot.Complete();
-                        Assert.That(slot.Points.Count, Is.EqualTo(count));
-                        Assert.That(slot.FirstPoint, Is.EqualTo(first));
-                        for (int i = 0; i < count; i++)
-                        {
-                            Assert.That(slot.Points.Column<int>(0)[i], Is.EqualTo(whole[first + i]));
-                            Assert.That(slot.Points.Column<ushort>(1)[i], Is.EqualTo(red[first + i]));
-                            Assert.That(slot.Points.Column<byte>(2)[i],
-                                Is.EqualTo(file.Points[(first + i) * file.RecordBytes + 69]));
-                        }
-                    }
+                slot.Begin(new BlockRange(0, first, count));
+                slot.Complete();
+                Assert.That(slot.Points.Count, Is.EqualTo(count));
+                Assert.That(slot.FirstPoint, Is.EqualTo(first));
+                for (int i = 0; i < count; i++)
+                {
+                    Assert.That(slot.Points.Column<int>(0)[i], Is.EqualTo(whole[first + i]));
+                    Assert.That(slot.Points.Column<ushort>(1)[i], Is.EqualTo(red[first + i]));
+                    Assert.That(slot.Points.Column<byte>(2)[i], Is.EqualTo(file.Points[(first + i) * file.RecordBytes + 69]));
+                }
             }
         }
 
@@ -93,43 +85,41 @@ namespace FastPoints.Tests.Files
         {
             var positions = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             var colors = new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue };
-            using (var file = new LasTestFile { Format = 2 }.RandomPoints(2000).Save())
-            using (var reader = PointReaders.Open(file.Path))
-                ReadPoints.EachBlock(reader, reader.Info.Schema.Select(names), slot =>
-                {
-                    for (int i = 0; i < 2000; i++)
-                        foreach (string name in names)
-                        {
-                            int axis = Array.IndexOf(positions, name), color = Array.IndexOf(colors, name);
-                            if (axis >= 0)
-                                Check<int>(slot.Points, i, name, BitConverter.ToInt32(file.Points, i * 26 + 4 * axis));
-                            else
-                                Check<ushort>(slot.Points, i, name, BitConverter.ToUInt16(file.Points, i * 26 + 20 + 2 * color));
-                        }
-                });
+            using var file = new LasTestFile { Format = 2 }.RandomPoints(2000).Save();
+            using var reader = PointReaders.Open(file.Path);
+            ReadPoints.EachBlock(reader, reader.Info.Schema.Select(names), slot =>
+            {
+                for (int i = 0; i < 2000; i++)
+                    foreach (string name in names)
+                    {
+                        int axis = Array.IndexOf(positions, name), color = Array.IndexOf(colors, name);
+                        if (axis >= 0)
+                            Check<int>(slot.Points, i, name, BitConverter.ToInt32(file.Points, i * 26 + 4 * axis));
+                        else
+                            Check<ushort>(slot.Points, i, name, BitConverter.ToUInt16(file.Points, i * 26 + 20 + 2 * color));
+                    }
+            });
         }
 
         [Test]
         public void Read_ManyBlocks_GivesEachPointOnce()
         {
             const int Count = 2 * 32768 + 123;
-            using (var file = new LasTestFile())
+            using var file = new LasTestFile();
+            file.Points = new byte[Count * file.RecordBytes];
+            for (int i = 0; i < Count; i++)
+                BitConverter.GetBytes(i).CopyTo(file.Points, i * file.RecordBytes);
+            file.Save();
+            using (var reader = PointReaders.Open(file.Path))
             {
-                file.Points = new byte[Count * file.RecordBytes];
+                Assert.That(reader.BlockCount, Is.EqualTo(3));
+                Assert.That(reader.PointsInBlock(2), Is.EqualTo(123));
+                Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 32768));
+                Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(32768));
+                var x = ReadPoints.Column<int>(reader, AttributeNames.X);
                 for (int i = 0; i < Count; i++)
-                    BitConverter.GetBytes(i).CopyTo(file.Points, i * file.RecordBytes);
-                file.Save();
-                using (var reader = PointReaders.Open(file.Path))
-                {
-                    Assert.That(reader.BlockCount, Is.EqualTo(3));
-                    Assert.That(reader.PointsInBlock(2), Is.EqualTo(123));
-                    Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 32768));
-                    Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(32768));
-                    var x = ReadPoints.Column<int>(reader, AttributeNames.X);
-                    for (int i = 0; i < Count; i++)
-                        if (x[i] != i)
-                            Assert.That(x[i], Is.EqualTo(i));
-                }
+                    if (x[i] != i)
+                        Assert.That(x[i], Is.EqualTo(i));
             }
         }
 
@@ -162,62 +152,54 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Begin_RangeOutsideItsBlock_IsRefused()
         {
-            using (var file = new LasTestFile().RandomPoints(10).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            using (var slot = reader.CreateRead(reader.Info.Schema, 8, Allocator.Persistent))
-            {
-                Assert.That(() => slot.Begin(new BlockRange(0, 5, 6)), Throws.InstanceOf<ArgumentOutOfRangeException>());
-                Assert.That(() => slot.Begin(new BlockRange(0, 0, 9)), Throws.InstanceOf<ArgumentOutOfRangeException>());
-                Assert.That(() => slot.Begin(new BlockRange(0, -1, 2)), Throws.InstanceOf<ArgumentOutOfRangeException>());
-                Assert.That(() => slot.Begin(new BlockRange(1, 0, 1)), Throws.InstanceOf<ArgumentOutOfRangeException>());
-                Assert.That(() => reader.CreateRead(new PointSchema(new[] { new PointAttribute("None", AttributeType.UInt8) }), 8,
-                    Allocator.Persistent), Throws.ArgumentException);
-            }
+            using var file = new LasTestFile().RandomPoints(10).Save();
+            using var reader = PointReaders.Open(file.Path);
+            using var slot = reader.CreateRead(reader.Info.Schema, 8, Allocator.Persistent);
+            Assert.That(() => slot.Begin(new BlockRange(0, 5, 6)), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => slot.Begin(new BlockRange(0, 0, 9)), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => slot.Begin(new BlockRange(0, -1, 2)), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => slot.Begin(new BlockRange(1, 0, 1)), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => reader.CreateRead(new PointSchema(new[] { new PointAttribute("None", AttributeType.UInt8) }), 8,
+                Allocator.Persistent), Throws.ArgumentException);
         }
 
         [Test]
         public void Complete_FileBecameShorter_IsTruncatedAndNotFewerPoints()
         {
-            using (var file = new LasTestFile().RandomPoints(100).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            using (var slot = reader.CreateRead(reader.Info.Schema, 100, Allocator.Persistent))
-            {
-                using (var stream = System.IO.File.Open(file.Path, System.IO.FileMode.Open, System.IO.FileAccess.Write,
-                    System.IO.FileShare.ReadWrite))
-                    stream.SetLength(file.PointsOffset + 40 * 20 + 7);
-                slot.Begin(new BlockRange(0, 0, 100));
-                var failure = Assert.Throws<PointCloudException>(() => slot.Complete());
-                Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
-                Assert.That(failure.Message, Does.Contain("wanted 100 points").And.Contain("got 40"));
-                Assert.That(slot.Points.Count, Is.Zero);
-            }
+            using var file = new LasTestFile().RandomPoints(100).Save();
+            using var reader = PointReaders.Open(file.Path);
+            using var slot = reader.CreateRead(reader.Info.Schema, 100, Allocator.Persistent);
+            using (var stream = System.IO.File.Open(file.Path, System.IO.FileMode.Open, System.IO.FileAccess.Write,
+                System.IO.FileShare.ReadWrite))
+                stream.SetLength(file.PointsOffset + 40 * 20 + 7);
+            slot.Begin(new BlockRange(0, 0, 100));
+            var failure = Assert.Throws<PointCloudException>(() => slot.Complete());
+            Assert.That(failure.Code, Is.EqualTo(FailureCode.Truncated));
+            Assert.That(failure.Message, Does.Contain("wanted 100 points").And.Contain("got 40"));
+            Assert.That(slot.Points.Count, Is.Zero);
         }
 
         [Test]
         public void Dispose_WithAReadInFlight_WaitsAndFreesTwice()
         {
-            using (var file = new LasTestFile().RandomPoints(30000).Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                var slot = reader.CreateRead(reader.Info.Schema, 30000, Allocator.Persistent);
-                slot.Begin(new BlockRange(0, 0, 30000));
-                Assert.That(() => slot.Begin(new BlockRange(0, 0, 1)), Throws.InvalidOperationException);
-                slot.Dispose();
-                slot.Dispose();
-                reader.Dispose();
-            }
+            using var file = new LasTestFile().RandomPoints(30000).Save();
+            using var reader = PointReaders.Open(file.Path);
+            var slot = reader.CreateRead(reader.Info.Schema, 30000, Allocator.Persistent);
+            slot.Begin(new BlockRange(0, 0, 30000));
+            Assert.That(() => slot.Begin(new BlockRange(0, 0, 1)), Throws.InvalidOperationException);
+            slot.Dispose();
+            slot.Dispose();
+            reader.Dispose();
         }
 
         [Test]
         public void Open_ZeroPoints_IsAnEmptyCloud()
         {
-            using (var file = new LasTestFile { Max = new double[] { 0, 0, 0 } }.Save())
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.PointCount, Is.Zero);
-                Assert.That(reader.BlockCount, Is.Zero);
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var file = new LasTestFile { Max = new double[] { 0, 0, 0 } }.Save();
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.PointCount, Is.Zero);
+            Assert.That(reader.BlockCount, Is.Zero);
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         /// <summary>What the specification's tables say of each bit, written out by hand.</summary>

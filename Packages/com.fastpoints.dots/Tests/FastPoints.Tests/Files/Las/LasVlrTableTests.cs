@@ -31,8 +31,7 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        [TestCase(3u)]
-        [TestCase(uint.MaxValue)]
+        [TestCase(3u), TestCase(uint.MaxValue)]
         public void Records_CountTooLarge_StopAtThePoints(uint count)
         {
             var file = new LasTestFile().RandomPoints(40).Vlr("first", 1, new byte[10]);
@@ -49,10 +48,7 @@ namespace FastPoints.Tests.Files
                 CheckOneRecordAndOneWarning(file, second, 40);
         }
 
-        [TestCase(0ul)]
-        [TestCase(100ul)]
-        [TestCase(1000000ul)]
-        [TestCase(ulong.MaxValue)]
+        [TestCase(0ul), TestCase(100ul), TestCase(1000000ul), TestCase(ulong.MaxValue)]
         public void Records_ExtendedStartAnywhere_PointsLoad(ulong start)
         {
             var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(40).Vlr("first", 1, new byte[10])
@@ -80,9 +76,7 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        [TestCase(11ul)]
-        [TestCase(ulong.MaxValue)]
-        [TestCase(0x7FFFFFFFFFFFFFFFul)]
+        [TestCase(11ul), TestCase(ulong.MaxValue), TestCase(0x7FFFFFFFFFFFFFFFul)]
         public void Records_ExtendedLengthBeyondTheFile_IsLeftOut(ulong length)
         {
             var file = new LasTestFile { Minor = 4, Format = 6 }.RandomPoints(40).Vlr("first", 1, new byte[10])
@@ -94,13 +88,11 @@ namespace FastPoints.Tests.Files
 
         static void CheckOneRecordAndOneWarning(LasTestFile file, long at, int points)
         {
-            using (var reader = (LasReader)PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.Vlrs.Records.Count, Is.EqualTo(1));
-                Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1), string.Join("\n", reader.Info.Warnings));
-                Assert.That(reader.Info.Warnings[0].ByteOffset, Is.EqualTo(at));
-                Assert.That(reader.PointCount, Is.EqualTo(points));
-            }
+            using var reader = (LasReader)PointReaders.Open(file.Path);
+            Assert.That(reader.Vlrs.Records.Count, Is.EqualTo(1));
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1), string.Join("\n", reader.Info.Warnings));
+            Assert.That(reader.Info.Warnings[0].ByteOffset, Is.EqualTo(at));
+            Assert.That(reader.PointCount, Is.EqualTo(points));
         }
     }
 }

@@ -32,25 +32,21 @@ namespace FastPoints.Tests.Files
                 new PointAttribute("Height", AttributeType.Float32), new PointAttribute("Grade", AttributeType.Int16, 0.5, -3),
             };
             var settings = new LasWriterSettings { PointFormat = format, ExtraBytes = extra, Wkt = "LOCAL_CS[\"here\"]" };
-            using (var source = new LasTestFile { Minor = 4, Format = format, ExtraBytes = 6 }.RandomPoints(3000).Save())
+            using var source = new LasTestFile { Minor = 4, Format = format, ExtraBytes = 6 }.RandomPoints(3000).Save();
+            using (var batch = Batch(settings, source, out var schema))
+            using (var writer = LasWriter.Create(m_path, settings))
             {
-                using (var batch = Batch(settings, source, out var schema))
-                using (var writer = LasWriter.Create(m_path, settings))
-                {
-                    Assert.That(writer.Schema, Is.EqualTo(schema));
-                    writer.Append(batch);
-                    writer.AppendRecords(source.Points, 2);
-                    writer.Complete();
-                }
-                using (var reader = (LasReader)PointReaders.Open(m_path))
-                {
-                    Assert.That(reader.Info.Warnings, Is.Empty);
-                    Assert.That(reader.PointCount, Is.EqualTo(3002));
-                    Assert.That(reader.Info.Crs.Name, Is.EqualTo("here"));
-                    var records = File.ReadAllBytes(m_path).AsSpan((int)reader.OffsetOfPoint(0), 3000 * source.RecordBytes);
-                    Assert.That(records.SequenceEqual(source.Points));
-                }
+                Assert.That(writer.Schema, Is.EqualTo(schema));
+                writer.Append(batch);
+                writer.AppendRecords(source.Points, 2);
+                writer.Complete();
             }
+            using var reader = (LasReader)PointReaders.Open(m_path);
+            Assert.That(reader.Info.Warnings, Is.Empty);
+            Assert.That(reader.PointCount, Is.EqualTo(3002));
+            Assert.That(reader.Info.Crs.Name, Is.EqualTo("here"));
+            var records = File.ReadAllBytes(m_path).AsSpan((int)reader.OffsetOfPoint(0), 3000 * source.RecordBytes);
+            Assert.That(records.SequenceEqual(source.Points));
         }
 
         [Test]
@@ -90,17 +86,15 @@ namespace FastPoints.Tests.Files
                 writer.Dispose();
                 Assert.That(() => writer.AppendRecords(new byte[100], 1), Throws.InvalidOperationException);
             }
-            using (var reader = (LasReader)PointReaders.Open(m_path))
-            {
-                Assert.That(reader.Header.PointsClaimed, Is.EqualTo(6));
-                Assert.That(reader.Header.LegacyCount, Is.EqualTo(format == 1 ? 6 : 0));
-                Assert.That(reader.Header.ByReturn[0], Is.EqualTo(4));
-                Assert.That(reader.Header.ByReturn[4], Is.EqualTo(2));
-                Assert.That(reader.Header.LegacyByReturn[4], Is.EqualTo(format == 1 ? 2 : 0));
-                Assert.That(reader.Header.Min, Is.EqualTo(new double3(8, 18.75, 29.996)));
-                Assert.That(reader.Header.Max, Is.EqualTo(new double3(12, 21, 30.006)));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = (LasReader)PointReaders.Open(m_path);
+            Assert.That(reader.Header.PointsClaimed, Is.EqualTo(6));
+            Assert.That(reader.Header.LegacyCount, Is.EqualTo(format == 1 ? 6 : 0));
+            Assert.That(reader.Header.ByReturn[0], Is.EqualTo(4));
+            Assert.That(reader.Header.ByReturn[4], Is.EqualTo(2));
+            Assert.That(reader.Header.LegacyByReturn[4], Is.EqualTo(format == 1 ? 2 : 0));
+            Assert.That(reader.Header.Min, Is.EqualTo(new double3(8, 18.75, 29.996)));
+            Assert.That(reader.Header.Max, Is.EqualTo(new double3(12, 21, 30.006)));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]
@@ -114,8 +108,8 @@ namespace FastPoints.Tests.Files
 
             using (var writer = LasWriter.Create(m_path, new LasWriterSettings()))
                 writer.Complete();
-            using (var reader = PointReaders.Open(m_path))
-                Assert.That(reader.PointCount, Is.Zero);
+            using var reader = PointReaders.Open(m_path);
+            Assert.That(reader.PointCount, Is.Zero);
         }
 
         [Test]

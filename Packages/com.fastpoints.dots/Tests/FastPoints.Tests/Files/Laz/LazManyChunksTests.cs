@@ -61,8 +61,7 @@ namespace FastPoints.Tests.Files
             return GC.GetAllocatedBytesForCurrentThread() - before;
         }
 
-        [TestCase(false, 5)]
-        [TestCase(true, 9)]
+        [TestCase(false, 5), TestCase(true, 9)]
         public void Open_ManyChunks_TakesFewBytesForEach(bool isVariable, int bytesPerChunk)
         {
             var bytes = Bytes(Chunks);
@@ -131,8 +130,8 @@ namespace FastPoints.Tests.Files
 
         SourceInfo Warnings()
         {
-            using (var reader = PointReaders.Open(m_path))
-                return reader.Info;
+            using var reader = PointReaders.Open(m_path);
+            return reader.Info;
         }
     }
 }

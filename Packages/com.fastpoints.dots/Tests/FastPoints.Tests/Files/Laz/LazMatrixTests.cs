@@ -35,13 +35,11 @@ namespace FastPoints.Tests.Files
         public void Read_WholeFile_IsTheTruth(string name)
         {
             string path = TestData.PathOrIgnore(Matrix + "/" + name);
-            using (var reader = LazFileReading.Open(path))
-            {
-                var layout = LazFileReading.LayoutOf(path);
-                Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), LazFileReading.Truth(TruthOf(path)),
-                    layout.RecordBytes), Is.Null);
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = LazFileReading.Open(path);
+            var layout = LazFileReading.LayoutOf(path);
+            Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), LazFileReading.Truth(TruthOf(path)),
+                layout.RecordBytes), Is.Null);
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         /// <summary>Chunks backwards, of each some prefixes and its end, two attributes at a time.</summary>
@@ -51,25 +49,23 @@ namespace FastPoints.Tests.Files
             string path = TestData.PathOrIgnore(Matrix + "/" + name);
             var layout = LazFileReading.LayoutOf(path);
             var truth = LazFileReading.Truth(TruthOf(path));
-            using (var reader = LazFileReading.Open(path))
+            using var reader = LazFileReading.Open(path);
+            var schema = reader.Info.Schema;
+            for (int i = 0; i < schema.Count; i++)
             {
-                var schema = reader.Info.Schema;
-                for (int i = 0; i < schema.Count; i++)
+                var wanted = schema.Select(schema[i].Name, schema[(i * 5 + 2) % schema.Count].Name);
+                var ranges = new List<BlockRange>();
+                for (int block = reader.BlockCount - 1; block >= 0; block--)
                 {
-                    var wanted = schema.Select(schema[i].Name, schema[(i * 5 + 2) % schema.Count].Name);
-                    var ranges = new List<BlockRange>();
-                    for (int block = reader.BlockCount - 1; block >= 0; block--)
-                    {
-                        int points = Math.Min(reader.PointsInBlock(block), 1000 + i);
-                        ranges.Add(new BlockRange(block, points / 3, points - points / 3));
-                        ranges.Add(new BlockRange(block, 0, points / 3));
-                    }
-                    var got = (byte[])truth.Clone();
-                    foreach (var range in ranges)
-                        Flip(got, layout, wanted, reader.FirstPointOfBlock(range.Block) + range.First, range.Count);
-                    LazFileReading.Read(reader, layout, ranges, wanted, 3, got);
-                    Assert.That(LazFileReading.Difference(got, truth, layout.RecordBytes), Is.Null, wanted.ToString());
+                    int points = Math.Min(reader.PointsInBlock(block), 1000 + i);
+                    ranges.Add(new BlockRange(block, points / 3, points - points / 3));
+                    ranges.Add(new BlockRange(block, 0, points / 3));
                 }
+                var got = (byte[])truth.Clone();
+                foreach (var range in ranges)
+                    Flip(got, layout, wanted, reader.FirstPointOfBlock(range.Block) + range.First, range.Count);
+                LazFileReading.Read(reader, layout, ranges, wanted, 3, got);
+                Assert.That(LazFileReading.Difference(got, truth, layout.RecordBytes), Is.Null, wanted.ToString());
             }
         }
 
@@ -109,12 +105,10 @@ namespace FastPoints.Tests.Files
         {
             string path = TestData.SampleOrIgnore("laz/" + name + ".laz");
             string las = TestData.SampleOrIgnore("las/" + (twin ?? name) + ".las");
-            using (var reader = LazFileReading.Open(path))
-            {
-                var layout = LazFileReading.LayoutOf(path);
-                Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), LazFileReading.Truth(las),
-                    layout.RecordBytes), Is.Null);
-            }
+            using var reader = LazFileReading.Open(path);
+            var layout = LazFileReading.LayoutOf(path);
+            Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), LazFileReading.Truth(las),
+                layout.RecordBytes), Is.Null);
         }
 
         [TestCase("broken_coder.laz", FailureCode.Unsupported, "entropy coder: wanted 0, got 15")]
@@ -142,14 +136,12 @@ namespace FastPoints.Tests.Files
         public void Read_Sample_HasTheCountOfItsRow(string name, long points)
         {
             string path = TestData.SampleOrIgnore(name);
-            using (var reader = LazFileReading.Open(path))
-            {
-                var layout = LazFileReading.LayoutOf(path);
-                var records = LazFileReading.Records(reader, layout);
-                Assert.That(records.Length / layout.RecordBytes, Is.EqualTo(points));
-                Assert.That(reader.Info.PointsClaimed, Is.EqualTo((ulong)points));
-                Assert.That(reader.Info.Warnings.Where(warning => warning.Text.Contains("chunk")), Is.Empty);
-            }
+            using var reader = LazFileReading.Open(path);
+            var layout = LazFileReading.LayoutOf(path);
+            var records = LazFileReading.Records(reader, layout);
+            Assert.That(records.Length / layout.RecordBytes, Is.EqualTo(points));
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo((ulong)points));
+            Assert.That(reader.Info.Warnings.Where(warning => warning.Text.Contains("chunk")), Is.Empty);
         }
     }
 }

@@ -10,32 +10,16 @@ namespace FastPoints.Tests.Files
     /// <summary>The coder and its models against the encoder's, symbol by symbol.</summary>
     public unsafe class LazModelTests
     {
-        [TestCase(4, SymbolModel.Bytes4)]
-        [TestCase(6, SymbolModel.Bytes6)]
-        [TestCase(9, SymbolModel.Bytes9)]
-        [TestCase(13, SymbolModel.Bytes13)]
-        [TestCase(16, SymbolModel.Bytes16)]
-        [TestCase(17, SymbolModel.Bytes17)]
-        [TestCase(33, SymbolModel.Bytes33)]
-        [TestCase(64, SymbolModel.Bytes64)]
-        [TestCase(128, SymbolModel.Bytes128)]
-        [TestCase(256, SymbolModel.Bytes256)]
-        [TestCase(512, SymbolModel.Bytes512)]
+        [TestCase(4, SymbolModel.Bytes4), TestCase(6, SymbolModel.Bytes6), TestCase(9, SymbolModel.Bytes9)]
+        [TestCase(13, SymbolModel.Bytes13), TestCase(16, SymbolModel.Bytes16), TestCase(17, SymbolModel.Bytes17)]
+        [TestCase(33, SymbolModel.Bytes33), TestCase(64, SymbolModel.Bytes64), TestCase(128, SymbolModel.Bytes128)]
+        [TestCase(256, SymbolModel.Bytes256), TestCase(512, SymbolModel.Bytes512)]
         [TestCase(516, SymbolModel.Bytes516)]
-        public void BytesOf_EachCapacity_IsItsConstant(int capacity, int bytes)
-        {
+        public void BytesOf_EachCapacity_IsItsConstant(int capacity, int bytes) =>
             Assert.That(SymbolModel.BytesOf(capacity), Is.EqualTo(bytes));
-        }
 
-        [TestCase(2, 2)]
-        [TestCase(3, 4)]
-        [TestCase(5, 6)]
-        [TestCase(16, 16)]
-        [TestCase(33, 33)]
-        [TestCase(128, 128)]
-        [TestCase(64, 256)]
-        [TestCase(256, 256)]
-        [TestCase(515, 516)]
+        [TestCase(2, 2), TestCase(3, 4), TestCase(5, 6), TestCase(16, 16), TestCase(33, 33), TestCase(128, 128)]
+        [TestCase(64, 256), TestCase(256, 256), TestCase(515, 516)]
         public void SymbolModel_EncodedSymbols_ComeBack(int symbols, int capacity)
         {
             var random = new Random(symbols);
@@ -61,9 +45,7 @@ namespace FastPoints.Tests.Files
                 }
         }
 
-        [TestCase(8)]
-        [TestCase(16)]
-        [TestCase(32)]
+        [TestCase(8), TestCase(16), TestCase(32)]
         public void IntegerModel_EncodedIntegers_ComeBack(int bits)
         {
             const int Contexts = 3;
@@ -103,11 +85,7 @@ namespace FastPoints.Tests.Files
                 }
         }
 
-        [TestCase(1)]
-        [TestCase(8)]
-        [TestCase(19)]
-        [TestCase(20)]
-        [TestCase(32)]
+        [TestCase(1), TestCase(8), TestCase(19), TestCase(20), TestCase(32)]
         public void Bits_EncodedBits_ComeBack(int bits)
         {
             var random = new Random(bits);

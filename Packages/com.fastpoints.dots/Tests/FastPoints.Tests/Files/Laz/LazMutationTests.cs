@@ -11,15 +11,11 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes of it is
-    /// a cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes outside its
-    /// state and its tile.
-    /// </summary>
-    /// <remarks>
-    /// The long ones take their number of cases from $FASTPOINTS_MUTATIONS, so that a million can be run:
-    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only LazMutationTests</c>.
-    /// </remarks>
+    /// <summary>Seeded damage to small files and chunks: flipped bits, cuts, insertions, fields at their extremes. Whatever comes
+    /// of it is a cloud (of no more points than the bytes can hold) or a <see cref="PointCloudException"/>; no decoder writes
+    /// outside its state and its tile.</summary>
+    /// <remarks>The long ones take their number of cases from $FASTPOINTS_MUTATIONS, so that a million can be run:
+    /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only LazMutationTests</c>.</remarks>
     public unsafe class LazMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
@@ -79,19 +75,13 @@ namespace FastPoints.Tests.Files
             }
         }
 
-        [TestCase(0)]
-        [TestCase(3)]
-        [TestCase(5)]
-        [TestCase(6)]
-        [TestCase(8)]
-        [TestCase(10)]
+        [TestCase(0), TestCase(3), TestCase(5), TestCase(6), TestCase(8), TestCase(10)]
         public void MutateChunk(int format) => MutateChunks(format, CasesPerChunk, format);
 
         [Test, Category("Long"), Explicit]
         public void MutateChunk_ManyTimes([Range(0, 10)] int format) => MutateChunks(format, Cases() / 11, 7000 + format);
 
-        static int Cases() =>
-            int.TryParse(Environment.GetEnvironmentVariable(CasesVariable), out int cases) ? cases : LongCases;
+        static int Cases() => int.TryParse(Environment.GetEnvironmentVariable(CasesVariable), out int cases) ? cases : LongCases;
 
         static void MutateFile(byte[] sound, int cases, int seed)
         {
@@ -101,8 +91,8 @@ namespace FastPoints.Tests.Files
                 var bytes = Damage(sound, random);
                 if (bytes.Length == 0)
                     continue;
-                using (var file = new TemporaryFile(bytes, ".laz"))
-                    ReadWhatIsThere(file.Path, bytes.Length, "seed " + seed + ", case " + i);
+                using var file = new TemporaryFile(bytes, ".laz");
+                ReadWhatIsThere(file.Path, bytes.Length, "seed " + seed + ", case " + i);
             }
         }
 
@@ -110,24 +100,20 @@ namespace FastPoints.Tests.Files
         {
             try
             {
-                using (var reader = LazFileReading.Open(path))
+                using var reader = LazFileReading.Open(path);
+                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), story);
+                if (reader.BlockCount == 0)
+                    return;
+                int capacity = Math.Min(MostPointsOfARange, reader.MaxPointsPerBlock);
+                using var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent);
+                for (int block = 0; block < Math.Min(8, reader.BlockCount); block++)
                 {
-                    Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), story);
-                    if (reader.BlockCount == 0)
-                        return;
-                    int capacity = Math.Min(MostPointsOfARange, reader.MaxPointsPerBlock);
-                    using (var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent))
-                    {
-                        for (int block = 0; block < Math.Min(8, reader.BlockCount); block++)
-                        {
-                            int count = Math.Min(capacity, reader.PointsInBlock(block));
-                            read.Begin(new BlockRange(block, 0, count));
-                            read.Complete();
-                            Assert.That(read.Points.Count, Is.InRange(0, count), story);
-                            if (read.Points.Count < count)
-                                Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
-                        }
-                    }
+                    int count = Math.Min(capacity, reader.PointsInBlock(block));
+                    read.Begin(new BlockRange(block, 0, count));
+                    read.Complete();
+                    Assert.That(read.Points.Count, Is.InRange(0, count), story);
+                    if (read.Points.Count < count)
+                        Assert.That(reader.Info.Warnings, Is.Not.Empty, story);
                 }
             }
             catch (PointCloudException failure)
@@ -164,32 +150,30 @@ namespace FastPoints.Tests.Files
                 isWanted[i] = true;
             long stateBytes = isLayered ? LayeredChunk.StateBytes(layers, isWanted, recordBytes)
                 : PointwiseChunk.StateBytes(items);
-            using (var state = Marked((int)stateBytes, Guard, Mark))
-            using (var tile = Marked(points * recordBytes, Guard, Mark))
-            using (var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark))
+            using var state = Marked((int)stateBytes, Guard, Mark);
+            using var tile = Marked(points * recordBytes, Guard, Mark);
+            using var input = Marked(chunk.Length, RangeCode.PaddingBytes, Mark);
+            NativeArray<byte>.Copy(chunk, input, chunk.Length);
+            byte* at = (byte*)input.GetUnsafePtr();
+            byte* place = (byte*)state.GetUnsafePtr();
+            byte* records = (byte*)tile.GetUnsafePtr();
+            int got;
+            if (isLayered)
             {
-                NativeArray<byte>.Copy(chunk, input, chunk.Length);
-                byte* at = (byte*)input.GetUnsafePtr();
-                byte* place = (byte*)state.GetUnsafePtr();
-                byte* records = (byte*)tile.GetUnsafePtr();
-                int got;
-                if (isLayered)
-                {
-                    LayeredChunk.Configure((LayeredChunk*)place, layers, isWanted, recordBytes);
-                    LayeredChunk.Start((LayeredChunk*)place, at, chunk.Length, true, points);
-                    got = LayeredChunk.Decode((LayeredChunk*)place, at, records, points);
-                }
-                else
-                {
-                    PointwiseChunk.Configure((PointwiseChunk*)place, items, recordBytes);
-                    PointwiseChunk.Start((PointwiseChunk*)place);
-                    got = PointwiseChunk.Decode((PointwiseChunk*)place, at, chunk.Length, records, points);
-                }
-                Assert.That(got, Is.InRange(0, points), story);
-                Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, story + ": wrote behind the state");
-                Assert.That(IsMarked(tile, points * recordBytes, Mark), Is.True, story + ": wrote behind the tile");
-                Assert.That(IsMarked(input, chunk.Length, Mark), Is.True, story + ": wrote behind the input");
+                LayeredChunk.Configure((LayeredChunk*)place, layers, isWanted, recordBytes);
+                LayeredChunk.Start((LayeredChunk*)place, at, chunk.Length, true, points);
+                got = LayeredChunk.Decode((LayeredChunk*)place, at, records, points);
             }
+            else
+            {
+                PointwiseChunk.Configure((PointwiseChunk*)place, items, recordBytes);
+                PointwiseChunk.Start((PointwiseChunk*)place);
+                got = PointwiseChunk.Decode((PointwiseChunk*)place, at, chunk.Length, records, points);
+            }
+            Assert.That(got, Is.InRange(0, points), story);
+            Assert.That(IsMarked(state, (int)stateBytes, Mark), Is.True, story + ": wrote behind the state");
+            Assert.That(IsMarked(tile, points * recordBytes, Mark), Is.True, story + ": wrote behind the tile");
+            Assert.That(IsMarked(input, chunk.Length, Mark), Is.True, story + ": wrote behind the input");
         }
 
         static NativeArray<byte> Marked(int bytes, int guard, byte mark)

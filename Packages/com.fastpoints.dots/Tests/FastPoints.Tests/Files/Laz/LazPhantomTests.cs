@@ -6,11 +6,9 @@ using NUnit.Framework;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Pointwise chunks have no mark of their end, and with chunks of one size only the header says how many points the last one
-    /// has. A header that claims too many, or a file that is cut, must not make points: what is given is what was written, from
-    /// the start.
-    /// </summary>
+    /// <summary>Pointwise chunks have no mark of their end, and with chunks of one size only the header says how many points the
+    /// last one has. A header that claims too many, or a file that is cut, must not make points: what is given is what was
+    /// written, from the start.</summary>
     public class LazPhantomTests
     {
         const int ChunkPoints = 64;
@@ -34,12 +32,10 @@ namespace FastPoints.Tests.Files
 
         static (byte[] Got, bool IsTold) Read(byte[] bytes)
         {
-            using (var file = new TemporaryFile(bytes, ".laz"))
-            using (var reader = LazFileReading.Open(file.Path, 1 << 16))
-            {
-                var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
-                return (got, reader.Info.Warnings.Count > 0);
-            }
+            using var file = new TemporaryFile(bytes, ".laz");
+            using var reader = LazFileReading.Open(file.Path, 1 << 16);
+            var got = LazFileReading.Present(reader, LazFileReading.LayoutOf(file.Path));
+            return (got, reader.Info.Warnings.Count > 0);
         }
 
         static int CommonPoints(byte[] got, List<byte[]> records, int recordBytes, string story)
@@ -66,9 +62,7 @@ namespace FastPoints.Tests.Files
             TablePlace = table,
         };
 
-        [TestCase(LazTablePlace.AtOffset)]
-        [TestCase(LazTablePlace.AtFileEnd)]
-        [TestCase(LazTablePlace.Missing)]
+        [TestCase(LazTablePlace.AtOffset), TestCase(LazTablePlace.AtFileEnd), TestCase(LazTablePlace.Missing)]
         public void Read_HeaderClaimsMoreThanTheLastChunkHas_GivesNoPhantoms(LazTablePlace table)
         {
             int exact = 0, files = 0, same = 0, mostMissing = 0;

@@ -70,34 +70,32 @@ namespace FastPoints.Tests.Files
             out long inputBytes)
         {
             var perPoint = new[] { 24, 8, 2, 2, 5, 5, 2, 5, 24, 14 };
-            using (var input = new NativeArray<byte>(RecordBytes + 4 + 40, Allocator.TempJob))
-            using (var bytesPerPoint = new NativeArray<int>(10, Allocator.TempJob))
-            using (var commands = new NativeArray<ReadCommand>(10, Allocator.TempJob))
-            using (var array = new NativeArray<ReadCommandArray>(1, Allocator.TempJob))
-            using (var bytes = new NativeArray<long>(1, Allocator.TempJob))
+            using var input = new NativeArray<byte>(RecordBytes + 4 + 40, Allocator.TempJob);
+            using var bytesPerPoint = new NativeArray<int>(10, Allocator.TempJob);
+            using var commands = new NativeArray<ReadCommand>(10, Allocator.TempJob);
+            using var array = new NativeArray<ReadCommandArray>(1, Allocator.TempJob);
+            using var bytes = new NativeArray<long>(1, Allocator.TempJob);
+            for (int i = 0; i < sizes.Length; i++)
+                *(uint*)((byte*)input.GetUnsafePtr() + RecordBytes + 4 + 4 * i) = sizes[i];
+            var asked = bytesPerPoint;
+            foreach (int layer in wanted)
+                asked[layer] = perPoint[layer];
+            new PlanLazReadsJob
             {
-                for (int i = 0; i < sizes.Length; i++)
-                    *(uint*)((byte*)input.GetUnsafePtr() + RecordBytes + 4 + 4 * i) = sizes[i];
-                var asked = bytesPerPoint;
-                foreach (int layer in wanted)
-                    asked[layer] = perPoint[layer];
-                new PlanLazReadsJob
-                {
-                    Input = input,
-                    BytesPerPoint = bytesPerPoint,
-                    Commands = commands,
-                    CommandArray = array,
-                    InputBytes = bytes,
-                    Buffer = null,
-                    BufferBytes = bufferBytes,
-                    RecordBytes = RecordBytes,
-                    ChunkOffset = 5000,
-                    ChunkEnd = 5000 + chunkBytes,
-                    Points = points,
-                }.Run();
-                inputBytes = bytes[0];
-                return commands.Take(array[0].CommandCount).Select(command => (command.Offset, command.Size)).ToArray();
-            }
+                Input = input,
+                BytesPerPoint = bytesPerPoint,
+                Commands = commands,
+                CommandArray = array,
+                InputBytes = bytes,
+                Buffer = null,
+                BufferBytes = bufferBytes,
+                RecordBytes = RecordBytes,
+                ChunkOffset = 5000,
+                ChunkEnd = 5000 + chunkBytes,
+                Points = points,
+            }.Run();
+            inputBytes = bytes[0];
+            return commands.Take(array[0].CommandCount).Select(command => (command.Offset, command.Size)).ToArray();
         }
 
         [Test]
@@ -123,21 +121,19 @@ namespace FastPoints.Tests.Files
 
         static void CheckPositions(byte[] bytes, List<byte[]> records)
         {
-            using (var file = new TemporaryFile(bytes, ".laz"))
-            using (var reader = LazFileReading.Open(file.Path))
-            using (var read = reader.CreateRead(reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z),
-                records.Count, Allocator.Persistent))
+            using var file = new TemporaryFile(bytes, ".laz");
+            using var reader = LazFileReading.Open(file.Path);
+            using var read = reader.CreateRead(reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z),
+                records.Count, Allocator.Persistent);
+            read.Begin(new BlockRange(0, 0, records.Count));
+            read.Complete();
+            Assert.That(read.Points.Count, Is.EqualTo(records.Count));
+            var x = read.Points.Column<int>(AttributeNames.X);
+            var z = read.Points.Column<int>(AttributeNames.Z);
+            for (int i = 0; i < records.Count; i++)
             {
-                read.Begin(new BlockRange(0, 0, records.Count));
-                read.Complete();
-                Assert.That(read.Points.Count, Is.EqualTo(records.Count));
-                var x = read.Points.Column<int>(AttributeNames.X);
-                var z = read.Points.Column<int>(AttributeNames.Z);
-                for (int i = 0; i < records.Count; i++)
-                {
-                    Assert.That(x[i], Is.EqualTo(BitConverter.ToInt32(records[i], 0)));
-                    Assert.That(z[i], Is.EqualTo(BitConverter.ToInt32(records[i], 8)));
-                }
+                Assert.That(x[i], Is.EqualTo(BitConverter.ToInt32(records[i], 0)));
+                Assert.That(z[i], Is.EqualTo(BitConverter.ToInt32(records[i], 8)));
             }
         }
 

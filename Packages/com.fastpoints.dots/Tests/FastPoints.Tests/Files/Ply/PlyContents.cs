@@ -20,24 +20,22 @@ namespace FastPoints.Tests.Files
         /// <summary>Reads the attributes of these names, or all where none are named.</summary>
         public static PlyContents Read(string path, params string[] names)
         {
-            using (var reader = PlyReader.Open(path))
-            {
-                WorkPump.RunToEnd(reader.FindBlocks());
-                var wanted = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
-                var contents = new PlyContents { Info = reader.Info, Blocks = reader.BlockCount };
-                foreach (var attribute in wanted)
-                    contents.m_bytesOfName.Add(attribute.Name, new MemoryStream());
-                if (reader.BlockCount == 0)
-                    return contents;
-                using (var read = reader.CreateRead(wanted, reader.MaxPointsPerBlock, Allocator.Persistent))
-                    for (int block = 0; block < reader.BlockCount; block++)
-                    {
-                        read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                        read.Complete();
-                        contents.Take(read.Points);
-                    }
+            using var reader = PlyReader.Open(path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            var wanted = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
+            var contents = new PlyContents { Info = reader.Info, Blocks = reader.BlockCount };
+            foreach (var attribute in wanted)
+                contents.m_bytesOfName.Add(attribute.Name, new MemoryStream());
+            if (reader.BlockCount == 0)
                 return contents;
-            }
+            using (var read = reader.CreateRead(wanted, reader.MaxPointsPerBlock, Allocator.Persistent))
+                for (int block = 0; block < reader.BlockCount; block++)
+                {
+                    read.Begin(new BlockRange(block, 0, reader.PointsInBlock(block)));
+                    read.Complete();
+                    contents.Take(read.Points);
+                }
+            return contents;
         }
 
         public void Take(PointBatch batch)

@@ -37,9 +37,7 @@ namespace FastPoints.Tests.Files
             Assert.That(header.Remarks[1].Value, Is.EqualTo("three"));
         }
 
-        [TestCase("\n")]
-        [TestCase("\r")]
-        [TestCase("\r\n")]
+        [TestCase("\n"), TestCase("\r"), TestCase("\r\n")]
         public void Parse_AnyLineEnd_FindsTheDataBehindIt(string end)
         {
             string text = Usual.Replace("\n", end);
@@ -61,10 +59,8 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
-        public void Parse_LfLinesAndLfAtTheEnd_LeavesNextByteToTheData()
-        {
+        public void Parse_LfLinesAndLfAtTheEnd_LeavesNextByteToTheData() =>
             Assert.That(Parse(Usual + "\r\n").DataOffset, Is.EqualTo(Usual.Length));
-        }
 
         [Test]
         public void Parse_TabsRepeatedAndTrailingBlanks_AreParted()
@@ -77,10 +73,8 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
-        public void Parse_EndHeaderAtTheFilesEnd_NeedsNoLineEnd()
-        {
+        public void Parse_EndHeaderAtTheFilesEnd_NeedsNoLineEnd() =>
             Assert.That(Parse("ply\nformat ascii 1.0\nend_header").DataOffset, Is.EqualTo(31));
-        }
 
         [Test]
         public void Parse_MoreBytesToCome_AsksForThem()
@@ -127,10 +121,8 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
-        public void Parse_NoEndHeader_IsTruncated()
-        {
+        public void Parse_NoEndHeader_IsTruncated() =>
             Assert.That(Failure("ply\nformat ascii 1.0\nelement vertex 1").Code, Is.EqualTo(FailureCode.Truncated));
-        }
 
         [Test]
         public void Parse_ControlCharacters_DoNotReachTheMessage()

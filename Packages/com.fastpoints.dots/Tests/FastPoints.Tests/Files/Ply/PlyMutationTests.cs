@@ -94,7 +94,6 @@ namespace FastPoints.Tests.Files
             var random = new Random(format.Length * 2 + (hasLists ? 1 : 0));
             int failures = 0, whole = 0;
             using (var file = new PlyTestFile())
-            {
                 for (int i = 0; i < 600; i++)
                 {
                     byte[] bytes = Mutate(seed, random);
@@ -114,7 +113,6 @@ namespace FastPoints.Tests.Files
                         failures++;
                     }
                 }
-            }
             Assert.That(failures, Is.GreaterThan(50));
             Assert.That(whole, Is.GreaterThan(20));
         }

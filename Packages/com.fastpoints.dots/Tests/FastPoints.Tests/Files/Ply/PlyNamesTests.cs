@@ -29,15 +29,11 @@ namespace FastPoints.Tests.Files
         [TestCase("confidence scalar_GPS_time f_dc_0", "confidence scalar_GPS_time f_dc_0")]
         [TestCase("p p p", "p p_2 p_3")]
         [TestCase("x Intensity X", "X Intensity X_2")]
-        public void Of_Properties_GivesTheUsualNames(string given, string wanted)
-        {
+        public void Of_Properties_GivesTheUsualNames(string given, string wanted) =>
             Assert.That(string.Join(" ", Names(given.Split(' '))), Is.EqualTo(wanted));
-        }
 
         [Test]
-        public void Of_List_HasNoName()
-        {
+        public void Of_List_HasNoName() =>
             Assert.That(Names("x", "red*", "y"), Is.EqualTo(new[] { AttributeNames.X, null, AttributeNames.Y }));
-        }
     }
 }

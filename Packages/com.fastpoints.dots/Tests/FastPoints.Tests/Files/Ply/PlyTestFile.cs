@@ -57,31 +57,18 @@ namespace FastPoints.Tests.Files
                 File.Delete(Path);
         }
 
-        public static byte[] BytesOf(object value)
+        public static byte[] BytesOf(object value) => value switch
         {
-            switch (value)
-            {
-                case byte v:
-                    return new[] { v };
-                case sbyte v:
-                    return new[] { (byte)v };
-                case ushort v:
-                    return BitConverter.GetBytes(v);
-                case short v:
-                    return BitConverter.GetBytes(v);
-                case uint v:
-                    return BitConverter.GetBytes(v);
-                case int v:
-                    return BitConverter.GetBytes(v);
-                case ulong v:
-                    return BitConverter.GetBytes(v);
-                case long v:
-                    return BitConverter.GetBytes(v);
-                case float v:
-                    return BitConverter.GetBytes(v);
-                default:
-                    return BitConverter.GetBytes((double)value);
-            }
-        }
+            byte v => new[] { v },
+            sbyte v => new[] { (byte)v },
+            ushort v => BitConverter.GetBytes(v),
+            short v => BitConverter.GetBytes(v),
+            uint v => BitConverter.GetBytes(v),
+            int v => BitConverter.GetBytes(v),
+            ulong v => BitConverter.GetBytes(v),
+            long v => BitConverter.GetBytes(v),
+            float v => BitConverter.GetBytes(v),
+            _ => BitConverter.GetBytes((double)value),
+        };
     }
 }

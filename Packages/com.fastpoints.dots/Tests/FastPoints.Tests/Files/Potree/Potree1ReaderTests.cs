@@ -71,10 +71,7 @@ namespace FastPoints.Tests.Files
 
         /// <summary>Corners of the cells lie between steps, and yet all positions come back: see
         /// <see cref="Potree1Reader"/>.</summary>
-        [TestCase("1.4")]
-        [TestCase("1.5")]
-        [TestCase("1.7")]
-        [TestCase("1.8")]
+        [TestCase("1.4"), TestCase("1.5"), TestCase("1.7"), TestCase("1.8")]
         public void Read_AllPoints_HaveTheirValues(string version)
         {
             var writer = new Potree1Writer { Version = version };
@@ -83,35 +80,33 @@ namespace FastPoints.Tests.Files
                 {
                     new PotreeTestAttribute("reflectance", "double"), new PotreeTestAttribute("pair", "int16", 2),
                 }).ToArray();
-            using (var reader = Write(writer))
-            {
-                Assert.That(reader.Info.Warnings, Is.Empty);
-                Assert.That(reader.Info.PointsClaimed, Is.EqualTo(Points));
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(s_cloud.PointsOfNode.Count));
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(Depth + 1));
-                foreach (int workers in new[] { 0, 4 })
-                    using (new WorkerCount(workers))
-                        Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(Enumerable.Range(0, Points)));
-            }
+            using var reader = Write(writer);
+            Assert.That(reader.Info.Warnings, Is.Empty);
+            Assert.That(reader.Info.PointsClaimed, Is.EqualTo(Points));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(s_cloud.PointsOfNode.Count));
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(Depth + 1));
+            foreach (int workers in new[] { 0, 4 })
+                using (new WorkerCount(workers))
+                    Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(Enumerable.Range(0, Points)));
         }
 
         [Test]
         public void Read_AnySubsetAnyRangeAnyOrder_IsTheSame()
         {
             var random = new Random(3);
-            using (var reader = Write(new Potree1Writer()))
-                for (int i = 0; i < 12; i++)
+            using var reader = Write(new Potree1Writer());
+            for (int i = 0; i < 12; i++)
+            {
+                var names = reader.Info.Schema.Select(a => a.Name).Where(n => n == "INDICES" || random.Next(4) == 0);
+                var ranges = PotreeCheck.WholeBlocks(reader).OrderBy(_ => random.Next()).Select(whole =>
                 {
-                    var names = reader.Info.Schema.Select(a => a.Name).Where(n => n == "INDICES" || random.Next(4) == 0);
-                    var ranges = PotreeCheck.WholeBlocks(reader).OrderBy(_ => random.Next()).Select(whole =>
-                    {
-                        int first = random.Next(whole.Count);
-                        return new BlockRange(whole.Block, first, random.Next(1, whole.Count - first + 1));
-                    }).ToList();
-                    var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges,
-                        1 + i % 4, "INDICES", Value);
-                    Assert.That(got.Count, Is.EqualTo(ranges.Sum(range => range.Count)));
-                }
+                    int first = random.Next(whole.Count);
+                    return new BlockRange(whole.Block, first, random.Next(1, whole.Count - first + 1));
+                }).ToList();
+                var got = PotreeCheck.Read(reader, reader.Info.Schema.Select(names.ToArray()), ranges,
+                    1 + i % 4, "INDICES", Value);
+                Assert.That(got.Count, Is.EqualTo(ranges.Sum(range => range.Count)));
+            }
         }
 
         /// <summary>A scale that is no sum of powers of two: the converter's truncation takes a step off here and
@@ -119,43 +114,38 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_DecimalScale_IsWithinAStep()
         {
-            using (var reader = Write(new Potree1Writer { Scale = 0.001, Min = new double3(481260.37, 3812921.09, -0.1) }))
+            using var reader = Write(new Potree1Writer { Scale = 0.001, Min = new double3(481260.37, 3812921.09, -0.1) });
+            int lower = 0;
+            PotreeCheck.Read(reader, reader.Info.Schema, PotreeCheck.WholeBlocks(reader), 1, "INDICES", (point, column) => null);
+            var numbers = ReadPoints.Column<int>(reader, "INDICES");
+            for (int axis = 0; axis < 3; axis++)
             {
-                int lower = 0;
-                PotreeCheck.Read(reader, reader.Info.Schema, PotreeCheck.WholeBlocks(reader), 1,
-                    "INDICES", (point, column) => null);
-                var numbers = ReadPoints.Column<int>(reader, "INDICES");
-                for (int axis = 0; axis < 3; axis++)
+                var stored = ReadPoints.Column<int>(reader, new[] { "X", "Y", "Z" }[axis]);
+                for (int i = 0; i < stored.Length; i++)
                 {
-                    var stored = ReadPoints.Column<int>(reader, new[] { "X", "Y", "Z" }[axis]);
-                    for (int i = 0; i < stored.Length; i++)
-                    {
-                        int difference = stored[i] - s_cloud.Position(numbers[i])[axis];
-                        Assert.That(difference, Is.EqualTo(0).Or.EqualTo(-1));
-                        lower -= difference;
-                    }
+                    int difference = stored[i] - s_cloud.Position(numbers[i])[axis];
+                    Assert.That(difference, Is.EqualTo(0).Or.EqualTo(-1));
+                    lower -= difference;
                 }
-                Assert.That(lower, Is.LessThan(Points * 2));
             }
+            Assert.That(lower, Is.LessThan(Points * 2));
         }
 
         [Test]
         public void FindLevels_ReadsThePagesOfTheseLevelsOnly()
         {
             new Potree1Writer().Write(m_folder, s_cloud);
-            using (var reader = PointReaders.Open(m_folder.Folder))
-            {
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(3));
-                Assert.That(reader.BlocksAreKnown, Is.False);
-                WorkPump.RunToEnd(reader.FindLevels(3));
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(3), "nothing more is needed for three levels");
-                WorkPump.RunToEnd(reader.FindLevels(4));
-                Assert.That(reader.Tree.LevelCount, Is.EqualTo(5));
-                Assert.That(reader.BlocksAreKnown, Is.False);
-                WorkPump.RunToEnd(reader.FindBlocks());
-                Assert.That(reader.BlocksAreKnown, Is.True);
-                Assert.That(reader.PointCount, Is.EqualTo(Points));
-            }
+            using var reader = PointReaders.Open(m_folder.Folder);
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(3));
+            Assert.That(reader.BlocksAreKnown, Is.False);
+            WorkPump.RunToEnd(reader.FindLevels(3));
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(3), "nothing more is needed for three levels");
+            WorkPump.RunToEnd(reader.FindLevels(4));
+            Assert.That(reader.Tree.LevelCount, Is.EqualTo(5));
+            Assert.That(reader.BlocksAreKnown, Is.False);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            Assert.That(reader.BlocksAreKnown, Is.True);
+            Assert.That(reader.PointCount, Is.EqualTo(Points));
         }
 
         [Test]
@@ -184,8 +174,7 @@ namespace FastPoints.Tests.Files
             Assert.That(failure.Message, Does.Contain("the nodes are not there"));
         }
 
-        [TestCase("1.4")]
-        [TestCase("1.7")]
+        [TestCase("1.4"), TestCase("1.7")]
         public void Read_MissingAndShortNodes_AreHolesAndWarnings(string version)
         {
             var writer = new Potree1Writer { Version = version };
@@ -194,17 +183,15 @@ namespace FastPoints.Tests.Files
             File.Delete(m_folder.File("data/" + writer.PathOf(nodes[0].Key) + ".bin"));
             string cut = m_folder.File("data/" + writer.PathOf(nodes[1].Key) + ".bin");
             File.WriteAllBytes(cut, File.ReadAllBytes(cut).Take(60).ToArray());
-            using (var reader = Open())
-            {
-                var got = ReadAll(reader);
-                Assert.That(got.OrderBy(i => i), Is.EqualTo(Enumerable.Range(0, Points).Except(nodes[0].Value)
-                    .Except(nodes[1].Value.Skip(1))));
-                var texts = reader.Info.Warnings.Select(w => w.Text).ToList();
-                Assert.That(texts, Has.Some.Contains("node " + nodes[0].Key + ": its file is missing"));
-                Assert.That(texts,
-                    Has.Some.Contains("node " + nodes[1].Key + ": its file does not hold").And.Some.Contains("got 1 and"));
-                Assert.That(texts.Count, Is.EqualTo(2));
-            }
+            using var reader = Open();
+            var got = ReadAll(reader);
+            Assert.That(got.OrderBy(i => i), Is.EqualTo(Enumerable.Range(0, Points).Except(nodes[0].Value)
+                .Except(nodes[1].Value.Skip(1))));
+            var texts = reader.Info.Warnings.Select(w => w.Text).ToList();
+            Assert.That(texts, Has.Some.Contains("node " + nodes[0].Key + ": its file is missing"));
+            Assert.That(texts,
+                Has.Some.Contains("node " + nodes[1].Key + ": its file does not hold").And.Some.Contains("got 1 and"));
+            Assert.That(texts.Count, Is.EqualTo(2));
         }
 
         [Test]
@@ -214,13 +201,11 @@ namespace FastPoints.Tests.Files
             writer.Write(m_folder, s_cloud);
             string node = s_cloud.PointsOfNode.Keys.First(name => name.Length == 3 && s_cloud.ChildMask(name) != 0);
             File.Delete(m_folder.File("data/" + writer.PathOf(node) + ".hrc"));
-            using (var reader = Open())
-            {
-                Assert.That(reader.Info.Warnings.Single().Text,
-                    Does.StartWith("node " + node + ": the hierarchy below it is not there"));
-                Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(s_cloud.PointsOfNode
-                    .Where(n => n.Key == node || !n.Key.StartsWith(node)).SelectMany(n => n.Value).OrderBy(i => i)));
-            }
+            using var reader = Open();
+            Assert.That(reader.Info.Warnings.Single().Text,
+                Does.StartWith("node " + node + ": the hierarchy below it is not there"));
+            Assert.That(ReadAll(reader).OrderBy(i => i), Is.EqualTo(s_cloud.PointsOfNode
+                .Where(n => n.Key == node || !n.Key.StartsWith(node)).SelectMany(n => n.Value).OrderBy(i => i)));
         }
 
         [Test]
@@ -236,13 +221,11 @@ namespace FastPoints.Tests.Files
                 BitConverter.GetBytes(uint.MaxValue).CopyTo(bytes, at + 1);
             }
             File.WriteAllBytes(root, bytes);
-            using (var reader = Open())
-            {
-                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(Points));
-                Assert.That(ReadAll(reader).Distinct().Count(), Is.EqualTo(reader.PointCount), "no point twice");
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("ends early"));
-                Assert.That(reader.Info.Warnings.Count, Is.LessThan(20));
-            }
+            using var reader = Open();
+            Assert.That(reader.PointCount, Is.LessThanOrEqualTo(Points));
+            Assert.That(ReadAll(reader).Distinct().Count(), Is.EqualTo(reader.PointCount), "no point twice");
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("ends early"));
+            Assert.That(reader.Info.Warnings.Count, Is.LessThan(20));
         }
 
         [Test]
@@ -251,13 +234,11 @@ namespace FastPoints.Tests.Files
             var writer = new Potree1Writer();
             writer.Attributes = writer.Attributes.Concat(new[] { new PotreeTestAttribute("WHATEVER", "uint8", 3) }).ToArray();
             writer.Write(m_folder, s_cloud);
-            using (var reader = Open())
-            {
-                Assert.That(reader.Info.Warnings.Single().Text, Does.Contain("\"WHATEVER\" is not known: its 3 bytes"));
-                var numbers = ReadPoints.Column<int>(reader, "INDICES");
-                var last = ReadPoints.Column<byte>(reader, "WHATEVER[2]");
-                Assert.That(last, Is.EqualTo(numbers.Select(n => PotreeTestCloud.ByteOf(n, "WHATEVER", 2))));
-            }
+            using var reader = Open();
+            Assert.That(reader.Info.Warnings.Single().Text, Does.Contain("\"WHATEVER\" is not known: its 3 bytes"));
+            var numbers = ReadPoints.Column<int>(reader, "INDICES");
+            var last = ReadPoints.Column<byte>(reader, "WHATEVER[2]");
+            Assert.That(last, Is.EqualTo(numbers.Select(n => PotreeTestCloud.ByteOf(n, "WHATEVER", 2))));
         }
 
         [Test]
@@ -272,23 +253,21 @@ namespace FastPoints.Tests.Files
                     new PotreeTestAttribute("NORMAL_OCT16", "uint8", 2), new PotreeTestAttribute("NORMAL", "float", 3),
                 },
             };
-            using (var reader = Write(writer))
+            using var reader = Write(writer);
+            Assert.That(reader.Info.Schema.Select(a => a.Name), Is.EqualTo(new[]
             {
-                Assert.That(reader.Info.Schema.Select(a => a.Name), Is.EqualTo(new[]
-                {
-                    "X", "Y", "Z", "INDICES", "Red", "Green", "Blue", "NormalX", "NormalY", "NormalZ", "NORMAL_OCT16[0]",
-                    "NORMAL_OCT16[1]", "NormalX (2)", "NormalY (2)", "NormalZ (2)",
-                }));
-                var numbers = ReadPoints.Column<int>(reader, "INDICES");
-                Assert.That(ReadPoints.Column<float>(reader, "NormalY"),
-                    Is.EqualTo(numbers.Select(n => PotreeNormals.FromSphereMap(
-                        PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 0),
-                        PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 1)).y)));
-                Assert.That(ReadPoints.Column<byte>(reader, "NORMAL_OCT16[1]"), Is.EqualTo(numbers.Select(n =>
-                    PotreeTestCloud.ByteOf(n, "NORMAL_OCT16", 1))));
-                Assert.That(ReadPoints.Column<uint>(reader, "NormalZ (2)"), Is.EqualTo(numbers.Select(n =>
-                    (uint)PotreeCheck.Bits(n, "NORMAL", 8, 4))));
-            }
+                "X", "Y", "Z", "INDICES", "Red", "Green", "Blue", "NormalX", "NormalY", "NormalZ", "NORMAL_OCT16[0]",
+                "NORMAL_OCT16[1]", "NormalX (2)", "NormalY (2)", "NormalZ (2)",
+            }));
+            var numbers = ReadPoints.Column<int>(reader, "INDICES");
+            Assert.That(ReadPoints.Column<float>(reader, "NormalY"),
+                Is.EqualTo(numbers.Select(n => PotreeNormals.FromSphereMap(
+                    PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 0),
+                    PotreeTestCloud.ByteOf(n, "NORMAL_SPHEREMAPPED", 1)).y)));
+            Assert.That(ReadPoints.Column<byte>(reader, "NORMAL_OCT16[1]"), Is.EqualTo(numbers.Select(n =>
+                PotreeTestCloud.ByteOf(n, "NORMAL_OCT16", 1))));
+            Assert.That(ReadPoints.Column<uint>(reader, "NormalZ (2)"), Is.EqualTo(numbers.Select(n =>
+                (uint)PotreeCheck.Bits(n, "NORMAL", 8, 4))));
         }
 
         /// <summary>Nodes in LAS, each with its own offset, as PotreeConverter 1.5 and later write them.</summary>
@@ -349,25 +328,23 @@ namespace FastPoints.Tests.Files
                 Offset = tree.Min + (corner + between) * tree.Scale,
                 ExtraBytes = new[] { new PointAttribute("number", AttributeType.UInt32) },
             };
-            using (var las = LasWriter.Create(m_folder.File("data/" + node + ".las"), settings))
-            using (var batch = new PointBatch(las.Schema, points.Count, Allocator.Persistent))
+            using var las = LasWriter.Create(m_folder.File("data/" + node + ".las"), settings);
+            using var batch = new PointBatch(las.Schema, points.Count, Allocator.Persistent);
+            var bytes = batch.Bytes;
+            for (int i = 0; i < bytes.Length; i++)
+                bytes[i] = 0;
+            for (int axis = 0; axis < 3; axis++)
             {
-                var bytes = batch.Bytes;
-                for (int i = 0; i < bytes.Length; i++)
-                    bytes[i] = 0;
-                for (int axis = 0; axis < 3; axis++)
-                {
-                    var column = batch.Column<int>(axis);
-                    for (int i = 0; i < points.Count; i++)
-                        column[i] = (int)(s_cloud.Position(points[i])[axis] - corner[axis]);
-                }
-                var numbers = batch.Column<uint>("number");
+                var column = batch.Column<int>(axis);
                 for (int i = 0; i < points.Count; i++)
-                    numbers[i] = (uint)points[i];
-                batch.Count = points.Count;
-                las.Append(batch);
-                las.Complete();
+                    column[i] = (int)(s_cloud.Position(points[i])[axis] - corner[axis]);
             }
+            var numbers = batch.Column<uint>("number");
+            for (int i = 0; i < points.Count; i++)
+                numbers[i] = (uint)points[i];
+            batch.Count = points.Count;
+            las.Append(batch);
+            las.Complete();
         }
 
         [TestCase("\"version\": \"1.7\"", "\"version\": \"1.3\"", FailureCode.Unsupported, "wanted 1.4 to 1.8, got 1.3")]

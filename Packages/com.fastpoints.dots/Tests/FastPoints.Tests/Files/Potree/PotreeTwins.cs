@@ -18,16 +18,14 @@ namespace FastPoints.Tests.Files
         }
 
         /// <summary>One column's bits, as the file has them.</summary>
-        public static ulong[] Bits(PointReader reader, string name)
-        {
-            switch (reader.Info.Schema[reader.Info.Schema.IndexOf(name)].Type.SizeOf())
+        public static ulong[] Bits(PointReader reader, string name) =>
+            reader.Info.Schema[reader.Info.Schema.IndexOf(name)].Type.SizeOf() switch
             {
-                case 1: return Array.ConvertAll(ReadPoints.Column<byte>(reader, name), v => (ulong)v);
-                case 2: return Array.ConvertAll(ReadPoints.Column<ushort>(reader, name), v => (ulong)v);
-                case 4: return Array.ConvertAll(ReadPoints.Column<uint>(reader, name), v => (ulong)v);
-                default: return ReadPoints.Column<ulong>(reader, name);
-            }
-        }
+                1 => Array.ConvertAll(ReadPoints.Column<byte>(reader, name), v => (ulong)v),
+                2 => Array.ConvertAll(ReadPoints.Column<ushort>(reader, name), v => (ulong)v),
+                4 => Array.ConvertAll(ReadPoints.Column<uint>(reader, name), v => (ulong)v),
+                _ => ReadPoints.Column<ulong>(reader, name),
+            };
 
         /// <summary>A hash of each point, sorted: equal for clouds of the same points in any order.</summary>
         /// <param name="quantise">From a georeferenced coordinate to the grid that is compared, by axis; null for the stored

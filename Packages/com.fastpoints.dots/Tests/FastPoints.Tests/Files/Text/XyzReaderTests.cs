@@ -98,13 +98,11 @@ namespace FastPoints.Tests.Files
         [TestCase("\"z\";\"x\";\"y\"\n-3;1.5;2.25\n6;4;5.5\n")]
         public void Read_Dialects_GiveTheSamePoints(string text)
         {
-            using (var reader = Open(text))
-            {
-                var points = Points(reader, "X", "Y", "Z").Select(p => p.Split(' ').Select(v => decimal.Parse(v,
-                    NumberStyles.Float, CultureInfo.InvariantCulture)).OrderBy(v => v).ToArray()).ToList();
-                Assert.That(points, Is.EqualTo(new[] { new[] { -3m, 1.5m, 2.25m }, new[] { 4m, 5.5m, 6m } }));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = Open(text);
+            var points = Points(reader, "X", "Y", "Z").Select(p => p.Split(' ').Select(v => decimal.Parse(v,
+                NumberStyles.Float, CultureInfo.InvariantCulture)).OrderBy(v => v).ToArray()).ToList();
+            Assert.That(points, Is.EqualTo(new[] { new[] { -3m, 1.5m, 2.25m }, new[] { 4m, 5.5m, 6m } }));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [TestCase("1 2 3 700\n4 5 6 65\n", "X Y Z Intensity", "UInt16")]
@@ -127,14 +125,12 @@ namespace FastPoints.Tests.Files
         [TestCase("r g b x y z\n1 2 3 4 5 6\n", "Red Green Blue X Y Z", "X")]
         public void Open_Columns_AreGuessedAndStated(string text, string columns, string types)
         {
-            using (var reader = Open(text))
-            {
-                Assert.That(Columns(reader), Is.EqualTo(columns));
-                if (types != "X")
-                    Assert.That(Types(reader), Is.EqualTo(types));
-                Assert.That(reader.Info.Facts.First(f => f.Key == "columns").Value,
-                    Does.Contain(char.IsLetter(text[0]) ? "by the file's header" : "guessed from"));
-            }
+            using var reader = Open(text);
+            Assert.That(Columns(reader), Is.EqualTo(columns));
+            if (types != "X")
+                Assert.That(Types(reader), Is.EqualTo(types));
+            Assert.That(reader.Info.Facts.First(f => f.Key == "columns").Value,
+                Does.Contain(char.IsLetter(text[0]) ? "by the file's header" : "guessed from"));
         }
 
         [Test]
@@ -163,14 +159,12 @@ namespace FastPoints.Tests.Files
                 text.Append(x).Append(' ').Append(y).Append(' ').Append(z).Append('\n');
                 expected.Add(x + " " + y + " " + z);
             }
-            using (var reader = Open(text.ToString()))
-            {
-                Assert.That(reader.Info.Transform.Scale.x, Is.EqualTo(1e-6));
-                Assert.That(reader.Info.Transform.Scale.y, Is.EqualTo(1e-4));
-                Assert.That(reader.Info.Transform.Scale.z, Is.EqualTo(1e-9));
-                Assert.That(Points(reader), Is.EqualTo(expected));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = Open(text.ToString());
+            Assert.That(reader.Info.Transform.Scale.x, Is.EqualTo(1e-6));
+            Assert.That(reader.Info.Transform.Scale.y, Is.EqualTo(1e-4));
+            Assert.That(reader.Info.Transform.Scale.z, Is.EqualTo(1e-9));
+            Assert.That(Points(reader), Is.EqualTo(expected));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]
@@ -184,14 +178,12 @@ namespace FastPoints.Tests.Files
             while (text[at] != '\n')
                 at++;
             text.Insert(at + 1, "1.258 2 3\n-1.255 2 3\n");
-            using (var reader = Open(text.ToString()))
-            {
-                var points = Points(reader, "X");
-                Assert.That(points.Count, Is.EqualTo(200002));
-                Assert.That(points.Where(p => p != "1.25"), Is.EqualTo(new[] { "1.26", "-1.26" }));
-                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("2 coordinates have more digits"));
-                Assert.That(reader.Info.Warnings.Single().ByteOffset, Is.EqualTo(at + 1));
-            }
+            using var reader = Open(text.ToString());
+            var points = Points(reader, "X");
+            Assert.That(points.Count, Is.EqualTo(200002));
+            Assert.That(points.Where(p => p != "1.25"), Is.EqualTo(new[] { "1.26", "-1.26" }));
+            Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("2 coordinates have more digits"));
+            Assert.That(reader.Info.Warnings.Single().ByteOffset, Is.EqualTo(at + 1));
         }
 
         [Test]
@@ -223,16 +215,14 @@ namespace FastPoints.Tests.Files
         [Test]
         public void Read_EmptyValues_AreZeroAndCounted()
         {
-            using (var reader = Open("1,2,3,,5\n1,2,3,4,\n1,2,,4,5\n1,2,3, ,5\n1,2,3,4,5\n1,2,3,4,5\n1,2,3,4,5\n"))
+            using var reader = Open("1,2,3,,5\n1,2,3,4,\n1,2,,4,5\n1,2,3, ,5\n1,2,3,4,5\n1,2,3,4,5\n1,2,3,4,5\n");
+            Assert.That(Points(reader), Is.EqualTo(new[]
             {
-                Assert.That(Points(reader), Is.EqualTo(new[]
-                {
-                    "1 2 3 0 5", "1 2 3 4 0", "1 2 3 0 5", "1 2 3 4 5", "1 2 3 4 5", "1 2 3 4 5",
-                }));
-                var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
-                Assert.That(warnings, Has.Some.StartsWith("3 values are empty"));
-                Assert.That(warnings, Has.Some.StartsWith("1 lines are no points"));
-            }
+                "1 2 3 0 5", "1 2 3 4 0", "1 2 3 0 5", "1 2 3 4 5", "1 2 3 4 5", "1 2 3 4 5",
+            }));
+            var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
+            Assert.That(warnings, Has.Some.StartsWith("3 values are empty"));
+            Assert.That(warnings, Has.Some.StartsWith("1 lines are no points"));
         }
 
         [Test]
@@ -242,11 +232,9 @@ namespace FastPoints.Tests.Files
             for (int i = 0; i < 200000; i++)
                 text.Append("1 2 3 255 0 1\n");
             text.Insert(70000 / 14 * 14, "1 2 3 300 -1 0.5\n");
-            using (var reader = Open(text.ToString()))
-            {
-                Assert.That(Points(reader), Has.Some.EqualTo("1 2 3 255 0 0"));
-                Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("3 values do not fit"));
-            }
+            using var reader = Open(text.ToString());
+            Assert.That(Points(reader), Has.Some.EqualTo("1 2 3 255 0 0"));
+            Assert.That(reader.Info.Warnings.Single().Text, Does.StartWith("3 values do not fit"));
         }
 
         [TestCase("{\"x\": [1, 2, 3]}")]
@@ -263,10 +251,8 @@ namespace FastPoints.Tests.Files
         [TestCase(" \n \n")]
         [TestCase("1 2 3\0")]
         [TestCase("G01 X1 Y2 Z3\nG01 X1 Y2 Z3\n")]
-        public void Open_OtherText_IsRefused(string text)
-        {
+        public void Open_OtherText_IsRefused(string text) =>
             Assert.That(() => Open(text), Throws.InstanceOf<PointCloudException>());
-        }
 
         [Test]
         public void Open_NamesWithoutPositions_AsksForThem()
@@ -331,14 +317,12 @@ namespace FastPoints.Tests.Files
             text.Append("7 8 9").Append(' ', 300 << 10).Append("\n7 8 9").Append(' ', 3000).Append('\n');
             for (int i = 0; i < 60000; i++)
                 text.Append("4 5 6\n");
-            using (var reader = Open(text.ToString()))
-            {
-                var points = Points(reader);
-                Assert.That(points.Count(p => p == "1 2 3"), Is.EqualTo(10000));
-                Assert.That(points.Count(p => p == "7 8 9"), Is.EqualTo(1));
-                Assert.That(points.Count(p => p == "4 5 6"), Is.EqualTo(60000));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contain("longer than"));
-            }
+            using var reader = Open(text.ToString());
+            var points = Points(reader);
+            Assert.That(points.Count(p => p == "1 2 3"), Is.EqualTo(10000));
+            Assert.That(points.Count(p => p == "7 8 9"), Is.EqualTo(1));
+            Assert.That(points.Count(p => p == "4 5 6"), Is.EqualTo(60000));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contain("longer than"));
         }
 
         [Test]
@@ -362,17 +346,15 @@ namespace FastPoints.Tests.Files
             string target = m_path + ".fastpoints";
             try
             {
-                using (var reader = Open(text.ToString()))
-                {
-                    ConvertResult result = null;
-                    WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
-                    Assert.That(result.Manifest.Points, Is.EqualTo(30000));
-                    Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
-                    var verified = new VerifyResult();
-                    WorkPump.RunToEnd(VerifyCloud.Run(target, new[] { reader }, verified, null));
-                    Assert.That(verified.Problems, Is.Empty);
-                    Assert.That(reader.Info.Warnings, Is.Empty);
-                }
+                using var reader = Open(text.ToString());
+                ConvertResult result = null;
+                WorkPump.RunToEnd(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
+                Assert.That(result.Manifest.Points, Is.EqualTo(30000));
+                Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
+                var verified = new VerifyResult();
+                WorkPump.RunToEnd(VerifyCloud.Run(target, new[] { reader }, verified, null));
+                Assert.That(verified.Problems, Is.Empty);
+                Assert.That(reader.Info.Warnings, Is.Empty);
             }
             finally
             {

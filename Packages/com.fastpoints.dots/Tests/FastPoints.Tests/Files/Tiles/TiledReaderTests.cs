@@ -91,15 +91,13 @@ namespace FastPoints.Tests.Files
             var paths = new List<string>();
             for (int i = 0; i < places.Length; i++)
                 paths.Add(WriteLas(i + ".las", places[i], scale, offset));
-            using (var reader = PointReaders.Open(paths))
-            {
-                Assert.That(reader.PointCount, Is.EqualTo(110001));
-                Assert.That(reader.Info.Schema[0].Type, Is.EqualTo(AttributeType.Int32));
-                Assert.That(reader.Info.Transform.Offset, Is.EqualTo(offset));
-                Assert.That(ReadPoints.Column<int>(reader, "X"), Is.EqualTo(places.SelectMany(p => p).Select(p => p.x)));
-                Assert.That(ReadPoints.Column<ushort>(reader, "Intensity").Skip(40000).Take(3), Is.EqualTo(new[] { 1, 2, 3 }));
-                Assert.That(reader.Info.Warnings, Is.Empty);
-            }
+            using var reader = PointReaders.Open(paths);
+            Assert.That(reader.PointCount, Is.EqualTo(110001));
+            Assert.That(reader.Info.Schema[0].Type, Is.EqualTo(AttributeType.Int32));
+            Assert.That(reader.Info.Transform.Offset, Is.EqualTo(offset));
+            Assert.That(ReadPoints.Column<int>(reader, "X"), Is.EqualTo(places.SelectMany(p => p).Select(p => p.x)));
+            Assert.That(ReadPoints.Column<ushort>(reader, "Intensity").Skip(40000).Take(3), Is.EqualTo(new[] { 1, 2, 3 }));
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         // Scales that meet below the finest, negative ones, offsets apart by whole and by broken steps, degrees, far out.
@@ -144,12 +142,10 @@ namespace FastPoints.Tests.Files
             var scale = new double3(0.01, 0.01, 0.01);
             string a = WriteLas("a.las", Places(10, 1), scale, default);
             string b = WriteLas("b.las", Places(10, 2), scale, new double3(1.0 / 3, 0, 0));
-            using (var reader = PointReaders.Open(new[] { a, b }))
-            {
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no common step"));
-                var x = ReadPoints.Column<long>(reader, "X");
-                Assert.That((x[10] - Places(10, 2)[0].x) * 0.01, Is.EqualTo(1.0 / 3).Within(0.005));
-            }
+            using var reader = PointReaders.Open(new[] { a, b });
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("no common step"));
+            var x = ReadPoints.Column<long>(reader, "X");
+            Assert.That((x[10] - Places(10, 2)[0].x) * 0.01, Is.EqualTo(1.0 / 3).Within(0.005));
         }
 
         [Test]
@@ -161,26 +157,24 @@ namespace FastPoints.Tests.Files
             string ply = WriteText("c.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n" +
                 "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float Intensity\n" +
                 "end_header\n1.5 2.5 3.5 255 128 0 0.5\n4 5 6 1 2 3 70000\n");
-            using (var reader = PointReaders.Open(new[] { las, old, ply }))
-            {
-                FindBlocks(reader);
-                var schema = reader.Info.Schema;
-                Assert.That(schema[schema.IndexOf("X")].Type, Is.EqualTo(AttributeType.Float64));
-                Assert.That(schema[schema.IndexOf("Red")].Type, Is.EqualTo(AttributeType.UInt16));
-                Assert.That(schema[schema.IndexOf("Intensity")].Type, Is.EqualTo(AttributeType.Float32));
-                var x = ReadPoints.Column<double>(reader, "X");
-                Assert.That(x[0], Is.EqualTo(Places(5, 1)[0].x * 0.01));
-                Assert.That(x[10], Is.EqualTo(1.5));
-                Assert.That(ReadPoints.Column<ushort>(reader, "Red").Skip(10), Is.EqualTo(new ushort[] { 65535, 257 }));
-                Assert.That(ReadPoints.Column<ushort>(reader, "Red").Take(10), Is.All.EqualTo(0));
-                Assert.That(ReadPoints.Column<float>(reader, "Intensity"),
-                    Is.EqualTo(new[] { 1f, 2, 3, 4, 5, 1, 2, 3, 4, 5, 0.5f, 70000 }));
-                Assert.That(ReadPoints.Column<double>(reader, "GpsTime"), Is.All.EqualTo(0));
-                var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
-                Assert.That(warnings, Has.Some.Contains("GpsTime in 2 (b.las, ...)"));
-                Assert.That(warnings, Has.Some.Contains("8 bits times 257"));
-                Assert.That(warnings, Has.Some.Contains("others floats"));
-            }
+            using var reader = PointReaders.Open(new[] { las, old, ply });
+            FindBlocks(reader);
+            var schema = reader.Info.Schema;
+            Assert.That(schema[schema.IndexOf("X")].Type, Is.EqualTo(AttributeType.Float64));
+            Assert.That(schema[schema.IndexOf("Red")].Type, Is.EqualTo(AttributeType.UInt16));
+            Assert.That(schema[schema.IndexOf("Intensity")].Type, Is.EqualTo(AttributeType.Float32));
+            var x = ReadPoints.Column<double>(reader, "X");
+            Assert.That(x[0], Is.EqualTo(Places(5, 1)[0].x * 0.01));
+            Assert.That(x[10], Is.EqualTo(1.5));
+            Assert.That(ReadPoints.Column<ushort>(reader, "Red").Skip(10), Is.EqualTo(new ushort[] { 65535, 257 }));
+            Assert.That(ReadPoints.Column<ushort>(reader, "Red").Take(10), Is.All.EqualTo(0));
+            Assert.That(ReadPoints.Column<float>(reader, "Intensity"),
+                Is.EqualTo(new[] { 1f, 2, 3, 4, 5, 1, 2, 3, 4, 5, 0.5f, 70000 }));
+            Assert.That(ReadPoints.Column<double>(reader, "GpsTime"), Is.All.EqualTo(0));
+            var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
+            Assert.That(warnings, Has.Some.Contains("GpsTime in 2 (b.las, ...)"));
+            Assert.That(warnings, Has.Some.Contains("8 bits times 257"));
+            Assert.That(warnings, Has.Some.Contains("others floats"));
         }
 
         [Test]
@@ -191,8 +185,8 @@ namespace FastPoints.Tests.Files
             PatchByte(a, 16, unchecked((byte)-15));
             PatchByte(b, 18, 0xF6);
             PatchByte(b, 19, 0xFF);
-            using (var reader = PointReaders.Open(new[] { a, b }))
-                Assert.That(ReadPoints.Column<float>(reader, "ScanAngle"), Is.EqualTo(new[] { -15f, -0.06f }).Within(1e-6));
+            using var reader = PointReaders.Open(new[] { a, b });
+            Assert.That(ReadPoints.Column<float>(reader, "ScanAngle"), Is.EqualTo(new[] { -15f, -0.06f }).Within(1e-6));
         }
 
         static void PatchByte(string path, int atInRecord, byte value)
@@ -213,17 +207,15 @@ namespace FastPoints.Tests.Files
             WriteText("broken.ply", "ply\nnonsense");
             WriteText("empty.laz", "");
             Directory.CreateDirectory(PathOf("sub"));
-            using (var reader = PointReaders.Open(m_folder))
-            {
-                Assert.That(ReadPoints.Column<int>(reader, "X"),
-                    Is.EqualTo(new[] { 3, 1, 2 }.SelectMany(n => Places(n, (uint)n)).Select(p => p.x)));
-                var warnings = reader.Info.Warnings.Select(w => w.ToString()).ToList();
-                Assert.That(warnings, Has.Some.Contains("notes.md"));
-                Assert.That(warnings, Has.Some.Contains("broken.ply: left out"));
-                Assert.That(warnings, Has.Some.Contains("empty.laz: left out"));
-                Assert.That(warnings, Has.Some.Contains("1 folders in it are not looked into"));
-                Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
-            }
+            using var reader = PointReaders.Open(m_folder);
+            Assert.That(ReadPoints.Column<int>(reader, "X"),
+                Is.EqualTo(new[] { 3, 1, 2 }.SelectMany(n => Places(n, (uint)n)).Select(p => p.x)));
+            var warnings = reader.Info.Warnings.Select(w => w.ToString()).ToList();
+            Assert.That(warnings, Has.Some.Contains("notes.md"));
+            Assert.That(warnings, Has.Some.Contains("broken.ply: left out"));
+            Assert.That(warnings, Has.Some.Contains("empty.laz: left out"));
+            Assert.That(warnings, Has.Some.Contains("1 folders in it are not looked into"));
+            Assert.That(reader.Info.Format, Is.EqualTo("LAS"));
         }
 
         [Test]
@@ -249,12 +241,10 @@ namespace FastPoints.Tests.Files
             string a = WriteLas("a.las", Places(1, 1), one, default, 7, "PROJCS[\"A\",AUTHORITY[\"EPSG\",\"25832\"]]");
             string b = WriteLas("b.las", Places(1, 1), one, default, 7, "PROJCS[\"B\",AUTHORITY[\"EPSG\",\"25833\"]]");
             string c = WriteLas("c.las", Places(1, 1), one, default, 7);
-            using (var reader = PointReaders.Open(new[] { a, b, c }))
-            {
-                Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(25832));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("coordinate systems differ"));
-                Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("1 files name no coordinate system"));
-            }
+            using var reader = PointReaders.Open(new[] { a, b, c });
+            Assert.That(reader.Info.Crs.Epsg, Is.EqualTo(25832));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("coordinate systems differ"));
+            Assert.That(reader.Info.Warnings.Select(w => w.Text), Has.Some.Contains("1 files name no coordinate system"));
         }
 
         /// <summary>Ranges in any order, from files whose blocks must be found and others, more of them than stay open.</summary>
@@ -292,17 +282,15 @@ namespace FastPoints.Tests.Files
                 Assert.That(reader.BlocksAreKnown, Is.False);
                 FindBlocks(reader);
                 Assert.That(ReadPoints.Column<float>(reader, "X"), Is.EqualTo(expected));
-                using (var read = reader.CreateRead(reader.Info.Schema.Select("X", "Z"), 2, Allocator.Persistent))
+                using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Z"), 2, Allocator.Persistent);
+                for (int i = 0; i < reader.BlockCount; i++)
                 {
-                    for (int i = 0; i < reader.BlockCount; i++)
-                    {
-                        int block = i * 37 % reader.BlockCount, last = reader.PointsInBlock(block) - 1;
-                        read.Begin(new BlockRange(block, last, 1));
-                        read.Complete();
-                        Assert.That(read.Points.Column<float>("X")[0], Is.EqualTo(expected[(int)read.FirstPoint]));
-                        Assert.That(read.FirstPoint, Is.EqualTo(reader.FirstPointOfBlock(block) + last));
-                        Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
-                    }
+                    int block = i * 37 % reader.BlockCount, last = reader.PointsInBlock(block) - 1;
+                    read.Begin(new BlockRange(block, last, 1));
+                    read.Complete();
+                    Assert.That(read.Points.Column<float>("X")[0], Is.EqualTo(expected[(int)read.FirstPoint]));
+                    Assert.That(read.FirstPoint, Is.EqualTo(reader.FirstPointOfBlock(block) + last));
+                    Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
                 }
             }
         }
@@ -312,12 +300,10 @@ namespace FastPoints.Tests.Files
         {
             string a = WriteLas("a.las", Places(2, 2), new double3(1, 1, 1), default);
             string b = WriteLas("b.las", Places(2, 3), new double3(1, 1, 1), default);
-            using (var reader = PointReaders.Open(new[] { a, b }))
-            {
-                WriteLas("b.las", Places(7, 3), new double3(1, 1, 1), default);
-                var e = Assert.Throws<PointCloudException>(() => ReadPoints.Column<int>(reader, "X"));
-                Assert.That(e.Message, Does.Contain("b.las").And.Contain("has changed"));
-            }
+            using var reader = PointReaders.Open(new[] { a, b });
+            WriteLas("b.las", Places(7, 3), new double3(1, 1, 1), default);
+            var e = Assert.Throws<PointCloudException>(() => ReadPoints.Column<int>(reader, "X"));
+            Assert.That(e.Message, Does.Contain("b.las").And.Contain("has changed"));
         }
 
         [Test]
@@ -334,19 +320,17 @@ namespace FastPoints.Tests.Files
                 WriteLas("c.las", places, new double3(-0.025, 0.025, 0.01), new double3(500100, 4000100, 0), 7),
             };
             string target = PathOf("all.fastpoints");
-            using (var reader = PointReaders.Open(paths))
-            {
-                ConvertResult result = null;
-                Pump(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
-                Assert.That(result.Manifest.Points, Is.EqualTo(60000));
-                Assert.That(result.Manifest.PointsLeftOut, Is.Zero);
-                Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
-                Assert.That(result.Manifest.Sources.Select(s => s.Name + " " + s.Points),
-                    Is.EqualTo(new[] { "a.las 20000", "b.las 20000", "c.las 20000" }));
-                var verified = new VerifyResult();
-                Pump(VerifyCloud.Run(target, new[] { reader }, verified, null));
-                Assert.That(verified.Problems, Is.Empty);
-            }
+            using var reader = PointReaders.Open(paths);
+            ConvertResult result = null;
+            Pump(ConvertCloud.Run(new[] { reader }, target, new ConvertSettings(), r => result = r, null));
+            Assert.That(result.Manifest.Points, Is.EqualTo(60000));
+            Assert.That(result.Manifest.PointsLeftOut, Is.Zero);
+            Assert.That(result.Manifest.Grid.Step.x, Is.EqualTo(0.001));
+            Assert.That(result.Manifest.Sources.Select(s => s.Name + " " + s.Points),
+                Is.EqualTo(new[] { "a.las 20000", "b.las 20000", "c.las 20000" }));
+            var verified = new VerifyResult();
+            Pump(VerifyCloud.Run(target, new[] { reader }, verified, null));
+            Assert.That(verified.Problems, Is.Empty);
         }
 
         [Test]
@@ -354,36 +338,31 @@ namespace FastPoints.Tests.Files
         {
             string a = WriteLas("a.las", new[] { new int3(0, 0, 0) }, new double3(0.01, 0.01, 0.01), new double3(500000, 0, 0));
             string b = WriteLas("b.las", new[] { new int3(1500, 1, 2) }, new double3(0.001, 1, 1), new double3(500001, 0, 0));
-            using (var reader = PointReaders.Open(new[] { a, b }))
-            {
-                var summarise = new SummariseCloud(reader);
-                Pump(summarise.Run(null));
-                Assert.That(summarise.Summary.Points, Is.EqualTo(2));
-                Assert.That(summarise.Summary.Bounds.Min.x, Is.EqualTo(500000));
-                Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
-            }
+            using var reader = PointReaders.Open(new[] { a, b });
+            var summarise = new SummariseCloud(reader);
+            Pump(summarise.Run(null));
+            Assert.That(summarise.Summary.Points, Is.EqualTo(2));
+            Assert.That(summarise.Summary.Bounds.Min.x, Is.EqualTo(500000));
+            Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
         }
 
         /// <summary>Ten thousand files: seconds, and a handful of handles.</summary>
-        [Test]
-        [Category("Long"), Explicit]
+        [Test, Category("Long"), Explicit]
         public void Open_TenThousandFiles_IsQuick()
         {
             var bytes = File.ReadAllBytes(WriteLas("00000.las", Places(3, 1), new double3(0.01, 0.01, 0.01), default));
             for (int i = 1; i < 10000; i++)
                 File.WriteAllBytes(PathOf(i.ToString("D5") + ".las"), bytes);
             var watch = Stopwatch.StartNew();
-            using (var reader = (TiledReader)PointReaders.Open(m_folder))
-            {
-                TestContext.WriteLine("opened in " + watch.Elapsed.TotalSeconds + " s");
-                Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(20));
-                Assert.That(reader.PointCount, Is.EqualTo(30000));
-                Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
-                watch.Restart();
-                Assert.That(ReadPoints.Column<int>(reader, "X").Sum(x => (long)x),
-                    Is.EqualTo(10000 * Places(3, 1).Sum(p => (long)p.x)));
-                TestContext.WriteLine("read in " + watch.Elapsed.TotalSeconds + " s");
-            }
+            using var reader = (TiledReader)PointReaders.Open(m_folder);
+            TestContext.WriteLine("opened in " + watch.Elapsed.TotalSeconds + " s");
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(20));
+            Assert.That(reader.PointCount, Is.EqualTo(30000));
+            Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
+            watch.Restart();
+            Assert.That(ReadPoints.Column<int>(reader, "X").Sum(x => (long)x),
+                Is.EqualTo(10000 * Places(3, 1).Sum(p => (long)p.x)));
+            TestContext.WriteLine("read in " + watch.Elapsed.TotalSeconds + " s");
         }
     }
 }

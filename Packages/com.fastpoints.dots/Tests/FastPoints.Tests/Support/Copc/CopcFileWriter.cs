@@ -8,10 +8,8 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>
-    /// A whole COPC file from records of point format 6 to 8: an octree over their X, Y, Z, in which a node takes some of the
-    /// points of its cell and its children the others; nodes as chunks, the hierarchy in an EVLR.
-    /// </summary>
+    /// <summary>A whole COPC file from records of point format 6 to 8: an octree over their X, Y, Z, in which a node takes some
+    /// of the points of its cell and its children the others; nodes as chunks, the hierarchy in an EVLR.</summary>
     public sealed class CopcFileWriter
     {
         /// <summary>A node and its points, in the order of its chunk.</summary>

@@ -6,10 +6,8 @@ using System.Text;
 
 namespace FastPoints.Tests.Files
 {
-    /// <summary>
-    /// Writes E57 files for tests, after ASTM E2807-11 and with none of the reader's code: pages with CRC-32C, bit-packed
-    /// bytestreams in data packets, index and ignored packets, the XML section behind the binary ones.
-    /// </summary>
+    /// <summary>Writes E57 files for tests, after ASTM E2807-11 and with none of the reader's code: pages with CRC-32C,
+    /// bit-packed bytestreams in data packets, index and ignored packets, the XML section behind the binary ones.</summary>
     sealed class E57FileWriter
     {
         const int PageBytes = 1024;
@@ -24,10 +22,7 @@ namespace FastPoints.Tests.Files
         /// <summary>The whole XML section, where it is not to be made of the rest.</summary>
         public Func<string, string> EditXml = xml => xml;
 
-        public E57FileWriter(params E57TestScan[] scans)
-        {
-            Scans.AddRange(scans);
-        }
+        public E57FileWriter(params E57TestScan[] scans) => Scans.AddRange(scans);
 
         public byte[] ToArray()
         {

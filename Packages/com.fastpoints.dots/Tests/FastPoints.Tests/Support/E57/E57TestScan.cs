@@ -22,10 +22,7 @@ namespace FastPoints.Tests.Files
         public bool HasIgnored;
         public bool HasRestartFlag;
 
-        public E57TestScan(params E57TestField[] fields)
-        {
-            Fields.AddRange(fields);
-        }
+        public E57TestScan(params E57TestField[] fields) => Fields.AddRange(fields);
 
         public int Count => Fields[0].Count;
 

@@ -4,9 +4,8 @@ using FastPoints.Files;
 
 namespace FastPoints.Tests.Support
 {
-    /// <summary>
-    /// Zstandard frames of raw blocks only (RFC 8878, 3.1.1): enough to test all around a decompressor without one.
-    /// </summary>
+    /// <summary>Zstandard frames of raw blocks only (RFC 8878, 3.1.1): enough to test all around a decompressor without
+    /// one.</summary>
     sealed class StoredZstandard : StreamDecompressor
     {
         const int FrameHeaderBytes = 9;
@@ -80,8 +79,6 @@ namespace FastPoints.Tests.Support
             return true;
         }
 
-        public override void Dispose()
-        {
-        }
+        public override void Dispose() { }
     }
 }

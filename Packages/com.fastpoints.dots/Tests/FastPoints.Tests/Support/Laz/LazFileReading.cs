@@ -18,14 +18,12 @@ namespace FastPoints.Tests.Support
         /// <summary>Opens a file whose blocks are known, or looks for them.</summary>
         public static PointReader Open(string path, int longChunkPoints = LazReader.MaxBlockPoints)
         {
-            using (var source = FileSource.Open(path))
-            {
-                var las = LasFile.Read(source);
-                var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
-                if (!reader.BlocksAreKnown)
-                    WorkPump.RunToEnd(reader.FindBlocks());
-                return reader;
-            }
+            using var source = FileSource.Open(path);
+            var las = LasFile.Read(source);
+            var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
+            if (!reader.BlocksAreKnown)
+                WorkPump.RunToEnd(reader.FindBlocks());
+            return reader;
         }
 
         /// <summary>All records of a file, in its order: block after block, several at once.</summary>
@@ -100,8 +98,8 @@ namespace FastPoints.Tests.Support
 
         internal static LasRecordLayout LayoutOf(string path)
         {
-            using (var source = FileSource.Open(path))
-                return LasFile.Read(source).Layout;
+            using var source = FileSource.Open(path);
+            return LasFile.Read(source).Layout;
         }
 
         /// <summary>The records of an uncompressed LAS file, which may be packed with gzip.</summary>
@@ -119,12 +117,10 @@ namespace FastPoints.Tests.Support
 
         static byte[] Unzip(string path)
         {
-            using (var zip = new GZipStream(File.OpenRead(path), CompressionMode.Decompress))
-            {
-                var bytes = new MemoryStream();
-                zip.CopyTo(bytes);
-                return bytes.ToArray();
-            }
+            using var zip = new GZipStream(File.OpenRead(path), CompressionMode.Decompress);
+            var bytes = new MemoryStream();
+            zip.CopyTo(bytes);
+            return bytes.ToArray();
         }
 
         /// <returns>Where two runs of records first differ, in words; null where they do not.</returns>

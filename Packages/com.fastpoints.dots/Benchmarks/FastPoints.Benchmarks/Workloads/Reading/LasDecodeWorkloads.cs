@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using FastPoints.Files;
 using FastPoints.Points;
 using Unity.Collections;
@@ -57,6 +58,61 @@ namespace FastPoints.Benchmarks
             m_copies.Dispose();
             m_records.Dispose();
             m_result.Dispose();
+        }
+    }
+
+    /// <summary>What <see cref="LasDecodeWorkload"/> does, as one loop over raw pointers without any of the package.</summary>
+    public unsafe struct LasDecodePointersWorkload : IWorkload
+    {
+        const int Blocks = 128;
+        const int Points = LasBenchmarkFile.BlockPoints;
+
+        byte* m_records;
+        byte* m_columns;
+
+        public string Name => "las decode by pointers";
+        public string LimitName => null;
+
+        public void Prepare(WorkloadContext context)
+        {
+            m_records = (byte*)Marshal.AllocHGlobal(Points * LasBenchmarkFile.RecordBytes);
+            m_columns = (byte*)Marshal.AllocHGlobal(Points * 18);
+            new Span<byte>(m_records, Points * LasBenchmarkFile.RecordBytes).Clear();
+            Run();
+        }
+
+        public WorkloadResult Run()
+        {
+            for (int i = 0; i < Blocks; i++)
+                Decode(m_records, (int*)m_columns, (ushort*)(m_columns + 12 * Points));
+            return new WorkloadResult
+            {
+                Points = (long)Blocks * Points,
+                Bytes = (long)Blocks * Points * LasBenchmarkFile.RecordBytes,
+            };
+        }
+
+        public void Dispose()
+        {
+            Marshal.FreeHGlobal((IntPtr)m_records);
+            Marshal.FreeHGlobal((IntPtr)m_columns);
+            m_records = null;
+            m_columns = null;
+        }
+
+        static void Decode(byte* record, int* positions, ushort* colors)
+        {
+            int* x = positions, y = positions + Points, z = positions + 2 * Points;
+            ushort* red = colors, green = colors + Points, blue = colors + 2 * Points;
+            for (int i = 0; i < Points; i++, record += LasBenchmarkFile.RecordBytes)
+            {
+                x[i] = ((int*)record)[0];
+                y[i] = ((int*)record)[1];
+                z[i] = ((int*)record)[2];
+                red[i] = *(ushort*)(record + LasBenchmarkFile.ColorByte);
+                green[i] = *(ushort*)(record + LasBenchmarkFile.ColorByte + 2);
+                blue[i] = *(ushort*)(record + LasBenchmarkFile.ColorByte + 4);
+            }
         }
     }
 }

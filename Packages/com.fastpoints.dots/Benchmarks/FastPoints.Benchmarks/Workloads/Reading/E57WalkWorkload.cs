@@ -1,0 +1,30 @@
+using FastPoints.Base;
+using FastPoints.Files;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>What comes before the first point of an E57 file: its header, its XML section, and the walk over its packets'
+    /// headers.</summary>
+    sealed class E57WalkWorkload : IWorkload
+    {
+        string m_path;
+
+        public string Name => "e57 walk";
+        public string LimitName => "e57 read and copy";
+
+        public void Prepare(WorkloadContext context)
+        {
+            m_path = E57BenchmarkFile.Make(context);
+            Run();
+        }
+
+        public WorkloadResult Run()
+        {
+            using var reader = E57Reader.Open(m_path);
+            WorkPump.RunToEnd(reader.FindBlocks());
+            return new WorkloadResult { Points = reader.PointCount, Bytes = reader.Info.FileBytes };
+        }
+
+        public void Dispose() { }
+    }
+}

@@ -1,0 +1,78 @@
+using System;
+using System.IO;
+using System.Runtime.InteropServices;
+using System.Threading;
+using Unity.Jobs.LowLevel.Unsafe;
+
+namespace FastPoints.Benchmarks
+{
+    /// <summary>A pass over a file by plain threads and plain reads, without jobs, containers or any of the package: what the
+    /// reader is held against. As many threads as the job system has, each taking the next stretch.</summary>
+    sealed unsafe class PlainPassWorkload : IWorkload
+    {
+        public const int StretchPoints = 32768;
+
+        /// <summary>A stretch's records to columns, one point after the other.</summary>
+        public delegate void DecodeStretch(byte* source, byte* target, int points);
+
+        readonly Func<WorkloadContext, string> m_find;
+        readonly int m_recordBytes;
+        readonly DecodeStretch m_decode;
+        string m_path;
+        int m_points;
+
+        /// <param name="decode">Null to copy the bytes as they are.</param>
+        public PlainPassWorkload(string name, string limitName, Func<WorkloadContext, string> find, int recordBytes,
+            DecodeStretch decode = null)
+        {
+            (Name, LimitName) = (name, limitName);
+            (m_find, m_recordBytes, m_decode) = (find, recordBytes, decode);
+        }
+
+        public string Name { get; }
+        public string LimitName { get; }
+
+        public void Prepare(WorkloadContext context)
+        {
+            (m_path, m_points) = (m_find(context), context.Points);
+            Run();
+        }
+
+        public WorkloadResult Run()
+        {
+            long bytes = new FileInfo(m_path).Length, next = -1;
+            var threads = new Thread[JobsUtility.JobWorkerCount + 1];
+            for (int i = 0; i < threads.Length; i++)
+            {
+                threads[i] = new Thread(() => TakeStretches(bytes, ref next));
+                threads[i].Start();
+            }
+            foreach (var thread in threads)
+                thread.Join();
+            return new WorkloadResult { Points = m_points, Bytes = bytes };
+        }
+
+        public void Dispose() { }
+
+        /// <summary>Takes one stretch after the other until none is left.</summary>
+        void TakeStretches(long bytes, ref long next)
+        {
+            int stretch = StretchPoints * m_recordBytes;
+            byte* source = (byte*)Marshal.AllocHGlobal(stretch), target = (byte*)Marshal.AllocHGlobal(stretch);
+            using (var stream = new FileStream(m_path, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
+                for (long offset; (offset = Interlocked.Increment(ref next) * stretch) < bytes;)
+                {
+                    stream.Position = offset;
+                    int count = 0, got;
+                    while ((got = stream.Read(new Span<byte>(source + count, stretch - count))) > 0)
+                        count += got;
+                    if (m_decode != null)
+                        m_decode(source, target, count / m_recordBytes);
+                    else
+                        Buffer.MemoryCopy(source, target, stretch, count);
+                }
+            Marshal.FreeHGlobal((IntPtr)source);
+            Marshal.FreeHGlobal((IntPtr)target);
+        }
+    }
+}
