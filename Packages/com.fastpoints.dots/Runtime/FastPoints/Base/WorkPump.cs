@@ -107,9 +107,16 @@ namespace FastPoints.Base
     /// <see cref="Cancel"/> disposes it, and they complete the jobs that are still in flight before they free memory.</remarks>
     public sealed class WorkPump
     {
+        /// <summary>How long a tick looks whether a job that it began has ended, and after how many looks in vain, one after
+        /// another, the ticks between two of them no longer double.</summary>
+        const double LookMs = 1;
+        const int MostLooksInVain = 4;
+
         readonly WorkSteps m_work;
         readonly Stopwatch m_tickWatch = new Stopwatch();
         JobHandle m_awaited;
+        int m_looksInVain;
+        int m_ticksUntilLook;
 
         public WorkPump(IEnumerator<Work> work)
         {
@@ -117,6 +124,9 @@ namespace FastPoints.Base
         }
 
         public bool IsDone { get; private set; }
+
+        /// <summary>Ticks that waited for a job that did not end.</summary>
+        internal int LooksInVain { get; private set; }
 
         /// <summary>Whether a job has ended. Without worker threads only who waits runs jobs: it is run here and now. Main
         /// thread.</summary>
@@ -127,16 +137,42 @@ namespace FastPoints.Base
             return job.IsCompleted;
         }
 
-        /// <summary>
-        /// Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
-        /// </summary>
+        /// <summary>Runs steps whose jobs are finished until <paramref name="budgetMs"/> is used up or a job is still running.
+        /// For a job that a step of this tick began it waits a moment, within the budget, as long as that has not been in
+        /// vain: many short jobs in a row would else take a tick each.</summary>
         /// <returns>Whether the work is done.</returns>
         public bool Tick(double budgetMs)
         {
             m_tickWatch.Restart();
-            while (!IsDone && HasEnded(m_awaited) && m_tickWatch.Elapsed.TotalMilliseconds < budgetMs)
-                Step();
+            bool isAwaiting = false;
+            double lookUntilMs = 0;
+            if (m_ticksUntilLook > 0)
+                m_ticksUntilLook--;
+            while (!IsDone && m_tickWatch.Elapsed.TotalMilliseconds < budgetMs)
+            {
+                if (HasEnded(m_awaited))
+                {
+                    if (isAwaiting)
+                        m_looksInVain = 0;
+                    isAwaiting = false;
+                    Step();
+                    lookUntilMs = m_ticksUntilLook == 0 ? m_tickWatch.Elapsed.TotalMilliseconds + LookMs : 0;
+                }
+                else if (m_tickWatch.Elapsed.TotalMilliseconds < lookUntilMs)
+                {
+                    isAwaiting = true;
+                    Thread.Yield();
+                }
+                else
+                {
+                    break;
+                }
+            }
             JobHandle.ScheduleBatchedJobs();
+            if (!isAwaiting)
+                return IsDone;
+            LooksInVain++;
+            m_ticksUntilLook = 1 << (m_looksInVain = System.Math.Min(m_looksInVain + 1, MostLooksInVain));
             return IsDone;
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Threading;
 using FastPoints.Base;
 using FastPoints.Tests.Support;
@@ -64,6 +65,76 @@ namespace FastPoints.Tests.Base
                 pump.Cancel();
                 Assert.That(isDone, Is.True);
                 Assert.That(value.Value, Is.EqualTo(7));
+            }
+        }
+
+        [Test]
+        public void Tick_ShortJobsInARow_DoesNotTakeATickForEach()
+        {
+            const int Jobs = 40;
+            int fewest = int.MaxValue;
+            s_gate.Set();
+            using (new WorkerCount(1))
+            {
+                // A busy machine may run a job late.
+                for (int i = 0; i < 10 && fewest > Jobs / 2; i++)
+                {
+                    int ticks = 0;
+                    for (var pump = new WorkPump(Waits(Jobs)); !pump.Tick(8); ticks++)
+                        Thread.Sleep(1);
+                    fewest = Math.Min(fewest, ticks);
+                }
+            }
+            Assert.That(fewest, Is.LessThanOrEqualTo(Jobs / 2));
+        }
+
+        [Test]
+        public void Tick_LongJobsInARow_RarelyWaitsForThem()
+        {
+            const int Jobs = 40;
+            using (new WorkerCount(1))
+            {
+                var pump = new WorkPump(Waits(Jobs));
+                while (!pump.IsDone)
+                {
+                    s_gate.Reset();
+                    pump.Tick(1000);
+                    s_gate.Set();
+                    Thread.Sleep(1);
+                }
+                Assert.That(pump.LooksInVain, Is.GreaterThan(0).And.LessThanOrEqualTo(Jobs / 5));
+            }
+        }
+
+        static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
+
+        /// <summary>Awaits jobs of a tenth of a millisecond that wait for the gate.</summary>
+        static IEnumerator<Work> Waits(int jobs)
+        {
+            var job = default(JobHandle);
+            try
+            {
+                for (int i = 0; i < jobs; i++)
+                {
+                    job = default(BusyJob).Schedule();
+                    yield return job;
+                    job.Complete();
+                }
+            }
+            finally
+            {
+                job.Complete();
+            }
+        }
+
+        struct BusyJob : IJob
+        {
+            public void Execute()
+            {
+                s_gate.Wait();
+                var watch = Stopwatch.StartNew();
+                while (watch.Elapsed.TotalMilliseconds < 0.1)
+                    Thread.Yield();
             }
         }
 

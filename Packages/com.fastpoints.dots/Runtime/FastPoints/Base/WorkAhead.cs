@@ -1,0 +1,38 @@
+using System;
+using System.Diagnostics;
+
+namespace FastPoints.Base
+{
+    /// <summary>How many pieces of work are in flight, so that workers have some until the next tick of a pump: twice as many each
+    /// time that they ran out of them. What is made never depends on it.</summary>
+    internal sealed class WorkAhead
+    {
+        readonly Func<double> m_ms;
+        readonly Stopwatch m_watch = Stopwatch.StartNew();
+
+        /// <param name="first">Pieces to begin with, as for a pump that awaits each.</param>
+        /// <param name="most">The most that memory has room for.</param>
+        /// <param name="ms">A tick that comes later than this after the last one does not count: the machine was busy, or the
+        /// work was paused.</param>
+        public WorkAhead(int first, int most, Func<double> ms)
+        {
+            m_ms = ms;
+            Most = Math.Max(1, most);
+            Count = Math.Max(1, Math.Min(first, most));
+        }
+
+        public int Count { get; private set; }
+        public int Most { get; }
+
+        /// <summary>Call it before a handle is awaited.</summary>
+        public void Await() => m_watch.Restart();
+
+        /// <summary>Call it when the wait is over.</summary>
+        /// <param name="isIdle">Whether all that was in flight has ended.</param>
+        public void Resume(bool isIdle)
+        {
+            if (isIdle && m_watch.Elapsed.TotalMilliseconds <= m_ms())
+                Count = Math.Min(Most, 2 * Count);
+        }
+    }
+}
