@@ -101,6 +101,8 @@ namespace FastPoints.Convert
         public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
             new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
 
+        public IndexLane CreateLane(NativeStoreLayout store) => new IndexLane(Records, store, Settings.Sampler);
+
         public void Dispose()
         {
             Map?.Dispose();

@@ -16,17 +16,18 @@ namespace FastPoints.Convert
     /// cloud.json.</summary>
     internal sealed class BuildGenerations : IDisposable
     {
+        /// <summary>Tops in work or ahead, which are small.</summary>
+        const int TopsAtOnce = 8;
+
         readonly BuildContext m_build;
         readonly ProvisionalSample m_sample;
         readonly Stopwatch m_watch = Stopwatch.StartNew();
-        readonly NativeReference<ulong> m_sum;
         long m_generation;
 
         public BuildGenerations(BuildContext build)
         {
             m_build = build;
             m_sample = new ProvisionalSample(build);
-            m_sum = new NativeReference<ulong>(Allocator.Persistent);
             // Readers know a newer state by a larger number, also one of a build that was continued.
             string text = build.Folder.ReadText(StoreFormat.ManifestName);
             if (text != null)
@@ -94,12 +95,7 @@ namespace FastPoints.Convert
             m_build.Folder.DeleteGeneration(m_generation - 2);
         }
 
-        public void Dispose()
-        {
-            m_sample.Dispose();
-            if (m_sum.IsCreated)
-                m_sum.Dispose();
-        }
+        public void Dispose() => m_sample.Dispose();
 
         /// <summary>A top of the sample for each chunk that is not finished. What the sampler leaves below a top is not
         /// shown.</summary>
@@ -112,38 +108,53 @@ namespace FastPoints.Convert
             var native = new NativeArray<GridCube>(all, Allocator.Persistent);
             var parts = new NativeArray<RecordPages>(all.Length, Allocator.Persistent);
             var job = default(JobHandle);
-            var indexer = m_build.CreateIndexer(store, manifest);
+            var lane = m_build.CreateLane(store);
+            var inWork = new Queue<ChunkIndexer>();
+            var spare = new Stack<ChunkIndexer>();
             try
             {
                 job = m_sample.Distribute(native, manifest.Root.Corner, parts);
                 yield return job;
                 job.Complete();
-                for (int i = 0; i < all.Length; i++)
+                long largest = 0;
+                foreach (var part in parts)
+                    largest = Math.Max(largest, part.Count);
+                lane.Reserve((int)largest);
+                for (int i = 0; i < all.Length || inWork.Count > 0;)
                 {
-                    if (finished[i] != null || parts[i].Count == 0)
-                        continue;
-                    indexer.Begin(all[i], parts[i], i);
-                    yield return indexer.Job;
-                    indexer.Job.Complete();
-                    job = new SumTopJob
+                    if (i < all.Length && inWork.Count < TopsAtOnce)
                     {
-                        Records = indexer.Top.AsArray(),
-                        Layout = m_build.Records.ForTops(store.HasAverages),
-                        Sum = m_sum,
-                    }.Schedule();
-                    yield return job;
-                    job.Complete();
+                        if (finished[i] == null && parts[i].Count > 0)
+                        {
+                            var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
+                            next.BeginTop(all[i], parts[i], i, lane);
+                            inWork.Enqueue(next);
+                            // The pump looks at its budget.
+                            yield return default;
+                        }
+                        i++;
+                        continue;
+                    }
+                    yield return inWork.Peek().Job;
+                    var indexer = inWork.Dequeue();
+                    spare.Push(indexer);
+                    indexer.Job.Complete();
                     m_build.Slices.Take(indexer.Slices);
-                    results[i] = ChunkResult.OfTop(indexer);
-                    results[i].Checksum = m_sum.Value;
-                    tops[i] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
-                    provisional.Add(i);
+                    int c = indexer.Number;
+                    results[c] = ChunkResult.OfTop(indexer);
+                    results[c].Checksum = indexer.Checksum;
+                    tops[c] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
+                    provisional.Add(c);
                 }
             }
             finally
             {
                 job.Complete();
-                indexer.Dispose();
+                lane.Dispose();
+                foreach (var indexer in inWork)
+                    indexer.Dispose();
+                foreach (var indexer in spare)
+                    indexer.Dispose();
                 foreach (var part in parts)
                     m_sample.Return(part);
                 parts.Dispose();

@@ -21,6 +21,7 @@ namespace FastPoints.Convert
         readonly CloudFolderWriter m_folder;
         readonly ChunkSet m_chunks;
         readonly RecordFiles m_files;
+        readonly int m_most;
         readonly Queue<Pending> m_pending = new Queue<Pending>();
         readonly Stack<NativeList<byte>> m_spare = new Stack<NativeList<byte>>();
 
@@ -31,12 +32,11 @@ namespace FastPoints.Convert
             m_folder = folder;
             m_chunks = chunks;
             m_files = files;
-            for (int i = 0; i < most; i++)
-                m_spare.Push(new NativeList<byte>(1024, Allocator.Persistent));
+            m_most = most;
         }
 
         /// <summary>Whether one more file may wait.</summary>
-        public bool HasRoom => m_spare.Count > 0;
+        public bool HasRoom => m_pending.Count < m_most;
 
         /// <summary>Whether everything is on disk.</summary>
         public bool IsDone => m_pending.Count == 0;
@@ -56,7 +56,7 @@ namespace FastPoints.Convert
             if (pending.Written == null)
                 return file;
             m_pending.Enqueue(pending);
-            return m_spare.Pop();
+            return m_spare.Count > 0 ? m_spare.Pop() : new NativeList<byte>(1024, Allocator.Persistent);
         }
 
         /// <summary>Takes back what has been written since; waits at most this long for the first file.</summary>

@@ -22,13 +22,20 @@ namespace FastPoints.Convert
         sealed class Slot : IDisposable
         {
             public ChunkIndexer Indexer;
+            public IndexLane Lane;
             public RecordLoad Load;
-            public int Chunk = -1;
+
+            /// <summary>Of what was loaded: records outside of the chunk.</summary>
+            public NativeReference<int> Outside;
+            public int Chunk;
 
             public void Dispose()
             {
-                Load?.Dispose();
                 Indexer.Dispose();
+                Load?.Dispose();
+                if (Outside.IsCreated)
+                    Outside.Dispose();
+                Outside = default;
             }
         }
 
@@ -36,12 +43,17 @@ namespace FastPoints.Convert
         readonly ChunkSet m_chunks;
         readonly NativeStoreLayout m_store;
         readonly BuildGenerations m_generations;
-        readonly List<Slot> m_slots = new List<Slot>();
+        readonly Queue<Slot> m_inWork = new Queue<Slot>();
+        readonly Stack<Slot> m_spare = new Stack<Slot>();
+        readonly List<IndexLane> m_lanes = new List<IndexLane>();
         readonly ChunkResult[] m_results;
         readonly NativeArray<byte>[] m_topRecords;
         ChunkWrites m_writes;
         UpperMerge m_merge;
+        WorkAhead m_ahead;
+        JobHandle m_newest;
         long m_chunkBytes;
+        long m_aheadBytes;
         long m_points;
         long m_pointsDone;
 
@@ -72,11 +84,21 @@ namespace FastPoints.Convert
         {
             m_build.Progress?.Begin(BuildStages.Index);
             yield return Work.Of(IndexChunks());
-            foreach (var slot in m_slots)
-                slot.Dispose();
-            m_slots.Clear();
+            // Large blocks take milliseconds to free.
+            while (m_spare.Count > 0)
+            {
+                m_spare.Pop().Dispose();
+                yield return default;
+            }
+            foreach (var lane in m_lanes)
+            {
+                lane.Dispose();
+                yield return default;
+            }
             m_writes.Dispose();
-            RecordPagePool.Of(m_build.Pool).FreeAll();
+            yield return default;
+            while (RecordPagePool.Of(m_build.Pool).FreeSlab())
+                yield return default;
 
             m_build.Progress?.Begin(BuildStages.Merge);
             int lowest = Manifest.Root.SideLog2;
@@ -96,9 +118,12 @@ namespace FastPoints.Convert
 
         public void Dispose()
         {
-            foreach (var slot in m_slots)
-                slot.Dispose();
-            m_slots.Clear();
+            while (m_inWork.Count > 0)
+                m_spare.Push(m_inWork.Dequeue());
+            while (m_spare.Count > 0)
+                m_spare.Pop().Dispose();
+            foreach (var lane in m_lanes)
+                lane.Dispose();
             m_writes?.Dispose();
             m_merge?.Dispose();
             m_store.Dispose();
@@ -115,27 +140,27 @@ namespace FastPoints.Convert
             var watch = Stopwatch.StartNew();
             double mergeSeconds = 0;
             var order = ChunksLeft();
-            MakeSlots(order.Count);
-            for (int i = 0; i < order.Count + m_slots.Count; i++)
+            MakeLanes(order.Count);
+            for (int next = 0; next < order.Count || m_inWork.Count > 0;)
             {
-                var slot = m_slots[i % m_slots.Count];
-                if (i >= m_slots.Count)
-                    yield return Work.Of(Finish(slot));
-                bool isLast = i + 1 == order.Count + m_slots.Count;
-                if (!isLast && IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
+                if (next < order.Count && m_inWork.Count < m_ahead.Count)
                 {
-                    double begin = watch.Elapsed.TotalSeconds;
-                    yield return Work.Of(WriteGeneration());
-                    mergeSeconds = watch.Elapsed.TotalSeconds - begin;
-                    watch.Restart();
-                }
-                if (i >= order.Count)
+                    Begin(order[next++]);
+                    // The pump looks at its budget.
+                    yield return default;
                     continue;
-                slot.Chunk = order[i];
-                var chunk = m_chunks.Chunks[slot.Chunk];
-                if (m_build.Files != null)
-                    yield return Work.Of(Load(slot));
-                slot.Indexer.Begin(chunk.Cube, chunk.Pages, slot.Chunk);
+                }
+                m_ahead.Await();
+                yield return m_inWork.Peek().Indexer.Job;
+                m_ahead.Resume(next < order.Count && m_newest.IsCompleted);
+                yield return Work.Of(Finish(m_inWork.Peek()));
+                m_spare.Push(m_inWork.Dequeue());
+                if (m_inWork.Count == 0 && next == order.Count || !IsGenerationDue(watch.Elapsed.TotalSeconds, mergeSeconds))
+                    continue;
+                double begin = watch.Elapsed.TotalSeconds;
+                yield return Work.Of(WriteGeneration());
+                mergeSeconds = watch.Elapsed.TotalSeconds - begin;
+                watch.Restart();
             }
             while (!m_writes.IsDone)
             {
@@ -166,64 +191,64 @@ namespace FastPoints.Convert
             return order;
         }
 
-        /// <summary>As many as there are workers and memory for, and at least one.</summary>
-        void MakeSlots(int chunks)
+        /// <summary>As many as there are workers and memory for, and at least one; and as many chunks ahead as half of the rest
+        /// has room for. The other half is for what shows the finished ones meanwhile.</summary>
+        void MakeLanes(int chunks)
         {
             var files = m_build.Files;
             var plan = m_build.Plan;
+            int stride = m_build.Records.StrideBytes;
             long largest = 1;
             foreach (var chunk in m_chunks.Chunks)
                 largest = Math.Max(largest, chunk.Count);
-            m_chunkBytes = largest * plan.IndexBytesPerPoint;
-            if (files == null)
-                m_chunkBytes -= largest * m_build.Records.StrideBytes;
+            m_chunkBytes = largest * (plan.IndexBytesPerPoint - (files == null ? stride : 0));
+            // A chunk that is not in its lane's memory has its file and its top, or its records where they come from a disk, and
+            // another's file is being written.
+            m_aheadBytes = largest * stride * (files == null ? 2 : 3);
             int wanted = Math.Min(m_build.MostSlots(JobsUtility.JobWorkerCount + 1), chunks);
-            int atOnce = (int)Math.Max(1, Math.Min(wanted, plan.IndexBytes / m_chunkBytes));
-            for (int i = 0; i < atOnce; i++)
-            {
-                m_slots.Add(new Slot
-                {
-                    Indexer = m_build.CreateIndexer(m_store, Manifest),
-                    Load = files == null ? null : new RecordLoad(files, m_build.Pool),
-                });
-            }
-            m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, atOnce);
+            int lanes = (int)Math.Max(1, Math.Min(wanted, plan.IndexBytes / m_chunkBytes));
+            for (int i = 0; i < lanes; i++)
+                m_lanes.Add(m_build.CreateLane(m_store));
+            long room = Math.Max(0, plan.IndexBytes - lanes * m_chunkBytes) / 2 / m_aheadBytes;
+            m_ahead = new WorkAhead(lanes, (int)Math.Min(chunks, lanes + room), () => m_build.Settings.AheadMs);
+            m_writes = new ChunkWrites(m_build.Folder, m_chunks, files, m_ahead.Most);
         }
 
-        /// <summary>Reads a chunk's records. What comes from a disk is checked before anything is computed with it.</summary>
-        IEnumerator<Work> Load(Slot slot)
+        /// <summary>Schedules a chunk's jobs behind those of the lane that has the fewest points left.</summary>
+        void Begin(int number)
         {
-            var chunk = m_chunks.Chunks[slot.Chunk];
-            slot.Load.Begin(chunk.Runs, 0, chunk.Count);
-            yield return slot.Load.Done;
-            chunk.Pages = slot.Load.Complete();
-            var bounds = new NativeArray<Grid3>(2, Allocator.Persistent);
-            var check = default(JobHandle);
-            try
+            var files = m_build.Files;
+            var slot = m_spare.Count > 0 ? m_spare.Pop() : new Slot
             {
-                bounds[0] = PointStatistics.None.Min;
-                bounds[1] = PointStatistics.None.Max;
-                var batches = ChunkSet.CutBatches(chunk.Pages);
-                foreach (var batch in batches)
-                    check = new MeasureRecordsJob
-                    {
-                        Slices = slot.Indexer.Slices,
-                        Pages = batch,
-                        Layout = m_build.Records,
-                        Bounds = bounds,
-                    }.Schedule(check);
-                yield return check;
-                check.Complete();
-                chunk.Pages = ChunkSet.Join(batches);
-                if (!chunk.Cube.Contains(bounds[0]) || !chunk.Cube.Contains(bounds[1]))
-                    throw new PointCloudException(FailureCode.ReadFailed, m_build.Files.PathOf(chunk.Runs[0].File), -1,
-                        "the points that were set aside there are damaged: delete the folder, and start again");
-            }
-            finally
+                Indexer = m_build.CreateIndexer(m_store, Manifest),
+                Load = files == null ? null : new RecordLoad(files, m_build.Pool),
+                Outside = new NativeReference<int>(Allocator.Persistent),
+            };
+            m_inWork.Enqueue(slot);
+            var chunk = m_chunks.Chunks[number];
+            slot.Chunk = number;
+            slot.Lane = m_lanes[0];
+            foreach (var lane in m_lanes)
+                if (lane.Points < slot.Lane.Points)
+                    slot.Lane = lane;
+            slot.Lane.Points += chunk.Count;
+            var ready = default(JobHandle);
+            if (files != null)
             {
-                check.Complete();
-                bounds.Dispose();
+                slot.Load.Begin(chunk.Runs, 0, chunk.Count);
+                chunk.Pages = slot.Load.Pages;
+                slot.Outside.Value = 0;
+                ready = CheckRecordsJob.Schedule(new CheckRecordsJob
+                {
+                    Slices = slot.Indexer.Slices,
+                    Pages = chunk.Pages,
+                    Layout = m_build.Records,
+                    Cube = chunk.Cube,
+                    Outside = slot.Outside,
+                }, slot.Load.Done);
             }
+            slot.Indexer.Begin(chunk.Cube, chunk.Pages, number, slot.Lane, ready);
+            m_newest = slot.Indexer.Job;
         }
 
         /// <summary>Not often, not much of the time, and only where memory has room beside the chunks in work.</summary>
@@ -236,7 +261,8 @@ namespace FastPoints.Convert
                 tops += result == null ? 0 : result.TopPoints;
             var plan = m_build.Plan;
             long merged = Math.Min(tops, UpperMerge.MostPointsAtOnce(plan.PointsPerChunk)) * plan.IndexBytesPerPoint;
-            return tops > 0 && merged + m_slots.Count * m_chunkBytes <= plan.IndexBytes;
+            long inWork = m_lanes.Count * m_chunkBytes + (m_ahead.Count - m_lanes.Count) * m_aheadBytes;
+            return tops > 0 && merged + inWork <= plan.IndexBytes;
         }
 
         /// <summary>Makes what is finished a cloud that can be opened.</summary>
@@ -278,8 +304,16 @@ namespace FastPoints.Convert
         /// <summary>Takes in a chunk that is indexed, once there is room for one more file to be written.</summary>
         IEnumerator<Work> Finish(Slot slot)
         {
-            yield return slot.Indexer.Job;
             slot.Indexer.Job.Complete();
+            slot.Lane.Points -= m_chunks.Chunks[slot.Chunk].Count;
+            if (m_build.Files != null)
+            {
+                slot.Load.Complete();
+                if (slot.Outside.Value > 0)
+                    throw new PointCloudException(FailureCode.ReadFailed,
+                        m_build.Files.PathOf(m_chunks.Chunks[slot.Chunk].Runs[0].File), -1,
+                        "the points that were set aside there are damaged: delete the folder, and start again");
+            }
             m_writes.Poll(0);
             while (!m_writes.HasRoom)
             {

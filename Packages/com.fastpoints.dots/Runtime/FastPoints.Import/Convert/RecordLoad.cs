@@ -31,6 +31,9 @@ namespace FastPoints.Convert
         /// <summary>Completes when everything is read; then call <see cref="Complete"/>.</summary>
         public JobHandle Done { get; private set; }
 
+        /// <summary>The pages, which have their records when <see cref="Done"/> completes.</summary>
+        public RecordPages Pages => m_pages;
+
         /// <summary>Starts a load; the one before is complete, and the records have been written.</summary>
         /// <param name="runs">Ranges that together are one sequence of records.</param>
         /// <param name="first">First record of that sequence.</param>

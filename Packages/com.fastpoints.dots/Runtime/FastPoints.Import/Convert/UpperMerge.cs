@@ -18,12 +18,16 @@ namespace FastPoints.Convert
         /// <summary>With at least so many points to a region, eight neighbours are one: each round leaves fewer.</summary>
         const int LeastPointsPerRegion = 8 * StoreFormat.MaxPointsPerNode;
 
+        /// <summary>Tops that are read from files side by side.</summary>
+        const int ReadsAtOnce = 8;
+
         readonly BuildContext m_build;
         readonly NativeStoreLayout m_store;
         readonly CloudManifest m_manifest;
         readonly List<UpperRegion> m_regions = new List<UpperRegion>();
         readonly List<UpperItem> m_items = new List<UpperItem>();
         ChunkIndexer m_indexer;
+        IndexLane m_lane;
         UpperRegion[] m_regionOfChunk;
         int[] m_draftOfChunk;
         long m_upperBytes;
@@ -51,6 +55,7 @@ namespace FastPoints.Convert
         public IEnumerator<Work> Run(IReadOnlyList<ChunkResult> chunks, NativeArray<byte>[] topRecords, StageProgress progress)
         {
             m_indexer = m_build.CreateIndexer(m_store, m_manifest);
+            m_lane = m_build.CreateLane(m_store);
             int last = chunks.Count > 0 ? chunks[chunks.Count - 1].Record.Number : -1;
             m_regionOfChunk = new UpperRegion[last + 1];
             m_draftOfChunk = new int[last + 1];
@@ -102,6 +107,7 @@ namespace FastPoints.Convert
         public void Dispose()
         {
             m_indexer?.Dispose();
+            m_lane?.Dispose();
             foreach (var region in m_regions)
                 region.Dispose();
             foreach (var item in m_items)
@@ -122,7 +128,7 @@ namespace FastPoints.Convert
             try
             {
                 yield return Work.Of(TakeTops(members, records, tops));
-                m_indexer.BeginUpper(records, tops, cube, isRoot);
+                m_indexer.BeginUpper(records, tops, cube, isRoot, m_lane);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
                 m_build.Slices.Take(m_indexer.Slices);
@@ -146,13 +152,16 @@ namespace FastPoints.Convert
         /// <summary>Brings the members' records together, from memory or from the chunks' files.</summary>
         IEnumerator<Work> TakeTops(List<UpperItem> members, NativeArray<byte> records, NativeArray<ChunkTop> tops)
         {
-            int stride = TopStride, at = 0;
-            using (var read = new StoreRead())
+            int stride = TopStride, at = 0, begun = 0;
+            var reads = new StoreRead[members.Count];
+            try
             {
                 for (int i = 0; i < members.Count; i++)
                 {
                     var member = members[i];
                     int bytes = member.TopPoints * stride;
+                    for (; begun < members.Count && begun - i < ReadsAtOnce; begun++)
+                        reads[begun] = BeginRead(members[begun]);
                     if (member.Records.IsCreated)
                     {
                         NativeArray<byte>.Copy(member.Records, 0, records, at, bytes);
@@ -162,11 +171,10 @@ namespace FastPoints.Convert
                     }
                     else
                     {
-                        read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk)),
-                            ChunkResult.RecordsOffset(BytesOfPlane.Length), bytes);
-                        yield return read.Done;
-                        read.Complete();
-                        NativeArray<byte>.Copy(read.Bytes, 0, records, at, bytes);
+                        yield return reads[i].Done;
+                        reads[i].Complete();
+                        NativeArray<byte>.Copy(reads[i].Bytes, 0, records, at, bytes);
+                        reads[i].Dispose();
                     }
                     var top = member.Top;
                     top.First = at / stride;
@@ -176,6 +184,22 @@ namespace FastPoints.Convert
                     yield return default;
                 }
             }
+            finally
+            {
+                foreach (var read in reads)
+                    read?.Dispose();
+            }
+        }
+
+        /// <summary>Reads a chunk's top back; null if it is in memory.</summary>
+        StoreRead BeginRead(UpperItem member)
+        {
+            if (member.Records.IsCreated)
+                return null;
+            var read = new StoreRead();
+            read.Begin(m_build.Folder.PathOf(BuildFiles.TopPath(member.Chunk)), ChunkResult.RecordsOffset(BytesOfPlane.Length),
+                member.TopPoints * TopStride);
+            return read;
         }
 
         /// <summary>Remembers by which of the region's nodes its members hang.</summary>

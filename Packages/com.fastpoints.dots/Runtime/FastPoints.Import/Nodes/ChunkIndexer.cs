@@ -7,8 +7,8 @@ using Unity.Jobs;
 
 namespace FastPoints.Nodes
 {
-    /// <summary>Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. Its
-    /// memory is as large as its largest chunk needs and is reused for the next.</summary>
+    /// <summary>Turns one chunk at a time into nodes: orders, gathers and samples its points, and writes them into memory. It
+    /// owns what comes of a chunk; what the jobs need meanwhile is the lane's.</summary>
     internal sealed class ChunkIndexer : IDisposable
     {
         // The samplers visit a point this often in most clouds.
@@ -22,24 +22,12 @@ namespace FastPoints.Nodes
         readonly ulong m_cloudId;
         readonly Sampler m_sampler;
         readonly NodeSizes m_sizes;
+        IndexLane m_lane;
 
-        OrderScratch m_ordering;
-        NativeArray<uint> m_order;
-        NativeArray<byte> m_sorted;
-        NativeArray<byte> m_common;
-        NativeArray<uint> m_priority;
-        NativeArray<byte> m_givesWay;
-        NativeArray<int> m_nodeOfPoint;
-        NativeArray<int> m_averageOfPoint;
-        NativeList<PointAverage> m_averages;
         NativeArray<ChunkTop> m_tops;
         NativeReference<ulong> m_checksum;
         NativeArray<long> m_bytesOfPlane;
-        WriteScratch m_writing;
-        RandomScratch m_random;
-        PoissonScratch m_poisson;
         SliceTimes m_slices;
-        int m_capacity;
 
         public ChunkIndexer(RecordLayout records, NativeStoreLayout store, Grid3 rootCorner, ulong cloudId, Sampler sampler,
             NodeSizes sizes)
@@ -50,14 +38,8 @@ namespace FastPoints.Nodes
             m_cloudId = cloudId;
             m_sampler = sampler;
             m_sizes = sizes;
-            if (sampler == Sampler.Random)
-                m_random = new RandomScratch(Allocator.Persistent);
-            else
-                m_poisson = new PoissonScratch(Allocator.Persistent);
-            m_writing = new WriteScratch(Allocator.Persistent);
             m_slices = new SliceTimes(Allocator.Persistent);
             m_tops = new NativeArray<ChunkTop>(0, Allocator.Persistent);
-            m_averages = new NativeList<PointAverage>(16, Allocator.Persistent);
             m_checksum = new NativeReference<ulong>(Allocator.Persistent);
             m_bytesOfPlane = new NativeArray<long>(store.Layout.Planes.Count, Allocator.Persistent);
             Drafts = new NativeList<NodeDraft>(64, Allocator.Persistent);
@@ -94,17 +76,32 @@ namespace FastPoints.Nodes
         /// <summary>Bytes of each plane in the last file.</summary>
         public NativeArray<long> BytesOfPlane => m_bytesOfPlane;
 
-        /// <summary>Begins a chunk. The caller owns its pages again when the job is done.</summary>
-        public void Begin(GridCube cube, RecordPages pages, int number)
+        /// <summary>Begins a chunk, behind those that are in the lane. The caller owns its pages again when the job is
+        /// done.</summary>
+        /// <param name="ready">Completes when the pages have their records.</param>
+        public void Begin(GridCube cube, RecordPages pages, int number, IndexLane lane, JobHandle ready)
         {
             Cube = cube;
             Pages = pages;
             Number = number;
+            m_lane = lane;
             int count = checked((int)pages.Count);
-            Reserve(count);
-            var gathered = Gather(count, Order(count, pages, cube), cube);
-            var sampled = Sample(count, cube, m_records, m_sorted, m_tops, gathered);
-            Job = Write(count, m_records, cube.Corner, true, true, m_sorted, m_nodeOfPoint, sampled);
+            var gathered = Gather(count, Order(count, pages, cube, lane.Begin(count, ready)), cube);
+            var sampled = Sample(count, cube, m_records, lane.Sorted, m_tops, gathered);
+            Job = Write(count, m_records, cube.Corner, true, true, lane.Sorted, sampled);
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>The same where only the top is kept: <see cref="Checksum"/> is the top's.</summary>
+        public void BeginTop(GridCube cube, RecordPages pages, int number, IndexLane lane)
+        {
+            Begin(cube, pages, number, lane, default);
+            Job = lane.Last = new SumTopJob
+            {
+                Records = Top,
+                Layout = m_records.ForTops(m_store.HasAverages),
+                Sum = m_checksum,
+            }.Schedule(Job);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -113,23 +110,23 @@ namespace FastPoints.Nodes
         /// <param name="tops">One for each chunk or region; receives the attach nodes as drafts.</param>
         /// <param name="isRoot">Whether it is the root; otherwise the top node goes to <see cref="Top"/>, as a chunk's
         /// does.</param>
-        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot)
+        public void BeginUpper(NativeArray<byte> records, NativeArray<ChunkTop> tops, GridCube cube, bool isRoot, IndexLane lane)
         {
+            m_lane = lane;
             Number = 0;
             Cube = cube;
             Pages = default;
             var layout = m_records.ForTops(m_store.HasAverages);
             int count = records.Length / layout.StrideBytes;
-            Reserve(count);
-            var prepared = default(JobHandle);
+            var prepared = lane.Begin(count, default);
             var prepare = new PrepareUpperJob
             {
                 Slices = m_slices,
                 Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
-                CommonCubeLog2 = m_common,
-                Priority = m_priority,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
             };
             while (prepare.End < count)
             {
@@ -138,7 +135,7 @@ namespace FastPoints.Nodes
                 prepared = prepare.Schedule(prepared);
             }
             var sampled = Sample(count, cube, layout, records, tops, prepared);
-            Job = Write(count, layout, m_rootCorner, false, !isRoot, records, m_nodeOfPoint, sampled);
+            Job = Write(count, layout, m_rootCorner, false, !isRoot, records, sampled);
             JobHandle.ScheduleBatchedJobs();
         }
 
@@ -147,17 +144,10 @@ namespace FastPoints.Nodes
             Job.Complete();
             if (!m_checksum.IsCreated)
                 return;
-            FreePoints();
             m_tops.Dispose();
-            m_averages.Dispose();
             m_checksum.Dispose();
             m_slices.Dispose();
-            m_writing.Dispose();
             m_bytesOfPlane.Dispose();
-            if (m_sampler == Sampler.Random)
-                m_random.Dispose();
-            else
-                m_poisson.Dispose();
             Drafts.Dispose();
             File.Dispose();
             Table.Dispose();
@@ -165,20 +155,18 @@ namespace FastPoints.Nodes
             NodeOfDraft.Dispose();
         }
 
-        JobHandle Order(int count, RecordPages pages, GridCube cube)
+        JobHandle Order(int count, RecordPages pages, GridCube cube, JobHandle done)
         {
-            m_ordering.Now.Value = default;
             var job = new OrderChunkJob
             {
                 Slices = m_slices,
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
-                Scratch = m_ordering,
-                Order = m_order,
+                Scratch = m_lane.Ordering,
+                Order = m_lane.Order,
                 PointsPerSlice = OrderChunkJob.PointsOfSlice,
             };
-            var done = default(JobHandle);
             for (long looked = 0; looked < (long)count * OrderChunkJob.Looks; looked += job.PointsPerSlice)
                 done = job.Schedule(done);
             // Slices end at pages and buckets: what they leave.
@@ -191,13 +179,13 @@ namespace FastPoints.Nodes
             var job = new GatherRecordsJob
             {
                 Slices = m_slices,
-                PageTable = m_ordering.PageTable,
+                PageTable = m_lane.Ordering.PageTable,
                 Layout = m_records,
                 Cube = cube,
-                Order = m_order,
-                Records = m_sorted,
-                CommonCubeLog2 = m_common,
-                Priority = m_priority,
+                Order = m_lane.Order,
+                Records = m_lane.Sorted,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
                 Checksum = m_checksum,
             };
             do
@@ -215,20 +203,19 @@ namespace FastPoints.Nodes
         {
             if (m_sampler == Sampler.Random)
             {
-                m_random.Now.Value = default;
                 var random = new SampleRandomJob
                 {
                     Slices = m_slices,
                     Count = count,
                     RootSideLog2 = cube.SideLog2,
                     Sizes = m_sizes,
-                    CommonCubeLog2 = m_common,
-                    Priority = m_priority,
-                    GivesWayLog2 = m_givesWay,
-                    Scratch = m_random,
+                    CommonCubeLog2 = m_lane.Common,
+                    Priority = m_lane.Priority,
+                    GivesWayLog2 = m_lane.GivesWay,
+                    Scratch = m_lane.Random,
                     PointsPerSlice = SampleRandomJob.PointsOfSlice,
                     Tops = tops,
-                    NodeOfPoint = m_nodeOfPoint,
+                    NodeOfPoint = m_lane.NodeOfPoint,
                     Nodes = Drafts,
                 };
                 for (long looked = 0; looked < (long)count * UsualLevels; looked += random.PointsPerSlice)
@@ -236,7 +223,6 @@ namespace FastPoints.Nodes
                 random.PointsPerSlice = int.MaxValue;
                 return random.Schedule(inputDeps);
             }
-            m_poisson.Now.Value = default;
             var job = new SamplePoissonJob
             {
                 Slices = m_slices,
@@ -246,13 +232,13 @@ namespace FastPoints.Nodes
                 Layout = layout,
                 Corner = cube.Corner,
                 Records = records,
-                CommonCubeLog2 = m_common,
-                Priority = m_priority,
+                CommonCubeLog2 = m_lane.Common,
+                Priority = m_lane.Priority,
                 Tops = tops,
-                NodeOfPoint = m_nodeOfPoint,
+                NodeOfPoint = m_lane.NodeOfPoint,
                 Nodes = Drafts,
                 Averaged = Averaged,
-                Scratch = m_poisson,
+                Scratch = m_lane.Poisson,
                 PointsPerSlice = SamplePoissonJob.PointsOfSlice,
             };
             // Slices that come after the end have nothing to do; one takes what is left where levels are many.
@@ -264,10 +250,8 @@ namespace FastPoints.Nodes
         }
 
         JobHandle Write(int count, RecordLayout layout, Grid3 corner, bool isChunk, bool keepsTopOut, NativeArray<byte> records,
-            NativeArray<int> nodeOfPoint,
             JobHandle inputDeps)
         {
-            m_writing.Now.Value = default;
             var job = new WriteNodesJob
             {
                 Slices = m_slices,
@@ -279,7 +263,7 @@ namespace FastPoints.Nodes
                 IsChunk = isChunk,
                 KeepsTopOut = keepsTopOut,
                 Records = records,
-                NodeOfPoint = nodeOfPoint,
+                NodeOfPoint = m_lane.NodeOfPoint,
                 Drafts = Drafts,
                 Columns = m_store.Columns,
                 FirstColumnOfPlane = m_store.FirstColumnOfPlane,
@@ -291,8 +275,8 @@ namespace FastPoints.Nodes
                 AverageOf = m_store.AverageOf,
                 Averaged = Averaged,
                 BytesOfPlane = m_bytesOfPlane,
-                Points = m_order,
-                Scratch = m_writing,
+                Points = m_lane.Order,
+                Scratch = m_lane.Writing,
                 PointsPerSlice = WriteNodesJob.PointsOfSlice,
             };
             long looks = count + count / WriteNodesJob.PointsSortedForOne;
@@ -300,45 +284,14 @@ namespace FastPoints.Nodes
                 inputDeps = job.Schedule(inputDeps);
             // Slices end at nodes: what they leave.
             job.PointsPerSlice = int.MaxValue;
-            return job.Schedule(inputDeps);
+            return m_lane.Last = job.Schedule(inputDeps);
         }
 
         AveragedColumns Averaged => new AveragedColumns
         {
             Columns = m_store.AveragedColumns,
-            AverageOfPoint = m_averageOfPoint,
-            Averages = m_averages,
+            AverageOfPoint = m_lane.AverageOfPoint,
+            Averages = m_lane.Averages,
         };
-
-        void Reserve(int count)
-        {
-            if (count <= m_capacity && m_ordering.IsCreated)
-                return;
-            FreePoints();
-            m_capacity = Math.Max(1, count);
-            const NativeArrayOptions raw = NativeArrayOptions.UninitializedMemory;
-            m_ordering = new OrderScratch(m_capacity, Allocator.Persistent);
-            m_order = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
-            m_sorted = new NativeArray<byte>(checked(m_capacity * m_records.StrideBytes), Allocator.Persistent, raw);
-            m_common = new NativeArray<byte>(m_capacity, Allocator.Persistent, raw);
-            m_priority = new NativeArray<uint>(m_capacity, Allocator.Persistent, raw);
-            m_givesWay = new NativeArray<byte>(m_sampler == Sampler.Random ? m_capacity : 0, Allocator.Persistent, raw);
-            m_nodeOfPoint = new NativeArray<int>(m_capacity, Allocator.Persistent, raw);
-            m_averageOfPoint = new NativeArray<int>(m_store.HasAverages ? m_capacity : 0, Allocator.Persistent, raw);
-        }
-
-        void FreePoints()
-        {
-            if (!m_ordering.IsCreated)
-                return;
-            m_ordering.Dispose();
-            m_order.Dispose();
-            m_sorted.Dispose();
-            m_common.Dispose();
-            m_priority.Dispose();
-            m_givesWay.Dispose();
-            m_nodeOfPoint.Dispose();
-            m_averageOfPoint.Dispose();
-        }
     }
 }

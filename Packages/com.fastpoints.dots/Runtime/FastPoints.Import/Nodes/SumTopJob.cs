@@ -11,7 +11,7 @@ namespace FastPoints.Nodes
     [BurstCompile]
     internal unsafe struct SumTopJob : IJob
     {
-        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeList<byte> Records;
 
         /// <summary>The layout of tops.</summary>
         public RecordLayout Layout;

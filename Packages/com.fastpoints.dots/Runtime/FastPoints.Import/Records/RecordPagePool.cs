@@ -82,16 +82,25 @@ namespace FastPoints.Records
         /// <summary>Frees every page, in use or not. The pool may be used again.</summary>
         public void FreeAll()
         {
-            for (var slab = m_slabs; slab != null;)
+            while (FreeSlab())
             {
-                var next = slab->Next;
-                UnsafeUtility.Free(slab, Allocator.Persistent);
-                slab = next;
             }
-            m_slabs = null;
+        }
+
+        /// <summary>A part of <see cref="FreeAll"/>, which takes milliseconds where there is much to free: begun with this, it is
+        /// to be ended.</summary>
+        /// <returns>Whether there was anything to free.</returns>
+        public bool FreeSlab()
+        {
             m_free = null;
             m_pagesLeft = 0;
             PagesInUse = 0;
+            var slab = m_slabs;
+            if (slab == null)
+                return false;
+            m_slabs = slab->Next;
+            UnsafeUtility.Free(slab, Allocator.Persistent);
+            return true;
         }
 
         RecordPages.Page* TakeNew()
