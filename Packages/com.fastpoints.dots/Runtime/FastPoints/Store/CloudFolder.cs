@@ -30,6 +30,9 @@ namespace FastPoints.Store
         /// <summary>The nodes of the upper levels; their planes are in upper.bin.</summary>
         public NodeTable Upper { get; private set; }
 
+        /// <summary>Which planes were hashed before; null unless the folder was opened to be shown.</summary>
+        internal CheckedPlanes Checked { get; private set; }
+
         /// <summary>Chunk records, in the order of the upper nodes that they are attached to.</summary>
         public NativeArray<ChunkRecord> Chunks { get; private set; }
 
@@ -69,7 +72,9 @@ namespace FastPoints.Store
         static CloudFolder OpenOnce(string path)
         {
             string manifestPath = Path.Combine(path, StoreFormat.ManifestName);
-            return Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+            var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
+            folder.Checked = CheckedPlanes.Of(folder);
+            return folder;
         }
 
         /// <summary>Opens a folder that is complete except for cloud.json.</summary>

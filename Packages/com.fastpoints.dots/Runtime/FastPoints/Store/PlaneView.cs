@@ -71,25 +71,22 @@ namespace FastPoints.Store
             if (blockCount < 0 || lengthBytes % PlaneShape.AlignmentBytes != 0 ||
                 PlaneShape.LengthBytes(descriptorWords) > lengthBytes)
                 return false;
-            var plane = new PlaneView(bytes, shape, blockCount);
+            uint most0 = MostWidth(shape, 0), most1 = MostWidth(shape, 1), most2 = MostWidth(shape, 2);
             long word = descriptorWords;
-            for (int block = 0; block < blockCount; block++)
+            bool isWrong = false;
+            // Without a branch: it runs for everything that is uploaded.
+            uint* descriptor = (uint*)bytes;
+            for (int block = 0; block < blockCount; block++, descriptor += shape.DescriptorWords)
             {
-                uint* descriptor = plane.Descriptor(block);
-                int points = plane.PointsOf(block);
-                if (descriptor[0] != word || points > PlaneShape.MaxPointsPerBlock)
-                    return false;
-                for (int c = 0; c < PlaneShape.MaxColumns; c++)
-                {
-                    int width = plane.WidthOf(block, c);
-                    if (width > (c >= shape.ColumnCount ? 0 : shape.IsWide(c) ? 64 : 32))
-                        return false;
-                    word += PlaneShape.WordsOf(points, width);
-                }
-                if (PlaneShape.LengthBytes(word) > lengthBytes)
-                    return false;
+                uint widths = descriptor[1], width0 = widths & 0xFF, width1 = widths >> 8 & 0xFF, width2 = widths >> 16 & 0xFF;
+                uint points = (widths >> 24) + 1;
+                isWrong |= descriptor[0] != word | points > PlaneShape.MaxPointsPerBlock | width0 > most0 | width1 > most1 |
+                    width2 > most2;
+                word += ((points * width0 + 31) >> 5) + ((points * width1 + 31) >> 5) + ((points * width2 + 31) >> 5);
             }
-            return PlaneShape.LengthBytes(word) == lengthBytes;
+            return !isWrong && PlaneShape.LengthBytes(word) == lengthBytes;
         }
+
+        static uint MostWidth(PlaneShape shape, int column) => column >= shape.ColumnCount ? 0u : shape.IsWide(column) ? 64u : 32u;
     }
 }

@@ -188,6 +188,7 @@ namespace FastPoints.Streaming
             var cloud = m_clouds[node.Cloud];
             var state = cloud.Pages[node.Page].States + node.Node;
             Release(slot);
+            cloud.Source.ForgetChecked(node.Page);
             if (cloud.IsLeaving || ++state->Failures < Settings.MostTries)
                 return;
             state->Failures = NodeState.IsHole;

@@ -1,3 +1,4 @@
+using System;
 using System.Text;
 using FastPoints.Store;
 using NUnit.Framework;
@@ -16,6 +17,23 @@ namespace FastPoints.Tests.Store
             byte[] bytes = Encoding.ASCII.GetBytes(text + "?");
             fixed (byte* b = bytes)
                 Assert.That(ContentHash.Of(b, text.Length), Is.EqualTo(wanted));
+        }
+
+        [Test]
+        public void Copy_AnyLength_CopiesAndGivesTheHash()
+        {
+            var random = new Random(5);
+            var from = new byte[400];
+            random.NextBytes(from);
+            for (int length = 0; length < 300; length++)
+            {
+                var to = new byte[400];
+                var wanted = new byte[400];
+                Array.Copy(from, 3, wanted, 5, length);
+                fixed (byte* f = from, t = to)
+                    Assert.That(ContentHash.Copy(t + 5, f + 3, length), Is.EqualTo(ContentHash.Of(f + 3, length)));
+                Assert.That(to, Is.EqualTo(wanted));
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Streaming
 {
     /// <summary>Lives and deaths of clouds that are streamed.</summary>
-    public class StreamContextTests
+    public unsafe class StreamContextTests
     {
         StreamedTestCloud m_cloud;
 
@@ -139,6 +139,63 @@ namespace FastPoints.Tests.Streaming
                 stream.Clouds[0].RangeOf(0, node, 0).OffsetBytes + ": node 0 is damaged" }));
             Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
             Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
+        }
+
+        /// <summary>A plane is hashed once, and again when its file has another time. Only a hash finds a single bit.</summary>
+        [Test]
+        public void Run_OpenedAgain_ChecksFilesThatChanged()
+        {
+            List<string> Show()
+            {
+                using (var stream = StreamedTestCloud.Stream())
+                {
+                    Add(stream);
+                    StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                    Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
+                    return Failures(stream);
+                }
+            }
+            string path;
+            using (var folder = CloudFolder.Open(m_cloud.Path))
+            {
+                path = folder.UpperPath;
+                Assert.That(folder.Checked.Has(0, 0, 0), Is.False);
+                Assert.That(Show(), Is.Empty);
+                var written = File.GetLastWriteTimeUtc(path);
+                byte[] bytes = File.ReadAllBytes(path);
+                bytes[folder.Upper.Planes[0].OffsetBytes + folder.Upper.Planes[0].LengthBytes / 2] ^= 1;
+                File.WriteAllBytes(path, bytes);
+                File.SetLastWriteTimeUtc(path, written);
+                Assert.That(Show(), Is.Empty, "same size and time");
+                File.SetLastWriteTimeUtc(path, written.AddSeconds(1));
+                Assert.That(Show(), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
+            }
+            using (var folder = CloudFolder.Open(m_cloud.Path))
+            {
+                Assert.That(folder.Checked.Has(0, 0, 0), Is.False);
+                Assert.That(folder.Checked.Has(1, 0, 0), Is.True, "in another file");
+            }
+        }
+
+        /// <summary>What lies outside of a plane is never read, even if the file changed after its hash was right.</summary>
+        [Test]
+        public void Run_DescriptorChangedAfterItsHashWasRight_IsNotShown()
+        {
+            using (var stream = StreamedTestCloud.Stream())
+            {
+                Add(stream);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.True);
+                string path = stream.Clouds[0].Source.PathOf(0);
+                byte[] bytes = File.ReadAllBytes(path);
+                bytes[stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + 5] ^= 1;
+                File.WriteAllBytes(path, bytes);
+                stream.Release(stream.Clouds[0].Pages[0].States[0].Slot);
+                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+                Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
+                Assert.That(stream.Clouds[0].Source.IsChecked(0, 0, 0), Is.False);
+                Assert.That(stream.Clouds[0].Source.IsChecked(0, 1, 0), Is.False, "all of the file is checked again");
+            }
         }
 
         [Test]

@@ -82,6 +82,13 @@ namespace FastPoints.Streaming
 
         public override string PathOf(int page) => m_pathOfPage[page];
 
+        internal override bool IsChecked(int page, int node, int plane) =>
+            m_folder.Checked != null && m_folder.Checked.Has(page, node, m_planes[plane]);
+
+        internal override void SetChecked(int page, int node, int plane) => m_folder.Checked?.Add(page, node, m_planes[plane]);
+
+        internal override void ForgetChecked(int page) => m_folder.Checked?.Forget(page);
+
         internal override FilePiece TableOf(int page)
         {
             var chunk = m_folder.Chunks[page - 1];

@@ -58,6 +58,20 @@ namespace FastPoints.Streaming
         /// <summary>Describes the problem that <see cref="ScheduleBuild"/> found.</summary>
         public abstract string Describe(int page, NativeArray<byte> table, TableProblem problem);
 
+        /// <summary>Whether a plane of a node was found to be as written before, so that its hash need not be checked again.
+        /// Main thread.</summary>
+        /// <param name="plane">Index among the streamed planes.</param>
+        internal virtual bool IsChecked(int page, int node, int plane) => false;
+
+        internal virtual void SetChecked(int page, int node, int plane)
+        {
+        }
+
+        /// <summary>Has all planes of a page's file checked again.</summary>
+        internal virtual void ForgetChecked(int page)
+        {
+        }
+
         /// <summary>For sources that make nodes: whether a page can be built now. If not, the call makes the source read what is
         /// missing.</summary>
         public virtual bool CanBuild(int page) => true;

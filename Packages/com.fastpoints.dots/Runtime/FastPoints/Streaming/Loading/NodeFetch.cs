@@ -203,7 +203,8 @@ namespace FastPoints.Streaming
                 {
                     From = m_maker != null ? made
                         : (byte*)m_bytes.GetUnsafeReadOnlyPtr() + m_offsets[index * Cloud.Source.Planes.Length + p],
-                    IsMade = m_maker != null,
+                    Check = m_maker != null ? UploadCheck.None
+                        : Cloud.Source.IsChecked(Page, node, p) ? UploadCheck.Shape : UploadCheck.Hash,
                     To = to,
                     LengthBytes = range.LengthBytes,
                     Hash = range.Hash,

@@ -109,10 +109,14 @@ namespace FastPoints.Streaming
             for (int part = 0, upload = 0; upload < m_slots.Length; upload++)
             {
                 bool isDamaged = false;
-                for (; part < m_parts.Length && m_parts[part].Upload == upload; part++)
+                var node = m_stream.Cache[m_slots[upload]];
+                var source = m_stream.Clouds[node.Cloud].Source;
+                for (int plane = 0; part < m_parts.Length && m_parts[part].Upload == upload; part++, plane++)
                 {
                     isDamaged |= m_isDamaged[part];
                     stats.UploadedBytes += m_parts[part].LengthBytes;
+                    if (m_parts[part].Check == UploadCheck.Hash && !m_isDamaged[part])
+                        source.SetChecked(node.Page, node.Node, plane);
                 }
                 stats.UploadedNodes++;
                 m_stream.Cache.SetPhase(m_slots[upload], CachePhase.Resident);
@@ -142,9 +146,9 @@ namespace FastPoints.Streaming
         public byte* To;
         public long LengthBytes;
 
-        /// <summary>Hash of the bytes as written; ignored for those just made in memory.</summary>
+        /// <summary>Hash of the bytes as written.</summary>
         public ulong Hash;
-        public bool IsMade;
+        public UploadCheck Check;
         public PlaneShape Shape;
         public int BlockCount;
 
@@ -152,8 +156,18 @@ namespace FastPoints.Streaming
         public int Upload;
     }
 
-    /// <summary>Copies planes into the pool unchanged, and reports of each whether it is what was written and can be
-    /// drawn.</summary>
+    /// <summary>What is checked of a plane before it is drawn.</summary>
+    internal enum UploadCheck : byte
+    {
+        /// <summary>It was just made in memory.</summary>
+        None,
+        /// <summary>Its hash was right before. No bytes of a file may lead outside of it, whatever became of the file.</summary>
+        Shape,
+        Hash,
+    }
+
+    /// <summary>Copies planes into the pool unchanged, and reports of each whether it is what was written and can be drawn.
+    /// Damaged data is not shown.</summary>
     [BurstCompile]
     internal unsafe struct UploadPlanesJob : IJobFor
     {
@@ -163,10 +177,13 @@ namespace FastPoints.Streaming
         public void Execute(int index)
         {
             var part = Parts[index];
-            // The copy comes first: then the hash finds the bytes in the cache. Damaged data is not shown.
-            UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
-            IsDamaged[index] = !part.IsMade && (ContentHash.Of(part.From, part.LengthBytes) != part.Hash ||
-                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount));
+            bool isSound = true;
+            if (part.Check == UploadCheck.Hash)
+                isSound = ContentHash.Copy(part.To, part.From, part.LengthBytes) == part.Hash;
+            else
+                UnsafeUtility.MemCpy(part.To, part.From, part.LengthBytes);
+            IsDamaged[index] = !isSound || part.Check != UploadCheck.None &&
+                !PlaneView.IsSound(part.From, part.LengthBytes, part.Shape, part.BlockCount);
         }
     }
 }
