@@ -99,81 +99,68 @@ namespace FastPoints.Convert
         {
             try
             {
-                return Read((Dictionary<string, object>)JsonReader.Parse(text));
+                var json = JsonMembers.Parse(text, "");
+                json.NeedVersion(Version);
+                return Read(json);
             }
-            catch (Exception e) when (e is FormatException || e is InvalidCastException || e is KeyNotFoundException ||
-                e is OverflowException || e is NullReferenceException || e is ArgumentException)
+            catch (Exception e) when (e is PointCloudException || e is OverflowException)
             {
                 return null;
             }
         }
 
-        static BuildJournal Read(Dictionary<string, object> json)
+        static BuildJournal Read(JsonMembers json)
         {
-            if (JsonReader.ToLong(json["version"]) != Version)
-                return null;
+            if (!Enum.TryParse(json.Text("stage"), out Stage stage))
+                throw json.Bad("stage", "a stage");
             var journal = new BuildJournal
             {
-                Identity = JsonReader.ToHex(json["identity"]),
-                At = (Stage)Enum.Parse(typeof(Stage), (string)json["stage"]),
-                Source = checked((int)JsonReader.ToLong(json["source"])),
-                Block = checked((int)JsonReader.ToLong(json["block"])),
-                PeakBytes = JsonReader.ToLong(json["peakBytes"]),
-                LevelCount = checked((int)JsonReader.ToLong(json["levelCount"])),
-                Root = new GridCube(Place(json["rootCorner"]), checked((int)JsonReader.ToLong(json["rootSideLog2"]))),
+                Identity = json.Hex("identity"),
+                At = stage,
+                Source = json.Int("source"),
+                Block = json.Int("block"),
+                PeakBytes = json.Long("peakBytes"),
+                LevelCount = json.Int("levelCount"),
+                Root = new GridCube(Place(json, "rootCorner"), json.Int("rootSideLog2")),
+                Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
+                {
+                    Min = item.Hex("min"),
+                    Max = item.Hex("max"),
+                    Or = item.Hex("or"),
+                    NotDoubled = (uint)item.Count("notDoubled", uint.MaxValue),
+                }).ToArray(),
+                BytesOfPlane = json.Longs("bytesOfPlane"),
             };
-            foreach (Dictionary<string, object> item in (List<object>)json["findings"])
+            journal.Statistics.AddRange(json.Objects("findings").ConvertAll(item => new PointStatistics
             {
-                journal.Statistics.Add(new PointStatistics
-                {
-                    Count = JsonReader.ToLong(item["count"]),
-                    LeftOut = JsonReader.ToLong(item["leftOut"]),
-                    Min = Place(item["min"]),
-                    Max = Place(item["max"]),
-                    Checksum = JsonReader.ToHex(item["checksum"]),
-                    WorstLossSteps = JsonReader.ToDouble(item["worstLossSteps"]),
-                });
-            }
-            var attributes = (List<object>)json["attributes"];
-            journal.Attributes = new AttributeStatistics[attributes.Count];
-            for (int a = 0; a < attributes.Count; a++)
+                Count = item.Long("count"),
+                LeftOut = item.Long("leftOut"),
+                Min = Place(item, "min"),
+                Max = Place(item, "max"),
+                Checksum = item.Hex("checksum"),
+                WorstLossSteps = item.Number("worstLossSteps"),
+            }));
+            journal.Records.AddRange(json.Longs("records"));
+            foreach (var item in json.Objects("chunks"))
             {
-                var item = (Dictionary<string, object>)attributes[a];
-                journal.Attributes[a] = new AttributeStatistics
-                {
-                    Min = JsonReader.ToHex(item["min"]),
-                    Max = JsonReader.ToHex(item["max"]),
-                    Or = JsonReader.ToHex(item["or"]),
-                    NotDoubled = checked((uint)JsonReader.ToLong(item["notDoubled"])),
-                };
-            }
-            foreach (var count in (List<object>)json["records"])
-                journal.Records.Add(JsonReader.ToLong(count));
-            foreach (Dictionary<string, object> item in (List<object>)json["chunks"])
-            {
-                var runs = new List<RecordRange>();
-                foreach (var run in (List<object>)item["runs"])
-                {
-                    var three = Place(run);
-                    runs.Add(new RecordRange { File = checked((int)three.X), First = three.Y, Count = three.Z });
-                }
                 journal.Chunks.Add(new Chunk
                 {
-                    Cube = new GridCube(Place(item["corner"]), checked((int)JsonReader.ToLong(item["sideLog2"]))),
-                    Runs = runs.ToArray(),
+                    Cube = new GridCube(Place(item, "corner"), item.Int("sideLog2")),
+                    Runs = item.Lists("runs", 3).ConvertAll(run => new RecordRange
+                    {
+                        File = checked((int)run[0]),
+                        First = run[1],
+                        Count = run[2],
+                    }).ToArray(),
                 });
             }
-            var planes = (List<object>)json["bytesOfPlane"];
-            journal.BytesOfPlane = new long[planes.Count];
-            for (int p = 0; p < planes.Count; p++)
-                journal.BytesOfPlane[p] = JsonReader.ToLong(planes[p]);
             return journal;
         }
 
-        static Grid3 Place(object value)
+        static Grid3 Place(JsonMembers json, string name)
         {
-            var three = (List<object>)value;
-            return new Grid3(JsonReader.ToLong(three[0]), JsonReader.ToLong(three[1]), JsonReader.ToLong(three[2]));
+            long[] steps = json.Longs(name, 3);
+            return new Grid3(steps[0], steps[1], steps[2]);
         }
     }
 }

@@ -76,6 +76,11 @@ namespace FastPoints.Base
 
         public long Long(string name, long otherwise) => Has(name) ? Long(name) : otherwise;
 
+        public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
+
+        /// <summary>A whole number from 0 to <paramref name="most"/>.</summary>
+        public long Count(string name, long most = long.MaxValue) => Read(name, v => InRange(v, 0, most));
+
         public ulong Hex(string name) => Read(name, JsonReader.ToHex);
 
         /// <summary>NaN for null: JSON has no word for it.</summary>
@@ -111,6 +116,12 @@ namespace FastPoints.Base
                 ? Read(name, _ => list.ConvertAll(Finite)).ToArray()
                 : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
         }
+
+        /// <summary>A list of whole numbers; exactly so many unless <paramref name="count"/> is negative.</summary>
+        public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
+
+        /// <summary>A list of such lists.</summary>
+        public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));
 
         /// <summary>A list of three finite numbers.</summary>
         public double3 Vector(string name)
@@ -167,6 +178,19 @@ namespace FastPoints.Base
             : throw Wrong(name, value == null && !Has(name) ? "missing" : "wanted an object, got " + JsonReader.Describe(value));
 
         string Shown(string text) => m_isForeign ? JsonReader.OneLine(text) : text;
+
+        static long InRange(object value, long least, long most)
+        {
+            long number = JsonReader.ToLong(value);
+            return number >= least && number <= most ? number : throw new FormatException("wanted " + NumberText.Of(least) +
+                " to " + NumberText.Of(most) + ", got " + NumberText.Of(number));
+        }
+
+        static long[] ToLongs(object value, int count) =>
+            value is List<object> list && (count < 0 || list.Count == count)
+                ? list.ConvertAll(JsonReader.ToLong).ToArray()
+                : throw new FormatException("wanted a list of " + (count < 0 ? "" : NumberText.Of(count) + " ") +
+                    "whole numbers, got " + JsonReader.Describe(value));
 
         static double Finite(object value)
         {

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Mathematics;
@@ -159,176 +158,103 @@ namespace FastPoints.Store
         /// it.</exception>
         public static CloudManifest FromJson(string text, string path)
         {
-            var members = new Members();
-            try
-            {
-                return Read((Dictionary<string, object>)JsonReader.Parse(text), members);
-            }
-            catch (Exception e) when (e is FormatException || e is InvalidCastException || e is KeyNotFoundException ||
-                e is OverflowException)
-            {
-                throw new PointCloudException(FailureCode.BadInput, path, -1,
-                    (members.Last.Length > 0 ? "\"" + members.Last + "\": " : "") + (e is FormatException ? e.Message
-                        : "missing or of the wrong kind"), e);
-            }
-            catch (NotSupportedException e)
-            {
-                throw new PointCloudException(FailureCode.Unsupported, path, -1, e.Message, e);
-            }
-        }
-
-        /// <summary>Looks up members, and remembers the last one: that is at fault where reading fails.</summary>
-        sealed class Members
-        {
-            public string Last = "";
-
-            public object Get(Dictionary<string, object> of, string name)
-            {
-                Last = name;
-                return of[name];
-            }
-
-            public Dictionary<string, object> Object(Dictionary<string, object> of, string name) =>
-                (Dictionary<string, object>)Get(of, name);
-        }
-
-        static CloudManifest Read(Dictionary<string, object> json, Members members)
-        {
-            if (!"fastpoints".Equals(members.Get(json, "format")))
-                throw new FormatException("wanted \"" + FormatName + "\"");
-            long version = JsonReader.ToLong(members.Get(json, "version"));
-            if (version != StoreFormat.Version)
-            {
-                throw new NotSupportedException(string.Format(CultureInfo.InvariantCulture,
-                    "cloud format version: wanted {0}, got {1}", StoreFormat.Version, version));
-            }
-
+            var json = JsonMembers.Parse(text, path);
+            if (json.Text("format") != FormatName)
+                throw json.Bad("format", "\"" + FormatName + "\"");
+            json.NeedVersion(StoreFormat.Version);
+            var files = json.Object("files");
             var result = new CloudManifest
             {
-                CloudId = JsonReader.ToHex(members.Get(json, "id")),
-                Generation = JsonReader.ToLong(members.Get(json, "generation")),
-                IsBuilding = json.TryGetValue("building", out object building) && true.Equals(building),
-                Points = Count(members.Get(json, "points")),
-                PointsLeftOut = Count(members.Get(json, "pointsLeftOut")),
-                Checksum = JsonReader.ToHex(members.Get(json, "checksum")),
-                NodeCount = checked((int)Count(members.Get(json, "nodes"))),
-                ChunkCount = checked((int)Count(members.Get(json, "chunks"))),
+                CloudId = json.Hex("id"),
+                Generation = json.Long("generation"),
+                IsBuilding = json.Flag("building"),
+                Points = json.Count("points"),
+                PointsLeftOut = json.Count("pointsLeftOut"),
+                Checksum = json.Hex("checksum"),
+                NodeCount = (int)json.Count("nodes", int.MaxValue),
+                ChunkCount = (int)json.Count("chunks", int.MaxValue),
+                HierarchyBytes = files.Count("hierarchyBytes"),
+                HierarchyHash = files.Hex("hierarchyHash"),
+                UpperBytes = files.Count("upperBytes"),
             };
-            result.ReadPlace(json, members);
-            result.ReadAttributes((List<object>)members.Get(json, "attributes"), members);
-            if (json.TryGetValue("shown", out object shown))
-                result.Shown = ReadShown((Dictionary<string, object>)shown, members);
-            result.ReadOrigin(json, members);
-            var files = members.Object(json, "files");
-            result.HierarchyBytes = Count(members.Get(files, "hierarchyBytes"));
-            result.HierarchyHash = JsonReader.ToHex(members.Get(files, "hierarchyHash"));
-            result.UpperBytes = Count(members.Get(files, "upperBytes"));
+            result.ReadPlace(json);
+            result.ReadAttributes(json.Objects("attributes"));
+            if (json.Has("shown"))
+                result.Shown = ReadShown(json.Object("shown"));
+            result.ReadOrigin(json);
             return result;
         }
 
-        void ReadPlace(Dictionary<string, object> json, Members members)
+        void ReadPlace(JsonMembers json)
         {
-            var grid = members.Object(json, "grid");
-            Grid.Origin = Double3(members.Get(grid, "origin"));
-            Grid.Step = Double3(members.Get(grid, "step"));
-            if (!math.all(Grid.Step > 0) || !math.all(math.isfinite(Grid.Step)) || !math.all(math.isfinite(Grid.Origin)))
-                throw new FormatException("wanted finite origins and positive steps");
-            var root = members.Object(json, "root");
-            Root.Corner = Place(members.Get(root, "corner"));
-            long side = Count(members.Get(root, "sideLog2"));
-            if (side > GridCube.MaxSideLog2)
-                throw new FormatException("wanted at most " + GridCube.MaxSideLog2 + ", got " + side);
-            Root.SideLog2 = (int)side;
-            var bounds = members.Object(json, "boundsGrid");
-            BoundsMin = Place(members.Get(bounds, "min"));
-            BoundsMax = Place(members.Get(bounds, "max"));
+            var grid = json.Object("grid");
+            Grid = new CloudGrid { Origin = grid.Vector("origin"), Step = grid.Vector("step") };
+            if (!math.all(Grid.Step > 0))
+                throw grid.Bad("step", "positive steps");
+            var root = json.Object("root");
+            Root = new GridCube(Place(root, "corner"), (int)root.Count("sideLog2", GridCube.MaxSideLog2));
+            var bounds = json.Object("boundsGrid");
+            BoundsMin = Place(bounds, "min");
+            BoundsMax = Place(bounds, "max");
         }
 
-        void ReadAttributes(List<object> attributes, Members members)
+        void ReadAttributes(List<JsonMembers> attributes)
         {
             var schema = new List<PointAttribute>();
             Divisors = new int[attributes.Count];
             Ranges = new Range[attributes.Count];
             for (int i = 0; i < attributes.Count; i++)
             {
-                var attribute = (Dictionary<string, object>)attributes[i];
-                string name = (string)members.Get(attribute, "name");
-                string typeName = (string)members.Get(attribute, "type");
+                var attribute = attributes[i];
+                string typeName = attribute.Text("type");
                 if (!Enum.TryParse(typeName, false, out AttributeType type) || type.ToString() != typeName)
-                    throw new FormatException("no such type: \"" + typeName + "\"");
-                schema.Add(new PointAttribute(name, type, JsonReader.ToDouble(members.Get(attribute, "scale")),
-                    JsonReader.ToDouble(members.Get(attribute, "offset"))));
-                long divisor = JsonReader.ToLong(members.Get(attribute, "divisor"));
+                    throw attribute.Bad("type", "a type of attribute");
+                schema.Add(new PointAttribute(attribute.Text("name"), type, attribute.Number("scale"),
+                    attribute.Number("offset")));
+                long divisor = attribute.Long("divisor");
                 if (divisor < 1 || divisor > ushort.MaxValue || (divisor > 1 && type != AttributeType.UInt16))
-                    throw new FormatException("wanted 1, or up to 65535 for UInt16, got " + divisor);
+                    throw attribute.Bad("divisor", "1, or up to 65535 for UInt16");
                 Divisors[i] = (int)divisor;
-                Ranges[i].Min = DoubleOrNaN(members.Get(attribute, "min"));
-                Ranges[i].Max = DoubleOrNaN(members.Get(attribute, "max"));
+                Ranges[i] = new Range { Min = attribute.Double("min"), Max = attribute.Double("max") };
             }
             Attributes = new PointSchema(schema);
         }
 
-        static ShownRanges ReadShown(Dictionary<string, object> shown, Members members) => new ShownRanges
+        static ShownRanges ReadShown(JsonMembers shown) => new ShownRanges
         {
-            BoundsGeo = new BoundsGeo(Double3(members.Get(shown, "min")), Double3(members.Get(shown, "max"))),
-            Elevation = new Range
-            {
-                Min = JsonReader.ToDouble(members.Get(shown, "elevationMin")),
-                Max = JsonReader.ToDouble(members.Get(shown, "elevationMax")),
-            },
-            Intensity = new Range
-            {
-                Min = JsonReader.ToDouble(members.Get(shown, "intensityMin")),
-                Max = JsonReader.ToDouble(members.Get(shown, "intensityMax")),
-            },
-            HasColor = (bool)members.Get(shown, "color"),
+            BoundsGeo = new BoundsGeo(shown.Vector("min"), shown.Vector("max")),
+            Elevation = new Range { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
+            Intensity = new Range { Min = shown.Number("intensityMin"), Max = shown.Number("intensityMax") },
+            HasColor = shown.Flag("color"),
         };
 
-        void ReadOrigin(Dictionary<string, object> json, Members members)
+        void ReadOrigin(JsonMembers json)
         {
-            var crs = members.Object(json, "crs");
-            CrsName = (string)members.Get(crs, "name");
-            CrsWkt = (string)members.Get(crs, "wkt");
-            CrsEpsg = checked((int)JsonReader.ToLong(members.Get(crs, "epsg")));
-            CrsVerticalEpsg = checked((int)JsonReader.ToLong(members.Get(crs, "verticalEpsg")));
-            MetresPerUnit = DoubleOrNaN(members.Get(crs, "metresPerUnit"));
-            Sampler = (string)members.Get(members.Object(json, "settings"), "sampler");
-            foreach (object item in (List<object>)members.Get(json, "sources"))
+            var crs = json.Object("crs");
+            CrsName = crs.TextOrNull("name");
+            CrsWkt = crs.TextOrNull("wkt");
+            CrsEpsg = crs.Int("epsg");
+            CrsVerticalEpsg = crs.Int("verticalEpsg");
+            MetresPerUnit = crs.Double("metresPerUnit");
+            Sampler = json.Object("settings").Text("sampler");
+            foreach (var source in json.Objects("sources"))
             {
-                var source = (Dictionary<string, object>)item;
                 Sources.Add(new Source
                 {
-                    Name = (string)members.Get(source, "name"),
-                    FileBytes = Count(members.Get(source, "bytes")),
-                    Points = Count(members.Get(source, "points")),
+                    Name = source.Text("name"),
+                    FileBytes = source.Count("bytes"),
+                    Points = source.Count("points"),
                 });
             }
         }
 
-        static long Count(object value)
+        static Grid3 Place(JsonMembers json, string name)
         {
-            long count = JsonReader.ToLong(value);
-            return count >= 0 ? count : throw new FormatException("wanted at least 0, got " + count);
-        }
-
-        static double DoubleOrNaN(object value) => value == null ? double.NaN : JsonReader.ToDouble(value);
-
-        static List<object> Three(object value) =>
-            value is List<object> list && list.Count == 3 ? list : throw new FormatException("wanted three numbers");
-
-        static double3 Double3(object value)
-        {
-            var three = Three(value);
-            return new double3(JsonReader.ToDouble(three[0]), JsonReader.ToDouble(three[1]), JsonReader.ToDouble(three[2]));
-        }
-
-        static Grid3 Place(object value)
-        {
-            var three = Three(value);
-            var place = new Grid3(JsonReader.ToLong(three[0]), JsonReader.ToLong(three[1]), JsonReader.ToLong(three[2]));
+            long[] steps = json.Longs(name, 3);
+            var place = new Grid3(steps[0], steps[1], steps[2]);
             const long limit = 1L << GridCube.MaxSideLog2;
             if (place != Grid3.Max(Grid3.Min(place, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
-                throw new FormatException("wanted numbers within 2^" + GridCube.MaxSideLog2);
+                throw json.Bad(name, "numbers within 2^" + GridCube.MaxSideLog2);
             return place;
         }
     }
