@@ -24,10 +24,10 @@ namespace FastPoints.Cli.Demo
                 Wkt = info.Crs.Wkt,
             };
             var standard = new LasRecordLayout(LasPointFormat.Of(info.PointFormat),
-                LasPointFormat.Of(info.PointFormat).RecordBytes, Array.Empty<LasField>());
+                LasPointFormat.Of(info.PointFormat).RecordBytes, Array.Empty<PointField>());
             var extra = new List<PointAttribute>();
             foreach (var attribute in info.Schema)
-                if (!standard.TryFind(attribute.Name, out _))
+                if (!standard.Fields.TryFind(attribute.Name, out _))
                     extra.Add(attribute);
             settings.ExtraBytes = extra.ToArray();
 

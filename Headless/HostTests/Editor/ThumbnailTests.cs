@@ -14,7 +14,7 @@ namespace FastPoints.HostTests.Editor
 
         static void AssertShowsSomething(RgbaImage picture)
         {
-            Assert.That((picture.Width, picture.Height), Is.EqualTo((CloudThumbnails.SizePx, CloudThumbnails.SizePx)));
+            Assert.That((picture.Width, picture.Height), Is.EqualTo((ThumbnailDrawing.SizePx, ThumbnailDrawing.SizePx)));
             Assert.That(picture.Rgba.Distinct().Count(), Is.GreaterThan(50), "there is something in it");
         }
 

@@ -13,9 +13,6 @@ namespace FastPoints.Editor
     /// thread; it draws one at a time while the others wait.</summary>
     internal sealed class CloudThumbnails : IDisposable
     {
-        /// <summary>Length of each side.</summary>
-        public const int SizePx = 256;
-
         const string Extension = ".preview.png";
 
         readonly List<(string Cloud, string[] Sources)> m_waiting = new List<(string Cloud, string[] Sources)>();

@@ -299,15 +299,4 @@ namespace FastPoints.Editor
 
         static bool IsSame(string a, string b) => string.Equals(a, b, StringComparison.OrdinalIgnoreCase);
     }
-
-    /// <summary>The state of an <see cref="ImportRequest"/>. An imported one is no longer in the queue.</summary>
-    internal enum ImportState
-    {
-        Waiting,
-        Running,
-        /// <summary>Paused by the user: others go first.</summary>
-        Paused,
-        /// <summary>Failed until the user retries or removes it.</summary>
-        Failed,
-    }
 }

@@ -50,4 +50,15 @@ namespace FastPoints.Editor
                 ? value
                 : throw json.Wrong(name, "no such one: \"" + json.Text(name) + "\"");
     }
+
+    /// <summary>The state of an <see cref="ImportRequest"/>. An imported one is no longer in the queue.</summary>
+    internal enum ImportState
+    {
+        Waiting,
+        Running,
+        /// <summary>Paused by the user: others go first.</summary>
+        Paused,
+        /// <summary>Failed until the user retries or removes it.</summary>
+        Failed,
+    }
 }

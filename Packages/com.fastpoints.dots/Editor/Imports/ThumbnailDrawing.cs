@@ -15,8 +15,11 @@ namespace FastPoints.Editor
         /// <summary>The most points in a converted cloud's picture.</summary>
         const long Budget = 200_000;
 
+        /// <summary>Length of each side.</summary>
+        public const int SizePx = 256;
+
         /// <summary>Points in the first wave of files: about one a pixel.</summary>
-        const int PreviewPoints = CloudThumbnails.SizePx * CloudThumbnails.SizePx;
+        const int PreviewPoints = SizePx * SizePx;
 
         readonly IDisposable[] m_owned;
         readonly Func<RgbaImage> m_image;
@@ -35,8 +38,8 @@ namespace FastPoints.Editor
 
         static PictureOptions Options => new PictureOptions
         {
-            WidthPx = CloudThumbnails.SizePx,
-            HeightPx = CloudThumbnails.SizePx,
+            WidthPx = SizePx,
+            HeightPx = SizePx,
             OutlinePoints = 512,
         };
 

@@ -61,19 +61,6 @@ namespace FastPoints.Scenes
         }
     }
 
-    /// <summary>The order of a generated cloud's points in its file.</summary>
-    public enum ScanOrder
-    {
-        /// <summary>As acquired: station after station, scan line after scan line.</summary>
-        Strip,
-        /// <summary>By tiles of 50 m, row by row; as acquired within a tile.</summary>
-        Tile,
-        /// <summary>By class; as acquired within a class.</summary>
-        Class,
-        /// <summary>Shuffled: no two neighbours in the file are neighbours in space.</summary>
-        Random,
-    }
-
     /// <summary>Receives the returns of a scan. It is called on the main thread; its arguments are valid only during the
     /// call.</summary>
     internal interface IReturnSink

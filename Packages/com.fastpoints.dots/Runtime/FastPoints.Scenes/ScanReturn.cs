@@ -3,10 +3,13 @@ namespace FastPoints.Scenes
     /// <summary>One return of one laser pulse, as LAS point format 7 keeps it.</summary>
     internal struct ScanReturn
     {
+        /// <summary>Metres of one grid step.</summary>
+        public const double Step = 0.001;
+
         /// <summary>Adjusted standard GPS seconds: rising from pulse to pulse, the same for all returns of one.</summary>
         public double GpsTime;
 
-        /// <summary>Grid units: see <see cref="TerrestrialScan.Transform"/>.</summary>
+        /// <summary>In grid steps.</summary>
         public int X;
         public int Y;
         public int Z;

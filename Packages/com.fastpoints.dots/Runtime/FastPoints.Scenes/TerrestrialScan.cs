@@ -13,15 +13,12 @@ namespace FastPoints.Scenes
     /// number of points, the same bytes for a seed on any number of threads, in bounded memory.</summary>
     internal static class TerrestrialScan
     {
-        /// <summary>Metres of one grid step.</summary>
-        public const double Step = 0.001;
-
         const int ReturnsPerBatch = 1 << 18;
 
         /// <summary>UTM-sized: zone 32 north, and heights near 120 m.</summary>
         public static PositionTransform Transform => new PositionTransform
         {
-            Scale = new double3(Step, Step, Step),
+            Scale = new double3(ScanReturn.Step, ScanReturn.Step, ScanReturn.Step),
             Offset = new double3(441000, 5612000, 120),
         };
 

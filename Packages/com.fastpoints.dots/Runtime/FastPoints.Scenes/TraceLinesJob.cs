@@ -185,7 +185,7 @@ namespace FastPoints.Scenes
             float echo = hit.Reflectance * (0.25f + 0.75f * incidence) / (1 + math.lengthsq(distance / 70)) / math.sqrt(count);
             echo *= 1 + 0.06f * SceneHash.NextNormal(ref random);
 
-            var toGrid = 1 / TerrestrialScan.Step;
+            var toGrid = 1 / ScanReturn.Step;
             double pulse = (double)line * RaysPerLine + ray;
             return new ScanReturn
             {

@@ -23,9 +23,6 @@ namespace FastPoints.Entities
         readonly List<Entity> m_ended = new List<Entity>();
         EntityQuery m_files;
 
-        /// <summary>Whether further states are expected.</summary>
-        public bool IsBusy { get; private set; }
-
         protected override void OnCreate()
         {
             base.OnCreate();
@@ -34,7 +31,7 @@ namespace FastPoints.Entities
 
         protected override void OnUpdate()
         {
-            IsBusy = false;
+            Group.IsOpening = false;
             if (!m_files.IsEmpty)
                 Begin();
             if (m_opened.Count > 0)
@@ -106,7 +103,7 @@ namespace FastPoints.Entities
                     Take(entity, cloud, file);
                 if (cloud.IsBuildGone && EntityManager.HasComponent<PointCloudSource>(entity))
                     EntityManager.GetComponentObject<PointCloudSource>(entity).WithdrawsBuild = true;
-                IsBusy |= !cloud.IsEnded;
+                Group.IsOpening |= !cloud.IsEnded;
                 return true;
             }
             catch (Exception e)

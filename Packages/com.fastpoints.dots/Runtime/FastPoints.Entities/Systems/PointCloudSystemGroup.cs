@@ -42,7 +42,6 @@ namespace FastPoints.Entities
 
         NativeList<StreamView> m_views;
         NativeList<StreamView> m_lastViews;
-        OpenCloudsSystem m_opening;
         int m_quietFrames;
         EntityQuery m_files;
         bool m_isWarned;
@@ -54,6 +53,9 @@ namespace FastPoints.Entities
 
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
+
+        /// <summary>Whether further states of clouds that are files are expected.</summary>
+        internal bool IsOpening { get; set; }
 
         /// <summary>What the frame has done so far; after the update, all that it did.</summary>
         public ref FrameStats Stats => ref m_stats;
@@ -98,9 +100,8 @@ namespace FastPoints.Entities
             m_lastViews.Clear();
             m_lastViews.AddRange(m_views.AsArray());
             m_views.Clear();
-            m_opening ??= World.GetExistingSystemManaged<OpenCloudsSystem>();
             bool isBusy = m_stats.ReadsUnderWay > 0 || m_stats.RequestedNodes > 0 || m_stats.UploadedNodes > 0 ||
-                Stream.HasLeaving || m_opening != null && m_opening.IsBusy;
+                Stream.HasLeaving || IsOpening;
             m_quietFrames = isBusy ? 0 : m_quietFrames + 1;
         }
 

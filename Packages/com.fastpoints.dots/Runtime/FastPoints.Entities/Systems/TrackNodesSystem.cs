@@ -134,18 +134,4 @@ namespace FastPoints.Entities
                 }
         }
     }
-
-    /// <summary>What is known of a slot of the cache: the entity of its node.</summary>
-    internal struct TrackedNode
-    {
-        public const byte IsResident = 1;
-        public const byte IsDrawn = 2;
-
-        /// <summary>Null if there is none.</summary>
-        public Entity Entity;
-        public int Version;
-
-        /// <summary>The state that the entity shows.</summary>
-        public byte State;
-    }
 }

@@ -233,4 +233,25 @@ namespace FastPoints.Base
 
         static ulong Infinity(int mantissaBits) => mantissaBits == 53 ? 0x7FF0000000000000ul : 0x7F800000ul;
     }
+
+    /// <summary>A decimal number as its text gives it: <see cref="Mantissa"/> * 10^<see cref="Exponent"/>, and the text's digits
+    /// where these are more than a mantissa holds.</summary>
+    internal unsafe struct DecimalDigits
+    {
+        /// <summary>The first 19 significant digits, or all if there are fewer.</summary>
+        public ulong Mantissa;
+
+        public int Exponent;
+
+        public bool IsNegative;
+
+        /// <summary>Whether there are digits beyond the mantissa.</summary>
+        public bool IsTruncated;
+
+        /// <summary>The first significant digit, if the mantissa is truncated.</summary>
+        public byte* FirstDigit;
+
+        /// <summary>Points behind the last digit. There may be one decimal point among the digits.</summary>
+        public byte* EndOfDigits;
+    }
 }

@@ -22,7 +22,6 @@ namespace FastPoints.Picking
             public ClassMask HiddenClasses;
         }
 
-        /// <summary>The picker of each streamed source.</summary>
         readonly Dictionary<NodeSource, PointPicker> m_pickers = new Dictionary<NodeSource, PointPicker>();
         readonly List<Target> m_targets = new List<Target>();
         readonly PickOptions m_options = new PickOptions();

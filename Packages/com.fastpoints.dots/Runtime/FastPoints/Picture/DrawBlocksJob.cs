@@ -125,4 +125,21 @@ namespace FastPoints.Picture
                 OrderedBits.Store(values[i] * (ulong)column.Divisor, column.Type, to);
         }
     }
+
+    /// <summary>A node's blocks as a drawing job sees them; its planes are listed beside.</summary>
+    internal struct NodeBlocks
+    {
+        /// <summary>Positions are offsets from this corner, in grid steps from the corner of the cloud's root cube.</summary>
+        public Grid3 Corner;
+        public int BlockCount;
+
+        /// <summary>Index in the <see cref="SizeTree"/>, if sizes are adaptive.</summary>
+        public int SizeNode;
+
+        /// <summary>Corner of the node's cube, in grid steps from the corner of the cloud's root cube.</summary>
+        public double3 CubeCorner;
+
+        /// <summary>One grid step as a fraction of the cube's edge.</summary>
+        public double3 CubesPerStep;
+    }
 }

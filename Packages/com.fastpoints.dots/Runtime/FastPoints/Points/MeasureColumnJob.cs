@@ -35,4 +35,25 @@ namespace FastPoints.Points
             keys.Dispose();
         }
     }
+
+    /// <summary>Finds the range of some stored values of a column, for <see cref="MeasureColumnJob"/>.</summary>
+    [BurstCompile]
+    internal struct MeasureRangeJob : IJob
+    {
+        [ReadOnly] public NativeArray<byte> Bytes;
+        public PointColumn Column;
+        public int First;
+        public int Count;
+
+        /// <summary>Its range is extended by these values.</summary>
+        public NativeReference<ColumnQuantiles> Found;
+
+        public unsafe void Execute()
+        {
+            var found = Found.Value;
+            byte* column = (byte*)Bytes.GetUnsafeReadOnlyPtr() + Column.OffsetBytes;
+            found.Range.Include(ColumnRange.Measure(column, Column.Type, First, Count));
+            Found.Value = found;
+        }
+    }
 }

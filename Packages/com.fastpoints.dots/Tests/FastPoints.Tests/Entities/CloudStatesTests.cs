@@ -136,7 +136,7 @@ namespace FastPoints.Tests.Entities
                 for (int frame = 0; frame < 5; frame++)
                     Frame();
                 Assert.That(m_group.Stream.TryTakeFailure(out _), Is.False);
-                Assert.That(m_world.GetExistingSystemManaged<OpenCloudsSystem>().IsBusy, Is.False);
+                Assert.That(m_world.GetExistingSystemManaged<PointCloudSystemGroup>().IsOpening, Is.False);
             }
             finally
             {

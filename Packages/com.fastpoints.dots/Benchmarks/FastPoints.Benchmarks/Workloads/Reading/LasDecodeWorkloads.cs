@@ -7,13 +7,13 @@ using Unity.Jobs;
 
 namespace FastPoints.Benchmarks
 {
-    /// <summary>Records in memory to position and colour columns by <see cref="DecodeLasJob"/>, block by block.</summary>
+    /// <summary>Records in memory to position and colour columns by <see cref="DecodeRecordsJob"/>, block by block.</summary>
     public struct LasDecodeWorkload : IWorkload
     {
         const int Blocks = 128;
 
         NativeArray<byte> m_records;
-        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<FieldCopy> m_copies;
         NativeReference<DecodeResult> m_result;
         PointBatch m_batch;
 
@@ -23,9 +23,9 @@ namespace FastPoints.Benchmarks
         public void Prepare(WorkloadContext context)
         {
             var layout = new LasRecordLayout(LasPointFormat.Of(LasBenchmarkFile.PointFormat), LasBenchmarkFile.RecordBytes,
-                Array.Empty<LasField>());
+                Array.Empty<PointField>());
             m_batch = new PointBatch(LasBenchmarkFile.Wanted(layout.Schema), LasBenchmarkFile.BlockPoints, Allocator.Persistent);
-            m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(layout, m_batch), Allocator.Persistent);
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(layout.Fields, m_batch), Allocator.Persistent);
             m_records = new NativeArray<byte>(LasBenchmarkFile.BlockPoints * LasBenchmarkFile.RecordBytes, Allocator.Persistent);
             m_result = new NativeReference<DecodeResult>(Allocator.Persistent);
             Run();
@@ -34,7 +34,7 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             for (int i = 0; i < Blocks; i++)
-                new DecodeLasJob
+                new DecodeRecordsJob
                 {
                     Records = m_records,
                     Copies = m_copies,

@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
         public StreamSettings Settings => m_group.Stream.Settings;
 
         /// <summary>Whether all of the cloud that the camera needs is drawn, and nothing newer is expected.</summary>
-        public bool IsAtRest => m_group.Stats.IsSettled && !m_world.GetExistingSystemManaged<OpenCloudsSystem>().IsBusy &&
+        public bool IsAtRest => m_group.Stats.IsSettled && !m_group.IsOpening &&
             m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud);
 
         /// <summary>Puts a cloud into the scene.</summary>

@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.IO.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -12,14 +10,14 @@ namespace FastPoints.Files
     /// a claim: entries that the file cannot hold are left out with a warning.</summary>
     /// <remarks>Time and memory are bounded by the file's size: a page is read once, and neither all pages nor all nodes' chunks
     /// take more bytes than the file has.</remarks>
-    sealed class CopcHierarchy : IDisposable
+    sealed class CopcHierarchy
     {
         /// <summary>Bytes of a page that are read and examined in one step: 2,048 entries.</summary>
         const int PieceBytes = 64 << 10;
 
         const int MaxWarnings = 8;
 
-        readonly CopcReader m_reader;
+        readonly LazBlocks m_blocks;
         readonly SourceTree m_tree;
         readonly long m_fileBytes;
         readonly UnreadPages m_pages = new UnreadPages(CopcEntry.MaxLevel + 1);
@@ -27,24 +25,18 @@ namespace FastPoints.Files
         readonly HashSet<ulong> m_chunkOffsets = new HashSet<ulong>();
         readonly HashSet<int4> m_keys = new HashSet<int4>();
         readonly byte[] m_piece = new byte[PieceBytes];
-        NativeArray<byte> m_buffer;
-        // The read manager keeps the pointer to its command until the read has ended.
-        NativeArray<ReadCommand> m_command;
+        readonly CopcInfo m_copc;
         long m_pageBytesLeft;
         long m_chunkBytesLeft;
         int m_warnings;
         int m_untold;
 
-        public CopcHierarchy(CopcReader reader, SourceTree tree, long fileBytes)
+        public CopcHierarchy(LazBlocks blocks, CopcInfo copc, SourceTree tree)
         {
-            m_reader = reader;
+            m_blocks = blocks;
+            m_copc = copc;
             m_tree = tree;
-            m_fileBytes = fileBytes;
-            m_pageBytesLeft = fileBytes;
-            m_chunkBytesLeft = fileBytes;
-            m_buffer = new NativeArray<byte>(PieceBytes, Allocator.Persistent);
-            m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
-            var copc = reader.Copc;
+            m_fileBytes = m_pageBytesLeft = m_chunkBytesLeft = blocks.Source.Length;
             AddPage(default, (long)copc.RootPageOffset, (long)copc.RootPageBytes, copc.FileOffset);
         }
 
@@ -69,55 +61,25 @@ namespace FastPoints.Files
         public void WarnRest()
         {
             if (m_untold > 0)
-                m_reader.Info.Warn(m_reader.Copc.FileOffset, NumberText.Of(m_untold)
+                m_blocks.Info.Warn(m_copc.FileOffset, NumberText.Of(m_untold)
                     + " more entries of the octree's hierarchy are wrong");
             m_untold = 0;
-        }
-
-        public void Dispose()
-        {
-            if (!m_buffer.IsCreated)
-                return;
-            m_buffer.Dispose();
-            m_command.Dispose();
         }
 
         IEnumerator<Work> Read(UnreadPage page)
         {
             var entries = new List<(CopcEntry Entry, long At)>();
-            for (long done = 0; done < page.Bytes; done += PieceBytes)
-            {
-                int bytes = (int)Math.Min(PieceBytes, page.Bytes - done);
-                var read = Begin(page.Offset + done, bytes);
-                bool isRead;
-                try
+            using (var read = new NativeFileRead(PieceBytes, Allocator.Persistent))
+                for (long done = 0; done < page.Bytes; done += PieceBytes)
                 {
-                    yield return read.JobHandle;
+                    int bytes = (int)Math.Min(PieceBytes, page.Bytes - done);
+                    yield return read.Begin(m_blocks.File, page.Offset + done, bytes);
+                    read.End();
+                    NativeArray<byte>.Copy(read.Buffer, m_piece, bytes);
+                    Collect(new ByteReader(m_piece, m_blocks.Info.Path, page.Offset + done), bytes, entries);
                 }
-                finally
-                {
-                    read.JobHandle.Complete();
-                    isRead = read.Status == ReadStatus.Complete;
-                    read.Dispose();
-                }
-                if (!isRead)
-                    throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, page.Offset + done,
-                        "the file could not be read, or has become shorter since it was opened");
-                NativeArray<byte>.Copy(m_buffer, m_piece, bytes);
-                Collect(new ByteReader(m_piece, m_reader.Info.Path, page.Offset + done), bytes, entries);
-            }
             m_pages.Remove(page);
             Add(entries);
-        }
-
-        unsafe ReadHandle Begin(long offset, int bytes)
-        {
-            m_command[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
-            return AsyncReadManager.Read(m_reader.File, new ReadCommandArray
-            {
-                CommandCount = 1,
-                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
-            });
         }
 
         /// <summary>Collects the entries of a piece that have valid keys.</summary>
@@ -185,7 +147,26 @@ namespace FastPoints.Files
                     + ", the file has "
                     + NumberText.Of(m_fileBytes) + ": cut there");
             m_chunkBytesLeft -= bytes;
-            m_reader.AddNode(entry, bytes);
+            AddBlocks(entry, bytes);
+        }
+
+        void AddBlocks(CopcEntry entry, long bytes)
+        {
+            int firstBlock = m_blocks.Count;
+            if (entry.PointCount > 0)
+            {
+                m_blocks.Chunks.Add(new LazChunk { Offset = (long)entry.Offset, Bytes = bytes, Points = entry.PointCount });
+                m_blocks.AddChunk(m_blocks.Chunks.Count - 1);
+            }
+            var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
+            if (firstBlock == m_blocks.Count)
+                m_tree.Add(node);
+            for (int block = firstBlock; block < m_blocks.Count; block++)
+            {
+                node.Block = block;
+                node.PointCount = m_blocks.PointsOf(block);
+                m_tree.Add(node);
+            }
         }
 
         /// <param name="bytes">Bytes of the chunk, as far as the file goes.</param>
@@ -196,11 +177,11 @@ namespace FastPoints.Files
                 return null;
             if (entry.PointCount < 0)
                 return "has " + NumberText.Of(entry.PointCount) + " points: left out";
-            if (entry.Offset < m_reader.Header.PointsOffset || entry.Offset >= (ulong)m_fileBytes)
+            if (entry.Offset < m_blocks.Las.Header.PointsOffset || entry.Offset >= (ulong)m_fileBytes)
                 return "would start at byte " + NumberText.Of(entry.Offset)
                     + ", which is none of the points': left out";
             bytes = Math.Min(entry.ByteSize, m_fileBytes - (long)entry.Offset);
-            if (bytes < m_reader.Format.RecordBytes || bytes > LazChunkReader.MaxLayeredChunkBytes)
+            if (bytes < m_blocks.Format.RecordBytes || bytes > LazBlocks.MaxLayeredChunkBytes)
                 return "has " + NumberText.Of(entry.ByteSize) + " bytes: left out";
             if (entry.PointCount > LazChunk.MaxPoints(bytes))
                 return "claims " + NumberText.Of(entry.PointCount) + " points in " + NumberText.Of(bytes) + " bytes: left out";
@@ -215,7 +196,7 @@ namespace FastPoints.Files
         void Warn(long at, string text)
         {
             if (m_warnings++ < MaxWarnings)
-                m_reader.Info.Warn(at, text);
+                m_blocks.Info.Warn(at, text);
             else
                 m_untold++;
         }

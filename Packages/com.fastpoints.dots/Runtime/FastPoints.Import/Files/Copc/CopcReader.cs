@@ -17,8 +17,8 @@ namespace FastPoints.Files
         readonly CopcHierarchy m_hierarchy;
         readonly SourceTree m_tree;
 
-        CopcReader(LasFile las, LazFormat format, CopcInfo copc, FileSource source, int longChunkPoints)
-            : base(las, format, source, longChunkPoints)
+        CopcReader(LazBlocks blocks, CopcInfo copc)
+            : base(blocks)
         {
             Info.Format = "COPC";
             Copc = copc;
@@ -31,7 +31,7 @@ namespace FastPoints.Files
                     + UsualPointsAcross);
             }
             m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
-            m_hierarchy = new CopcHierarchy(this, m_tree, source.Length);
+            m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
         }
 
         /// <returns>Null if the file is not COPC, or can only be read as LAZ (with a warning in <paramref
@@ -57,7 +57,7 @@ namespace FastPoints.Files
             }
             copc.AddFacts(las.Info);
             format.AddFacts(las.Info);
-            return new CopcReader(las, format, copc, source, longChunkPoints);
+            return new CopcReader(new LazBlocks(las, format, source, longChunkPoints), copc);
         }
 
         public CopcInfo Copc { get; }
@@ -79,30 +79,9 @@ namespace FastPoints.Files
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();
             Info.PointsReadable = PointCount;
-            CheckBounds();
-            Source.Dispose();
+            Blocks.CheckBounds();
+            Blocks.Source.Dispose();
             m_tree.IsWhole = true;
-        }
-
-        /// <summary>Adds a node of the hierarchy and its blocks.</summary>
-        /// <param name="bytes">Bytes of its chunk, as many as the file has.</param>
-        internal void AddNode(CopcEntry entry, long bytes)
-        {
-            int firstBlock = BlockCount;
-            if (entry.PointCount > 0)
-            {
-                Chunks.Add(new LazChunk { Offset = (long)entry.Offset, Bytes = bytes, Points = entry.PointCount });
-                AddBlocksOf(Chunks.Count - 1);
-            }
-            var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
-            if (firstBlock == BlockCount)
-                m_tree.Add(node);
-            for (int block = firstBlock; block < BlockCount; block++)
-            {
-                node.Block = block;
-                node.PointCount = PointsInBlock(block);
-                m_tree.Add(node);
-            }
         }
 
         /// <summary>Searches the chunk table for chunks that no node has, when nodes and header disagree.</summary>
@@ -111,18 +90,19 @@ namespace FastPoints.Files
             long ofNodes = PointCount;
             Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
                 + NumberText.Of(ofNodes));
+            var chunks = Blocks.Chunks;
             var known = new HashSet<long>();
-            for (int c = 0; c < Chunks.Count; c++)
-                known.Add(Chunks[c].Offset);
-            var table = LazChunkTable.Read(Source, Format, Info, Header.PointsOffset);
+            for (int c = 0; c < chunks.Count; c++)
+                known.Add(chunks[c].Offset);
+            var table = LazChunkTable.Read(Blocks.Source, Format, Info, Header.PointsOffset);
             int found = 0;
             for (int c = 0; c < table.Chunks.Count; c++)
             {
                 var chunk = table.Chunks[c];
-                if (known.Contains(chunk.Offset) || chunk.Bytes > MaxLayeredChunkBytes)
+                if (known.Contains(chunk.Offset) || chunk.Bytes > LazBlocks.MaxLayeredChunkBytes)
                     continue;
-                Chunks.Add(chunk);
-                AddBlocksOf(Chunks.Count - 1);
+                chunks.Add(chunk);
+                Blocks.AddChunk(chunks.Count - 1);
                 found++;
             }
             if (found > 0)
@@ -133,10 +113,6 @@ namespace FastPoints.Files
                     + Info.PointsClaimed + " points, the file holds none");
         }
 
-        public override void DisposeUnread()
-        {
-            m_hierarchy.Dispose();
-            m_tree.Dispose();
-        }
+        public override void DisposeUnread() => m_tree.Dispose();
     }
 }

@@ -288,4 +288,39 @@ namespace FastPoints.Files
                 column[i] = (ushort)(values[i] > 0 ? math.min(values[i] + 0.5, ushort.MaxValue) : 0);
         }
     }
+
+    /// <summary>Why a point is left out.</summary>
+    static class E57Drop
+    {
+        public const byte Invalid = 1;
+        public const byte Damaged = 2;
+    }
+
+    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
+    struct E57Anomalies
+    {
+        /// <summary>Points left out because their scan marks them as invalid.</summary>
+        public int Invalid;
+
+        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
+        public int Damaged;
+        public int DamagedPages;
+        public long FirstDamagedPage;
+
+        /// <summary>Integers above the maximum of their field, which were kept.</summary>
+        public int Misfits;
+    }
+
+    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
+    struct E57StreamRange
+    {
+        /// <summary>Logical offset of a packet at or before the first byte.</summary>
+        public long PacketOffset;
+
+        /// <summary>Bytes of the bytestream in the packets before that.</summary>
+        public long BytesBefore;
+
+        /// <summary>Logical offset at which the packets that are read end.</summary>
+        public long End;
+    }
 }

@@ -12,7 +12,7 @@ namespace FastPoints.Files
     {
         const int VectorRows = 6;
 
-        readonly E57Reader m_reader;
+        readonly E57Blocks m_blocks;
         readonly E57PagesRead m_pages;
         readonly bool[] m_isWanted = new bool[E57Scan.MaxFields];
         readonly long[] m_firstPages = new long[E57Scan.MaxFields];
@@ -28,11 +28,11 @@ namespace FastPoints.Files
         E57Section m_section;
         PlaceE57PointsJob m_place;
 
-        public E57BlockRead(E57Reader reader, PointSchema wanted, int capacity, Allocator allocator)
+        public E57BlockRead(PointReader reader, E57Blocks blocks, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_reader = reader;
-            m_pages = new E57PagesRead(reader, reader.MaxBlockPages, E57Scan.MaxFields, allocator);
+            m_blocks = blocks;
+            m_pages = new E57PagesRead(blocks.File, blocks.MaxPages, E57Scan.MaxFields, allocator);
             // Wanted columns, invalid states, and rows that no column is made of.
             int reads = wanted.Count + VectorRows + 1;
             m_reads = new NativeArray<E57FieldRead>(reads, allocator);
@@ -41,7 +41,7 @@ namespace FastPoints.Files
             for (int i = 0; i < columns.Length; i++)
                 columns[i] = Points.Column(i);
             m_columns = new NativeArray<PointColumn>(columns, allocator);
-            m_vectors = new NativeArray<double>(reader.HasVectors ? VectorRows * capacity : 1, allocator,
+            m_vectors = new NativeArray<double>(blocks.HasVectors ? VectorRows * capacity : 1, allocator,
                 NativeArrayOptions.UninitializedMemory);
             m_drops = new NativeArray<byte>(Math.Max(1, capacity), allocator, NativeArrayOptions.UninitializedMemory);
             m_scratch = new NativeArray<byte>(8 * (capacity + 1) + E57Bits.PaddingBytes, allocator);
@@ -51,7 +51,7 @@ namespace FastPoints.Files
         protected override JobHandle Schedule(BlockRange range)
         {
             m_pages.Clear();
-            var section = m_reader.SectionOf(range.Block);
+            var section = m_blocks.SectionOf(range.Block);
             if (section != m_section)
                 TakeSection(section);
             long first = (long)(range.Block - section.FirstBlock) * section.BlockPoints + range.First;
@@ -62,7 +62,7 @@ namespace FastPoints.Files
         void TakeSection(E57Section section)
         {
             m_section = section;
-            var reads = m_reader.ReadsOf(section, Points);
+            var reads = m_blocks.Schema.ReadsOf(section.Index, Points);
             m_readCount = reads.Count;
             Array.Clear(m_isWanted, 0, m_isWanted.Length);
             bool hasPositions = false, hasNormals = false;
@@ -146,7 +146,7 @@ namespace FastPoints.Files
 
         protected override void EndRead() => m_pages.End();
 
-        protected override void Warn(DecodeResult result) => m_reader.Warn(Range, result, m_anomalies.Value);
+        protected override void Warn(DecodeResult result) => m_blocks.Warn(Range, result, m_anomalies.Value);
 
         protected override void DisposeMemory()
         {
@@ -159,33 +159,5 @@ namespace FastPoints.Files
             m_scratch.Dispose();
             m_anomalies.Dispose();
         }
-    }
-
-    /// <summary>What a range contained besides points. Jobs write it; the main thread reports it.</summary>
-    struct E57Anomalies
-    {
-        /// <summary>Points left out because their scan marks them as invalid.</summary>
-        public int Invalid;
-
-        /// <summary>Points left out because a page that holds some of them has a wrong checksum.</summary>
-        public int Damaged;
-        public int DamagedPages;
-        public long FirstDamagedPage;
-
-        /// <summary>Integers above the maximum of their field, which were kept.</summary>
-        public int Misfits;
-    }
-
-    /// <summary>Where the bytes lie that a range takes from a bytestream. Blittable, for jobs.</summary>
-    struct E57StreamRange
-    {
-        /// <summary>Logical offset of a packet at or before the first byte.</summary>
-        public long PacketOffset;
-
-        /// <summary>Bytes of the bytestream in the packets before that.</summary>
-        public long BytesBefore;
-
-        /// <summary>Logical offset at which the packets that are read end.</summary>
-        public long End;
     }
 }

@@ -11,32 +11,24 @@ namespace FastPoints.Files
     /// read is in flight.</summary>
     sealed unsafe class E57PagesRead : IDisposable
     {
-        /// <summary>Bytes behind the content that jobs may load and not use.</summary>
-        const int PaddingBytes = 16;
-
-        readonly E57Reader m_reader;
-        NativeArray<byte> m_buffer;
+        readonly E57File m_file;
+        readonly NativeFileRead m_read;
         NativeArray<byte> m_isDamaged;
         NativeArray<E57Extent> m_extents;
-        NativeArray<ReadCommand> m_commands;
-        ReadHandle m_handle;
-        bool m_isReading;
 
-        public E57PagesRead(E57Reader reader, int pages, int extents, Allocator allocator)
+        public E57PagesRead(E57File file, int pages, int extents, Allocator allocator)
         {
-            m_reader = reader;
-            m_buffer = new NativeArray<byte>(checked(pages * E57Pages.PageBytes + PaddingBytes), allocator,
-                NativeArrayOptions.UninitializedMemory);
+            m_file = file;
+            m_read = new NativeFileRead((long)pages * E57Pages.PageBytes, allocator, extents);
             m_isDamaged = new NativeArray<byte>(Math.Max(1, pages), allocator);
             m_extents = new NativeArray<E57Extent>(Math.Max(1, extents), allocator);
-            m_commands = new NativeArray<ReadCommand>(Math.Max(1, extents), allocator);
             PageCapacity = pages;
         }
 
         public int PageCapacity { get; }
 
         /// <summary>Content, valid after the handle that <see cref="Begin"/> gives.</summary>
-        public NativeArray<byte> Buffer => m_buffer;
+        public NativeArray<byte> Buffer => m_read.Buffer;
 
         public NativeArray<byte> IsDamaged => m_isDamaged;
 
@@ -57,7 +49,7 @@ namespace FastPoints.Files
         /// <returns>Whether any were added.</returns>
         public bool Add(long firstPage, int pages)
         {
-            pages = (int)Math.Min(Math.Min(pages, PageCapacity - Pages), m_reader.FilePages - firstPage);
+            pages = (int)Math.Min(Math.Min(pages, PageCapacity - Pages), m_file.Pages - firstPage);
             if (pages <= 0 || ExtentCount == m_extents.Length)
                 return false;
             m_extents[ExtentCount] = new E57Extent { FirstPage = firstPage, Pages = pages, BufferPage = Pages };
@@ -70,55 +62,46 @@ namespace FastPoints.Files
         {
             if (Pages == 0)
                 return default;
-            byte* buffer = (byte*)m_buffer.GetUnsafePtr();
+            byte* buffer = (byte*)Buffer.GetUnsafePtr();
+            var commands = m_read.Commands;
             for (int i = 0; i < ExtentCount; i++)
-                m_commands[i] = new ReadCommand
+                commands[i] = new ReadCommand
                 {
                     Buffer = buffer + (long)m_extents[i].BufferPage * E57Pages.PageBytes,
                     Offset = m_extents[i].FirstPage * E57Pages.PageBytes,
                     Size = (long)m_extents[i].Pages * E57Pages.PageBytes,
                 };
-            m_handle = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
-            {
-                ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
-                CommandCount = ExtentCount,
-            });
-            m_isReading = true;
-            return CheckE57PagesJob.Schedule(m_reader.CrcTable, m_buffer, m_isDamaged, Pages, m_handle.JobHandle);
+            var read = m_read.Begin(m_file.Handle, ExtentCount);
+            return CheckE57PagesJob.Schedule(m_file.Crc.Table, Buffer, m_isDamaged, Pages, read);
         }
 
         /// <summary>Closes a read after which all jobs are finished.</summary>
         /// <exception cref="PointCloudException">It failed, or the file has become shorter since it was opened.</exception>
-        public void End()
-        {
-            if (!m_isReading)
-                return;
-            m_isReading = false;
-            m_handle.JobHandle.Complete();
-            var status = m_handle.Status;
-            m_handle.Dispose();
-            if (status != ReadStatus.Complete)
-                throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path,
-                    m_extents[0].FirstPage * E57Pages.PageBytes,
-                    "the file could not be read, or has become shorter since it was opened");
-        }
+        public void End() => m_read.End();
 
         /// <summary>Jobs that use the buffer must be complete.</summary>
         public void Dispose()
         {
-            if (!m_buffer.IsCreated)
+            if (!m_extents.IsCreated)
                 return;
-            if (m_isReading)
-            {
-                m_isReading = false;
-                m_handle.Cancel();
-                m_handle.JobHandle.Complete();
-                m_handle.Dispose();
-            }
-            m_buffer.Dispose();
+            m_read.Dispose();
             m_isDamaged.Dispose();
             m_extents.Dispose();
-            m_commands.Dispose();
+        }
+    }
+
+    /// <summary>An E57 file whose pages are read.</summary>
+    sealed class E57File
+    {
+        public readonly SourceHandle Handle;
+        public readonly long Pages;
+        public readonly Crc32C Crc;
+
+        public E57File(SourceInfo info, Crc32C crc)
+        {
+            Handle = new SourceHandle(info.Path);
+            Pages = info.FileBytes / E57Pages.PageBytes;
+            Crc = crc;
         }
     }
 

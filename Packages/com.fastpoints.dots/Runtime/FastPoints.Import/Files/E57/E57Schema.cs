@@ -36,7 +36,6 @@ namespace FastPoints.Files
         /// <summary>For grid positions: the type of each axis.</summary>
         readonly AttributeType[] m_gridTypes = new AttributeType[3];
 
-        /// <summary>The field that each attribute comes from.</summary>
         readonly Dictionary<string, string> m_fieldOf = new Dictionary<string, string>();
 
         public E57Schema(List<E57Scan> scans)

@@ -27,7 +27,7 @@ namespace FastPoints.Files
         const int LeastHits = 32;
         const int StepsWithoutGuess = 8;
 
-        readonly E57Reader m_reader;
+        readonly SourceInfo m_info;
         readonly E57Section m_section;
         readonly E57PagesRead m_read;
         NativeArray<E57StreamWalk> m_streams;
@@ -38,12 +38,12 @@ namespace FastPoints.Files
         bool m_isGuess;
         int m_stepsWithoutGuess;
 
-        public E57Walk(E57Reader reader, E57Section section)
+        public E57Walk(E57File file, E57Section section, SourceInfo info)
         {
-            m_reader = reader;
+            m_info = info;
             m_section = section;
             var fields = section.Scan.Fields;
-            m_read = new E57PagesRead(reader, (int)Math.Min(BufferPages, reader.FilePages), Guesses, Allocator.Persistent);
+            m_read = new E57PagesRead(file, (int)Math.Min(BufferPages, file.Pages), Guesses, Allocator.Persistent);
             m_streams = new NativeArray<E57StreamWalk>(fields.Count, Allocator.Persistent);
             m_marks = new NativeList<E57Mark>(64, Allocator.Persistent);
             long records = section.RecordsPossible;
@@ -140,11 +140,11 @@ namespace FastPoints.Files
             }
             m_section.Records = records;
             if ((ulong)records < scan.RecordsClaimed)
-                m_reader.Info.Warn(E57Pages.ToPhysical(state.Position), scan.Label + ": wanted " +
+                m_info.Warn(E57Pages.ToPhysical(state.Position), scan.Label + ": wanted " +
                     NumberText.Of(scan.RecordsClaimed) + " points, got " + NumberText.Of(records) + ": " +
                     E57Error.Text(state.Error == E57Error.None ? E57Error.SectionEnds : state.Error));
             if (state.DamagedHeaders > 0)
-                m_reader.Info.Warn(state.FirstDamagedPage * E57Pages.PageBytes, scan.Label + ": the checksum of page " +
+                m_info.Warn(state.FirstDamagedPage * E57Pages.PageBytes, scan.Label + ": the checksum of page " +
                     NumberText.Of(state.FirstDamagedPage) + " is wrong, which holds a packet's header (" + state.DamagedHeaders +
                     " such headers); they are read as they are");
         }
@@ -157,48 +157,5 @@ namespace FastPoints.Files
             m_state.Dispose();
             m_marks.Dispose();
         }
-    }
-
-    /// <summary>Progress of a walk through packets in one bytestream.</summary>
-    struct E57StreamWalk
-    {
-        /// <summary>Bits of one value.</summary>
-        public int Bits;
-
-        /// <summary>Bytes in the packets so far.</summary>
-        public long Bytes;
-
-        /// <summary>Bytes that all records take; 0 for a stream that need not be followed.</summary>
-        public long BytesWanted;
-
-        /// <summary>Bytes from mark to mark, and where the next one is due.</summary>
-        public long MarkStep;
-        public long NextMark;
-
-        /// <summary>Logical offset behind the packet with the last wanted byte; 0 until it has come.</summary>
-        public long EndOffset;
-    }
-
-    /// <summary>Progress of a walk through the packets of one scan.</summary>
-    struct E57WalkState
-    {
-        /// <summary>Logical offset of the next packet.</summary>
-        public long Position;
-
-        /// <summary>Number of streams that are still incomplete.</summary>
-        public int StreamsLeft;
-
-        /// <summary>Data packets in this step, and the length of the last one.</summary>
-        public int Packets;
-        public int LastPacketBytes;
-
-        /// <summary>An <see cref="E57Error"/>, at <see cref="Position"/>.</summary>
-        public int Error;
-
-        /// <summary>Headers whose page has a wrong checksum, and the first such page.</summary>
-        public int DamagedHeaders;
-        public long FirstDamagedPage;
-
-        public bool IsDone => StreamsLeft == 0 || Error != E57Error.None;
     }
 }

@@ -113,4 +113,47 @@ namespace FastPoints.Files
             }
         }
     }
+
+    /// <summary>Progress of a walk through packets in one bytestream.</summary>
+    struct E57StreamWalk
+    {
+        /// <summary>Bits of one value.</summary>
+        public int Bits;
+
+        /// <summary>Bytes in the packets so far.</summary>
+        public long Bytes;
+
+        /// <summary>Bytes that all records take; 0 for a stream that need not be followed.</summary>
+        public long BytesWanted;
+
+        /// <summary>Bytes from mark to mark, and where the next one is due.</summary>
+        public long MarkStep;
+        public long NextMark;
+
+        /// <summary>Logical offset behind the packet with the last wanted byte; 0 until it has come.</summary>
+        public long EndOffset;
+    }
+
+    /// <summary>Progress of a walk through the packets of one scan.</summary>
+    struct E57WalkState
+    {
+        /// <summary>Logical offset of the next packet.</summary>
+        public long Position;
+
+        /// <summary>Number of streams that are still incomplete.</summary>
+        public int StreamsLeft;
+
+        /// <summary>Data packets in this step, and the length of the last one.</summary>
+        public int Packets;
+        public int LastPacketBytes;
+
+        /// <summary>An <see cref="E57Error"/>, at <see cref="Position"/>.</summary>
+        public int Error;
+
+        /// <summary>Headers whose page has a wrong checksum, and the first such page.</summary>
+        public int DamagedHeaders;
+        public long FirstDamagedPage;
+
+        public bool IsDone => StreamsLeft == 0 || Error != E57Error.None;
+    }
 }

@@ -14,7 +14,7 @@ namespace FastPoints.Files
         /// <summary>The outcome of making the records; if broken, there are none.</summary>
         [ReadOnly] public NativeReference<DecompressState> State;
 
-        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
         public int RecordBytes;
@@ -39,8 +39,9 @@ namespace FastPoints.Files
             }
             else
             {
-                LasRecords.ToColumns((byte*)Records.GetUnsafeReadOnlyPtr() + (long)FirstRecord * RecordBytes, RecordBytes, Count,
-                    (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(), First);
+                byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)FirstRecord * RecordBytes;
+                PointRecords.ToColumns(records, RecordBytes, Count, (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
+                    (byte*)Columns.GetUnsafePtr(), First);
                 result.Points = First + Count;
             }
             Result.Value = result;

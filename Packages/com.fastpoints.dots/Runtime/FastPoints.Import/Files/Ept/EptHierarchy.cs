@@ -36,19 +36,17 @@ namespace FastPoints.Files
         /// thread.</summary>
         const int StepNodes = 256;
 
-        readonly EptReader m_reader;
         readonly EptIndex m_index;
-        readonly SourceTree m_tree;
+        readonly EptBlocks m_blocks;
         readonly UnreadPages m_waiting = new UnreadPages(EptEntry.MaxLevel + 1);
         readonly HashSet<int4> m_pages = new HashSet<int4>();
         readonly HashSet<int4> m_nodes = new HashSet<int4>();
         bool m_isFull;
 
-        public EptHierarchy(EptReader reader, EptIndex index, SourceTree tree)
+        public EptHierarchy(EptIndex index, EptBlocks blocks)
         {
-            m_reader = reader;
             m_index = index;
-            m_tree = tree;
+            m_blocks = blocks;
             m_waiting.Add(default);
             m_pages.Add(default);
         }
@@ -70,7 +68,7 @@ namespace FastPoints.Files
                     yield return Work.Of(Add(entries, path));
                 }
                 m_waiting.Remove(page);
-                m_tree.PageCount++;
+                m_blocks.Tree.PageCount++;
             }
         }
 
@@ -90,11 +88,11 @@ namespace FastPoints.Files
                 problem = "it has " + NumberText.Of(length) + " bytes, wanted at most " + NumberText.Of(MaxPageBytes);
             if (problem != null)
             {
-                m_reader.Statistics.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
+                m_blocks.Warnings.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
                 yield break;
             }
-            m_reader.Info.FileBytes += length;
-            using (var read = new NativeFileRead(path, default, length, Allocator.Persistent))
+            m_index.Info.FileBytes += length;
+            using (var read = new NativeFileRead(length, Allocator.Persistent))
             using (var state = new NativeReference<EptPageState>(Allocator.Persistent))
             {
                 JobHandle parsed = default;
@@ -123,7 +121,7 @@ namespace FastPoints.Files
                     parsed.Complete();
                 }
                 if (state.Value.IsBroken)
-                    m_reader.Statistics.Add("the page of the hierarchy that begins with it is broken",
+                    m_blocks.Warnings.Add("the page of the hierarchy that begins with it is broken",
                         name, "the first " + NumberText.Of(state.Value.Entries) + " entries are read", state.Value.At, path);
             }
         }
@@ -137,7 +135,7 @@ namespace FastPoints.Files
                 int level = entries[i].Level;
                 if (!entries[i].HasKey)
                 {
-                    m_reader.Statistics.Add("an entry of the hierarchy is none", "?", null, entries[i].At, path);
+                    m_blocks.Warnings.Add("an entry of the hierarchy is none", "?", null, entries[i].At, path);
                     continue;
                 }
                 first = Math.Min(first, level);
@@ -163,7 +161,7 @@ namespace FastPoints.Files
         {
             var files = new string[step.Count];
             for (int i = 0; i < files.Length; i++)
-                files[i] = step[i].Points > 0 ? m_reader.PathOf(step[i].Level, step[i].Cell) : null;
+                files[i] = step[i].Points > 0 ? m_blocks.PathOf(step[i].Level, step[i].Cell) : null;
             return PoolWork.Run(path, () => Array.ConvertAll(files, FileSource.LengthOf), lengths =>
             {
                 for (int i = 0; i < lengths.Length; i++)
@@ -177,7 +175,7 @@ namespace FastPoints.Files
             if (m_nodes.Count + m_pages.Count > MaxNodes)
             {
                 if (!m_isFull)
-                    m_reader.Info.Warn(-1, "the hierarchy has more than " + NumberText.Of(MaxNodes)
+                    m_index.Info.Warn(-1, "the hierarchy has more than " + NumberText.Of(MaxNodes)
                         + " nodes and pages: the others are left out");
                 m_isFull = true;
                 return;
@@ -187,13 +185,13 @@ namespace FastPoints.Files
                 if (m_pages.Add(entry.Key))
                     m_waiting.Add(entry.Key);
                 else
-                    m_reader.Statistics.Add("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
+                    m_blocks.Warnings.Add("its page of the hierarchy is named twice", entry.Name, null, entry.At, path);
                 return;
             }
             if (!m_nodes.Add(entry.Key))
-                m_reader.Statistics.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
+                m_blocks.Warnings.Add("is in the hierarchy twice: the second is left out", entry.Name, null, entry.At, path);
             else if (entry.Points < 0)
-                m_reader.Statistics.Add("has a number of points that is none", entry.Name, NumberText.Of(entry.Points), entry.At,
+                m_blocks.Warnings.Add("has a number of points that is none", entry.Name, NumberText.Of(entry.Points), entry.At,
                     path);
             else
                 AddNode(entry, length);
@@ -203,27 +201,27 @@ namespace FastPoints.Files
         {
             if (entry.Points == 0)
             {
-                m_reader.AddNode(entry, 0, 0);
+                m_blocks.Add(entry, 0, 0);
                 return;
             }
-            string path = m_reader.PathOf(entry.Level, entry.Cell);
+            string path = m_blocks.PathOf(entry.Level, entry.Cell);
             if (bytes <= 0)
             {
-                m_reader.Statistics.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
+                m_blocks.Warnings.Add("its file is " + (bytes == 0 ? "empty" : "missing") + ": its points are left out",
                     entry.Name, NumberText.Of(entry.Points) + " points", -1, path);
-                m_reader.AddNode(entry, 0, 0);
+                m_blocks.Add(entry, 0, 0);
                 return;
             }
-            m_reader.Info.FileBytes += bytes;
+            m_index.Info.FileBytes += bytes;
             long points = Math.Min(entry.Points, MostPoints(bytes));
             if (points < entry.Points)
-                m_reader.Statistics.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
+                m_blocks.Warnings.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
                     + NumberText.Of(entry.Points) + ", got room for " + NumberText.Of(points) + " in " + NumberText.Of(bytes)
                     + " bytes", -1, path);
             else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
-                m_reader.Statistics.Add("its file holds more than the points that the hierarchy claims", entry.Name,
+                m_blocks.Warnings.Add("its file holds more than the points that the hierarchy claims", entry.Name,
                     "wanted " + NumberText.Of(points * m_index.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
-            m_reader.AddNode(entry, points, bytes);
+            m_blocks.Add(entry, points, bytes);
         }
 
         /// <summary>The most points that this many bytes of a node's file can hold.</summary>

@@ -25,7 +25,8 @@ namespace FastPoints.Files
             { "ScanChannel", AttributeNames.ScannerChannel },
         };
 
-        readonly Dictionary<string, LasField> m_fields = new Dictionary<string, LasField>();
+        /// <summary>The record of a point.</summary>
+        public PointFields Fields { get; } = new PointFields();
 
         public SourceInfo Info { get; private set; }
         public BoundsGeo Cube { get; private set; }
@@ -75,13 +76,6 @@ namespace FastPoints.Files
             return index;
         }
 
-        /// <summary>The location of a column's value in a record.</summary>
-        /// <exception cref="ArgumentException">The records lack the attribute, or have it in another type.</exception>
-        public LasField FieldOf(PointAttribute column) =>
-            m_fields.TryGetValue(column.Name, out var field) && field.Type == column.Type
-                ? field
-                : throw new ArgumentException("the cloud has no attribute " + column);
-
         static EptDataType ReadDataType(JsonMembers json)
         {
             string name = json.Text("dataType");
@@ -121,7 +115,6 @@ namespace FastPoints.Files
 
         void ReadSchema(JsonMembers json)
         {
-            var columns = new List<PointAttribute>();
             var transform = PositionTransform.Identity;
             long bytes = 0;
             foreach (var dimension in json.Objects("schema"))
@@ -135,7 +128,7 @@ namespace FastPoints.Files
                 }
                 string name = dimension.Text("name");
                 int axis = Array.IndexOf(s_axes, name);
-                if (axis >= 0 && !m_fields.ContainsKey(name))
+                if (axis >= 0 && !Fields.TryFind(name, out _))
                 {
                     // Positions keep their scale and offset in the cloud's transform.
                     transform.Scale[axis] = scale;
@@ -144,22 +137,18 @@ namespace FastPoints.Files
                     offset = 0;
                 }
                 name = s_columnNames.TryGetValue(name, out string usual) ? usual : name;
-                string unique = name;
-                for (int number = 2; m_fields.ContainsKey(unique); number++)
-                    unique = name + " (" + NumberText.Of(number) + ")";
-                m_fields.Add(unique, new LasField(unique, type, (int)bytes, scale, offset));
-                columns.Add(new PointAttribute(unique, type, scale, offset));
+                Fields.Add(new PointField(name, type, (int)bytes, scale, offset));
                 bytes += type.SizeOf();
                 if (bytes > MaxRecordBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "bytes of a point",
                         "at most " + NumberText.Of(MaxRecordBytes), bytes);
             }
             foreach (string axis in s_axes)
-                if (!m_fields.ContainsKey(axis))
+                if (!Fields.TryFind(axis, out _))
                     throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "schema", "X, Y and Z", "no " + axis);
             RecordBytes = (int)bytes;
             Info.Transform = transform;
-            Info.Schema = new PointSchema(columns);
+            Info.Schema = Fields.ToSchema();
             Info.RecordBytes = DataType == EptDataType.Binary ? RecordBytes : 0;
         }
 

@@ -9,14 +9,18 @@ namespace FastPoints.Files
     /// range goes.</summary>
     sealed class EptLazRead : EptRead
     {
+        readonly LasFile m_like;
         readonly LazFileDecoding m_decoding;
 
-        public EptLazRead(EptReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            : base(reader, wanted, capacity, allocator)
+        /// <param name="like">A file like those of the nodes.</param>
+        public EptLazRead(PointReader reader, EptBlocks blocks, (LasFile Las, LazFormat Laz) like, PointSchema wanted,
+            int capacity, Allocator allocator)
+            : base(reader, blocks, wanted, capacity, allocator)
         {
+            m_like = like.Las;
             try
             {
-                m_decoding = new LazFileDecoding(reader.Las, reader.Laz, Points, allocator);
+                m_decoding = new LazFileDecoding(like.Las, like.Laz, Points, allocator);
             }
             catch (ArgumentException)
             {
@@ -35,18 +39,18 @@ namespace FastPoints.Files
         protected override void WarnBroken(DecodeResult result)
         {
             if (result.Error == LazError.NoChunk)
-                Reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
-                    "wanted LAZ of point format " + Reader.Las.Header.PointFormat + " with the items of the root", 0);
+                Blocks.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
+                    "wanted LAZ of point format " + m_like.Header.PointFormat + " with the items of the root", 0);
             else if (result.Error == LazError.OffGrid)
-                Reader.WarnBroken(Range.Block, "its positions do not lie on the root's grid: they are left out from there",
+                Blocks.WarnBroken(Range.Block, "its positions do not lie on the root's grid: they are left out from there",
                     "wanted scale and offset that are whole steps of the root's, and places within 32 bits; read "
                     + result.Points + " points of " + Range.Count, result.ErrorOffset);
             else if (result.Error != LazError.None)
-                Reader.WarnBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
+                Blocks.WarnBroken(Range.Block, "its file breaks off", "wanted " + Range.Count + " points, got " + result.Points,
                     result.ErrorOffset);
-            else if (m_decoding.PointsInFile != Reader.Block(Range.Block).NodePoints)
-                Reader.WarnBroken(Range.Block, "its file has another number of points than the hierarchy claims",
-                    m_decoding.PointsInFile + " in the file, " + Reader.Block(Range.Block).NodePoints + " claimed", -1);
+            else if (m_decoding.PointsInFile != Blocks[Range.Block].NodePoints)
+                Blocks.WarnBroken(Range.Block, "its file has another number of points than the hierarchy claims",
+                    m_decoding.PointsInFile + " in the file, " + Blocks[Range.Block].NodePoints + " claimed", -1);
         }
 
         protected override void DisposeTables() => m_decoding?.Dispose();

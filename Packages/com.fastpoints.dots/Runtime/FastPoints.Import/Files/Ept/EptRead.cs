@@ -10,14 +10,14 @@ namespace FastPoints.Files
     {
         readonly NativeFileRead m_file;
 
-        protected EptRead(EptReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        protected EptRead(PointReader reader, EptBlocks blocks, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            Reader = reader;
-            m_file = new NativeFileRead(reader.Info.Path, default, 0, allocator);
+            Blocks = blocks;
+            m_file = new NativeFileRead(0, allocator);
         }
 
-        protected EptReader Reader { get; }
+        protected EptBlocks Blocks { get; }
 
         /// <summary>The bytes of the last read, and the requested padding behind them.</summary>
         protected NativeArray<byte> Input => m_file.Buffer;
@@ -32,8 +32,8 @@ namespace FastPoints.Files
 
         protected sealed override JobHandle Schedule(BlockRange range)
         {
-            var block = Reader.Block(range.Block);
-            bool isBehindEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Reader.EndOfNode(block);
+            var block = Blocks[range.Block];
+            bool isBehindEnd = block.FirstInNode > 0 && block.FirstInNode + range.First >= Blocks.EndOfNode(block);
             return isBehindEnd ? default : Schedule(range, block);
         }
 
@@ -43,7 +43,7 @@ namespace FastPoints.Files
         {
             // Nodes come to be known while slots are in use: room for the largest is made when it is met.
             m_file.Reserve((long)bytes + padding);
-            return m_file.Begin(Reader.PathOf(block.Level, block.Cell), offset, bytes);
+            return m_file.Begin(Blocks.PathOf(block), offset, bytes);
         }
 
         protected sealed override void EndRead() => m_file.End();
@@ -52,8 +52,8 @@ namespace FastPoints.Files
         {
             if (result.Error != 0)
             {
-                var block = Reader.Block(Range.Block);
-                Reader.EndNode(block, block.FirstInNode + Range.First + result.Points);
+                var block = Blocks[Range.Block];
+                Blocks.EndNode(block, block.FirstInNode + Range.First + result.Points);
             }
             WarnBroken(result);
         }
@@ -64,19 +64,6 @@ namespace FastPoints.Files
         {
             m_file.Dispose();
             DisposeTables();
-        }
-
-        /// <summary>Plans the passes that copy the wanted columns out of the schema's records.</summary>
-        protected static LasFieldCopy[] PlanCopies(EptReader reader, PointSchema wanted, PointBatch batch)
-        {
-            var fields = new LasField[wanted.Count];
-            var columns = new PointColumn[wanted.Count];
-            for (int i = 0; i < fields.Length; i++)
-            {
-                fields[i] = reader.Index.FieldOf(wanted[i]);
-                columns[i] = batch.Column(i);
-            }
-            return LasCopyPlan.Make(fields, columns);
         }
     }
 }

@@ -14,31 +14,22 @@ namespace FastPoints.Files
     /// becomes several blocks; if it is compressed, each block decodes its file from the start.</remarks>
     internal sealed class EptReader : PointReader
     {
-        const string DataFolder = "ept-data";
-        const int MaxBlockPoints = 1 << 20;
-        const int MaxBlockBytes = 32 << 20;
-
         readonly EptIndex m_index;
-        readonly SourceTree m_tree;
+        readonly EptBlocks m_blocks;
         readonly EptHierarchy m_hierarchy;
-        readonly List<EptBlock> m_blocks = new List<EptBlock>();
-        readonly HashSet<int> m_toldBlocks = new HashSet<int>();
-        readonly Dictionary<(int, int3), long> m_endOfNode = new Dictionary<(int, int3), long>();
-        readonly int m_blockPoints;
-        long m_pointCount;
-        int m_maxPointsPerBlock;
+
+        /// <summary>A LAZ file like those of the nodes, if they are LAZ; otherwise null.</summary>
+        readonly LasFile m_las;
+        readonly LazFormat m_laz;
 
         EptReader(EptIndex index, LasFile las, LazFormat laz)
         {
             m_index = index;
             Info = index.Info;
-            Las = las;
-            Laz = laz;
-            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, las?.Header.RecordBytes ?? index.RecordBytes);
-            m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
-            Statistics = new PotreeWarnings(Info);
-            m_tree = new SourceTree(index.Cube, index.Spacing, Allocator.Persistent);
-            m_hierarchy = new EptHierarchy(this, index, m_tree);
+            m_las = las;
+            m_laz = laz;
+            m_blocks = new EptBlocks(index, Math.Max(Info.Schema.BytesPerPoint, las?.Header.RecordBytes ?? index.RecordBytes));
+            m_hierarchy = new EptHierarchy(index, m_blocks);
         }
 
         /// <summary>Reads ept.json and, if nodes are LAZ, the header of one.</summary>
@@ -73,7 +64,7 @@ namespace FastPoints.Files
         /// <summary>The root's file, or another one if it is missing.</summary>
         static string AnyNode(EptIndex index)
         {
-            string folder = Path.Combine(index.Folder, DataFolder);
+            string folder = Path.Combine(index.Folder, EptBlocks.DataFolder);
             string root = Path.Combine(folder, "0-0-0-0.laz");
             if (File.Exists(root) || !Directory.Exists(folder))
                 return root;
@@ -82,37 +73,29 @@ namespace FastPoints.Files
             return root;
         }
 
-        internal override SourceTree Tree => m_tree;
+        internal override SourceTree Tree => m_blocks.Tree;
 
-        public override bool BlocksAreKnown => m_tree.IsWhole;
+        public override bool BlocksAreKnown => m_blocks.Tree.IsWhole;
 
         public override int BlockCount => m_blocks.Count;
 
-        public override int MaxPointsPerBlock => m_maxPointsPerBlock;
+        public override int MaxPointsPerBlock => m_blocks.MaxPoints;
 
         public override bool HasFixedStride => m_index.DataType == EptDataType.Binary;
 
-        internal EptIndex Index => m_index;
+        public override long FirstPointOfBlock(int block) => m_blocks[block].FirstPoint;
 
-        /// <summary>The LAS header of the nodes, if they are LAZ; otherwise null.</summary>
-        internal LasFile Las { get; }
-        internal LazFormat Laz { get; }
-
-        internal PotreeWarnings Statistics { get; }
-
-        public override long FirstPointOfBlock(int block) => Block(block).FirstPoint;
-
-        public override int PointsInBlock(int block) => Block(block).Points;
+        public override int PointsInBlock(int block) => m_blocks[block].Points;
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = 0;
-            return PathOf(Block(block).Level, Block(block).Cell);
+            return m_blocks.PathOf(m_blocks[block]);
         }
 
         public override long BytesOfRange(BlockRange range)
         {
-            var block = Block(range.Block);
+            var block = m_blocks[range.Block];
             double share = HasFixedStride ? range.Count : m_index.DataType == EptDataType.Laszip ? block.NodePoints
                 : block.FirstInNode + range.First + range.Count;
             return (long)(block.FileBytes * Math.Min(1, share / block.NodePoints));
@@ -120,21 +103,21 @@ namespace FastPoints.Files
 
         public override IEnumerator<Work> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public override bool IsKnownBelow(int4 node, int levels) => m_tree.IsWhole || m_hierarchy.IsKnown(node, levels);
+        public override bool IsKnownBelow(int4 node, int levels) => m_blocks.Tree.IsWhole || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<Work> FindBlocks()
         {
-            if (m_tree.IsWhole)
+            if (m_blocks.Tree.IsWhole)
                 yield break;
             yield return Work.Of(m_hierarchy.Read(default, int.MaxValue));
             string found = "ept.json claims " + NumberText.Of(Info.PointsClaimed)
-                + " points, the nodes that are there hold " + NumberText.Of(m_pointCount);
-            if (m_pointCount == 0 && Info.PointsClaimed > 0)
+                + " points, the nodes that are there hold " + NumberText.Of(m_blocks.PointCount);
+            if (m_blocks.PointCount == 0 && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, -1, found);
-            if ((ulong)m_pointCount != Info.PointsClaimed)
+            if ((ulong)m_blocks.PointCount != Info.PointsClaimed)
                 Info.Warn(-1, found);
-            Info.PointsReadable = m_pointCount;
-            m_tree.IsWhole = true;
+            Info.PointsReadable = m_blocks.PointCount;
+            m_blocks.Tree.IsWhole = true;
         }
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
@@ -142,106 +125,19 @@ namespace FastPoints.Files
             switch (m_index.DataType)
             {
                 case EptDataType.Laszip:
-                    return new EptLazRead(this, wanted, capacity, allocator);
+                    return new EptLazRead(this, m_blocks, (m_las, m_laz), wanted, capacity, allocator);
                 case EptDataType.Zstandard:
                     if (Decompressors.Zstandard == null)
                         throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
                             + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
                             + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
                             + "translate to LAZ)");
-                    return new EptZstandardRead(this, wanted, capacity, allocator);
+                    return new EptZstandardRead(this, m_blocks, m_index, wanted, capacity, allocator);
                 default:
-                    return new EptRecordRead(this, wanted, capacity, allocator);
+                    return new EptRecordRead(this, m_blocks, m_index, wanted, capacity, allocator);
             }
         }
 
-        /// <summary>Adds a node and its blocks.</summary>
-        /// <param name="points">Number of points that can be read.</param>
-        internal void AddNode(EptEntry entry, long points, long fileBytes)
-        {
-            var node = new SourceNode { Level = entry.Level, Cell = entry.Cell, Block = -1 };
-            if (points == 0)
-                m_tree.Add(node);
-            for (long first = 0; first < points; first += m_blockPoints)
-            {
-                int count = (int)Math.Min(m_blockPoints, points - first);
-                node.Block = m_blocks.Count;
-                node.PointCount = count;
-                m_blocks.Add(new EptBlock
-                {
-                    Level = entry.Level,
-                    Cell = entry.Cell,
-                    FirstPoint = m_pointCount,
-                    FirstInNode = first,
-                    Points = count,
-                    NodePoints = points,
-                    FileBytes = fileBytes,
-                });
-                m_tree.Add(node);
-                m_pointCount += count;
-                m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
-            }
-        }
-
-        internal EptBlock Block(int block)
-        {
-            if ((uint)block >= (uint)m_blocks.Count)
-                throw new ArgumentOutOfRangeException(nameof(block), block, "the source has " + m_blocks.Count + " blocks");
-            return m_blocks[block];
-        }
-
-        /// <summary>
-        /// Records that a node gave its last point before <paramref name="point"/>: later blocks are not tried, since each
-        /// would decode the node from its start.
-        /// </summary>
-        internal void EndNode(in EptBlock block, long point)
-        {
-            var node = (block.Level, block.Cell);
-            m_endOfNode[node] = Math.Min(point, EndOfNode(block));
-        }
-
-        /// <summary>The most points that a node can have, as far as is known.</summary>
-        internal long EndOfNode(in EptBlock block) =>
-            m_endOfNode.TryGetValue((block.Level, block.Cell), out long end) ? end : block.NodePoints;
-
-        internal string PathOf(int level, int3 cell)
-        {
-            string ending = m_index.DataType == EptDataType.Binary ? ".bin"
-                : m_index.DataType == EptDataType.Laszip ? ".laz" : ".zst";
-            return Path.Combine(m_index.Folder, DataFolder, EptEntry.NameOf(level, cell) + ending);
-        }
-
-        /// <summary>Warns about a block that gave fewer points than it has, once for each block.</summary>
-        internal void WarnBroken(int block, string what, string detail, long byteOffset)
-        {
-            var of = Block(block);
-            if (m_toldBlocks.Add(block))
-                Statistics.Add(what, EptEntry.NameOf(of.Level, of.Cell), detail, byteOffset, PathOf(of.Level, of.Cell));
-        }
-
-        public override void DisposeUnread()
-        {
-            m_tree.Dispose();
-        }
-    }
-
-    /// <summary>A block of an EPT octree: a node's file, or some of the points in it.</summary>
-    struct EptBlock
-    {
-        public int Level;
-        public int3 Cell;
-
-        /// <summary>Index of the first point in the whole source.</summary>
-        public long FirstPoint;
-
-        /// <summary>Index of the first point in the file.</summary>
-        public long FirstInNode;
-
-        public int Points;
-
-        /// <summary>Points of the node, as the hierarchy claims.</summary>
-        public long NodePoints;
-
-        public long FileBytes;
+        public override void DisposeUnread() => m_blocks.Tree.Dispose();
     }
 }

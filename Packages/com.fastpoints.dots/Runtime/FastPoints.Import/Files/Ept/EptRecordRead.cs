@@ -11,15 +11,18 @@ namespace FastPoints.Files
         /// <summary>A slice takes about a millisecond of copying.</summary>
         const int SlicePoints = 1 << 16;
 
-        NativeArray<LasFieldCopy> m_copies;
+        readonly int m_recordBytes;
+        NativeArray<FieldCopy> m_copies;
         NativeReference<DecompressState> m_state;
 
-        public EptRecordRead(EptReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            : base(reader, wanted, capacity, allocator)
+        public EptRecordRead(PointReader reader, EptBlocks blocks, EptIndex index, PointSchema wanted, int capacity,
+            Allocator allocator)
+            : base(reader, blocks, wanted, capacity, allocator)
         {
+            m_recordBytes = index.RecordBytes;
             try
             {
-                m_copies = new NativeArray<LasFieldCopy>(PlanCopies(reader, wanted, Points), allocator);
+                m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(index.Fields, Points), allocator);
             }
             catch (ArgumentException)
             {
@@ -31,8 +34,7 @@ namespace FastPoints.Files
 
         protected override JobHandle Schedule(BlockRange range, in EptBlock block)
         {
-            int recordBytes = Reader.Index.RecordBytes;
-            var decoded = BeginRead(block, (block.FirstInNode + range.First) * recordBytes, range.Count * recordBytes, 0);
+            var decoded = BeginRead(block, (block.FirstInNode + range.First) * m_recordBytes, range.Count * m_recordBytes, 0);
             for (int first = 0; first < range.Count; first += SlicePoints)
                 decoded = new DecodeEptJob
                 {
@@ -41,7 +43,7 @@ namespace FastPoints.Files
                     Copies = m_copies,
                     Columns = Points.Bytes,
                     Result = Result,
-                    RecordBytes = recordBytes,
+                    RecordBytes = m_recordBytes,
                     FirstRecord = first,
                     First = first,
                     Count = Math.Min(SlicePoints, range.Count - first),

@@ -14,16 +14,19 @@ namespace FastPoints.Files
 
         readonly int m_tilePoints;
         readonly DecompressorHandle m_decompressor;
-        NativeArray<LasFieldCopy> m_copies;
+        readonly int m_recordBytes;
+        NativeArray<FieldCopy> m_copies;
         NativeArray<byte> m_tile;
         NativeReference<DecompressState> m_state;
 
-        public EptZstandardRead(EptReader reader, PointSchema wanted, int capacity, Allocator allocator)
-            : base(reader, wanted, capacity, allocator)
+        public EptZstandardRead(PointReader reader, EptBlocks blocks, EptIndex index, PointSchema wanted, int capacity,
+            Allocator allocator)
+            : base(reader, blocks, wanted, capacity, allocator)
         {
+            m_recordBytes = index.RecordBytes;
             try
             {
-                m_copies = new NativeArray<LasFieldCopy>(PlanCopies(reader, wanted, Points), allocator);
+                m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(index.Fields, Points), allocator);
                 m_decompressor = new DecompressorHandle(Decompressors.Zstandard());
             }
             catch
@@ -31,15 +34,14 @@ namespace FastPoints.Files
                 Dispose();
                 throw;
             }
-            m_tilePoints = Math.Max(1, TileBytes / reader.Index.RecordBytes);
-            m_tile = new NativeArray<byte>(m_tilePoints * reader.Index.RecordBytes, allocator,
+            m_tilePoints = Math.Max(1, TileBytes / m_recordBytes);
+            m_tile = new NativeArray<byte>(m_tilePoints * m_recordBytes, allocator,
                 NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<DecompressState>(allocator);
         }
 
         protected override JobHandle Schedule(BlockRange range, in EptBlock block)
         {
-            int recordBytes = Reader.Index.RecordBytes;
             long begin = block.FirstInNode + range.First, end = begin + range.Count;
             var decoded = BeginRead(block, 0, (int)block.FileBytes, 0);
             for (long first = 0; first < end; first += m_tilePoints)
@@ -50,7 +52,7 @@ namespace FastPoints.Files
                     Input = Input,
                     InputBytes = (int)block.FileBytes,
                     Output = m_tile,
-                    Wanted = count * recordBytes,
+                    Wanted = count * m_recordBytes,
                     IsFirst = first == 0,
                     Slot = m_decompressor.Handle,
                     State = m_state,
@@ -64,7 +66,7 @@ namespace FastPoints.Files
                         Copies = m_copies,
                         Columns = Points.Bytes,
                         Result = Result,
-                        RecordBytes = recordBytes,
+                        RecordBytes = m_recordBytes,
                         FirstRecord = (int)(from - first),
                         First = (int)(from - begin),
                         Count = (int)(first + count - from),
@@ -78,7 +80,7 @@ namespace FastPoints.Files
             var failure = m_decompressor.Failure;
             m_decompressor.Failure = null;
             if (result.Error != 0)
-                Reader.WarnBroken(Range.Block, "its zstandard stream is broken: points are left out",
+                Blocks.WarnBroken(Range.Block, "its zstandard stream is broken: points are left out",
                     "wanted " + Range.Count + " points, got " + result.Points
                         + (failure != null ? " (" + failure.Message + ")" : ""),
                     result.ErrorOffset);

@@ -31,9 +31,9 @@ namespace FastPoints.Files
         /// <summary>The described fields, one for each component (<c>Name[0]</c>, <c>Name[1]</c>, ... of several).</summary>
         /// <param name="first">Offset of the extra bytes in the record.</param>
         /// <param name="recordBytes">End of the record: descriptions that do not fit are left out with a warning.</param>
-        public static List<LasField> Read(ByteReader entries, int first, int recordBytes, SourceInfo info)
+        public static List<PointField> Read(ByteReader entries, int first, int recordBytes, SourceInfo info)
         {
-            var fields = new List<LasField>();
+            var fields = new List<PointField>();
             int at = first;
             for (int entry = 0; entries.Has(entry, EntryBytes); entry += EntryBytes)
             {
@@ -65,7 +65,7 @@ namespace FastPoints.Files
                     double scale = type != 0 && (options & ScaleOption) != 0 ? Number(entries, entry, ScaleAt, i, 1, info) : 1;
                     double offset = type != 0 && (options & OffsetOption) != 0 ? Number(entries, entry, OffsetAt, i, 0, info) : 0;
                     string fieldName = components == 1 && type != 0 ? name : name + "[" + NumberText.Of(i) + "]";
-                    fields.Add(new LasField(fieldName, component, at, scale, offset));
+                    fields.Add(new PointField(fieldName, component, at, scale, offset));
                     at += component.SizeOf();
                 }
                 string description = entries.Text(entry + DescriptionAt, DescriptionBytes, "extra bytes description");

@@ -11,9 +11,9 @@ namespace FastPoints.Files
         sealed class Part
         {
             public readonly int Bytes;
-            public readonly LasField[] Fields;
+            public readonly PointField[] Fields;
 
-            public Part(int bytes, params LasField[] fields)
+            public Part(int bytes, params PointField[] fields)
             {
                 Bytes = bytes;
                 Fields = fields;
@@ -28,61 +28,61 @@ namespace FastPoints.Files
         // Byte 14: return number 0-2, number of returns 3-5, scan direction 6, edge of flight line 7.
         // Byte 15: class 0-4, synthetic 5, key point 6, withheld 7.
         static readonly Part s_core = new Part(20,
-            new LasField(AttributeNames.X, AttributeType.Int32, 0),
-            new LasField(AttributeNames.Y, AttributeType.Int32, 4),
-            new LasField(AttributeNames.Z, AttributeType.Int32, 8),
-            new LasField(AttributeNames.Intensity, AttributeType.UInt16, 12),
-            new LasField(AttributeNames.ReturnNumber, 14, 0, 3),
-            new LasField(AttributeNames.NumberOfReturns, 14, 3, 3),
-            new LasField(AttributeNames.ScanDirectionFlag, 14, 6, 1),
-            new LasField(AttributeNames.EdgeOfFlightLine, 14, 7, 1),
-            new LasField(AttributeNames.Classification, 15, 0, 5),
-            new LasField(AttributeNames.Synthetic, 15, 5, 1),
-            new LasField(AttributeNames.KeyPoint, 15, 6, 1),
-            new LasField(AttributeNames.Withheld, 15, 7, 1),
-            new LasField(AttributeNames.ScanAngle, AttributeType.Int8, 16),
-            new LasField(AttributeNames.UserData, AttributeType.UInt8, 17),
-            new LasField(AttributeNames.PointSourceId, AttributeType.UInt16, 18));
+            new PointField(AttributeNames.X, AttributeType.Int32, 0),
+            new PointField(AttributeNames.Y, AttributeType.Int32, 4),
+            new PointField(AttributeNames.Z, AttributeType.Int32, 8),
+            new PointField(AttributeNames.Intensity, AttributeType.UInt16, 12),
+            new PointField(AttributeNames.ReturnNumber, 14, 0, 3),
+            new PointField(AttributeNames.NumberOfReturns, 14, 3, 3),
+            new PointField(AttributeNames.ScanDirectionFlag, 14, 6, 1),
+            new PointField(AttributeNames.EdgeOfFlightLine, 14, 7, 1),
+            new PointField(AttributeNames.Classification, 15, 0, 5),
+            new PointField(AttributeNames.Synthetic, 15, 5, 1),
+            new PointField(AttributeNames.KeyPoint, 15, 6, 1),
+            new PointField(AttributeNames.Withheld, 15, 7, 1),
+            new PointField(AttributeNames.ScanAngle, AttributeType.Int8, 16),
+            new PointField(AttributeNames.UserData, AttributeType.UInt8, 17),
+            new PointField(AttributeNames.PointSourceId, AttributeType.UInt16, 18));
 
         // Byte 14: return number 0-3, number of returns 4-7.
         // Byte 15: synthetic 0, key point 1, withheld 2, overlap 3, scanner channel 4-5, scan direction 6, edge of flight line 7.
         static readonly Part s_extendedCore = new Part(30,
-            new LasField(AttributeNames.X, AttributeType.Int32, 0),
-            new LasField(AttributeNames.Y, AttributeType.Int32, 4),
-            new LasField(AttributeNames.Z, AttributeType.Int32, 8),
-            new LasField(AttributeNames.Intensity, AttributeType.UInt16, 12),
-            new LasField(AttributeNames.ReturnNumber, 14, 0, 4),
-            new LasField(AttributeNames.NumberOfReturns, 14, 4, 4),
-            new LasField(AttributeNames.Synthetic, 15, 0, 1),
-            new LasField(AttributeNames.KeyPoint, 15, 1, 1),
-            new LasField(AttributeNames.Withheld, 15, 2, 1),
-            new LasField(AttributeNames.Overlap, 15, 3, 1),
-            new LasField(AttributeNames.ScannerChannel, 15, 4, 2),
-            new LasField(AttributeNames.ScanDirectionFlag, 15, 6, 1),
-            new LasField(AttributeNames.EdgeOfFlightLine, 15, 7, 1),
-            new LasField(AttributeNames.Classification, AttributeType.UInt8, 16),
-            new LasField(AttributeNames.UserData, AttributeType.UInt8, 17),
-            new LasField(AttributeNames.ScanAngle, AttributeType.Int16, 18),
-            new LasField(AttributeNames.PointSourceId, AttributeType.UInt16, 20),
-            new LasField(AttributeNames.GpsTime, AttributeType.Float64, 22));
+            new PointField(AttributeNames.X, AttributeType.Int32, 0),
+            new PointField(AttributeNames.Y, AttributeType.Int32, 4),
+            new PointField(AttributeNames.Z, AttributeType.Int32, 8),
+            new PointField(AttributeNames.Intensity, AttributeType.UInt16, 12),
+            new PointField(AttributeNames.ReturnNumber, 14, 0, 4),
+            new PointField(AttributeNames.NumberOfReturns, 14, 4, 4),
+            new PointField(AttributeNames.Synthetic, 15, 0, 1),
+            new PointField(AttributeNames.KeyPoint, 15, 1, 1),
+            new PointField(AttributeNames.Withheld, 15, 2, 1),
+            new PointField(AttributeNames.Overlap, 15, 3, 1),
+            new PointField(AttributeNames.ScannerChannel, 15, 4, 2),
+            new PointField(AttributeNames.ScanDirectionFlag, 15, 6, 1),
+            new PointField(AttributeNames.EdgeOfFlightLine, 15, 7, 1),
+            new PointField(AttributeNames.Classification, AttributeType.UInt8, 16),
+            new PointField(AttributeNames.UserData, AttributeType.UInt8, 17),
+            new PointField(AttributeNames.ScanAngle, AttributeType.Int16, 18),
+            new PointField(AttributeNames.PointSourceId, AttributeType.UInt16, 20),
+            new PointField(AttributeNames.GpsTime, AttributeType.Float64, 22));
 
-        static readonly Part s_time = new Part(8, new LasField(AttributeNames.GpsTime, AttributeType.Float64, 0));
+        static readonly Part s_time = new Part(8, new PointField(AttributeNames.GpsTime, AttributeType.Float64, 0));
 
         static readonly Part s_color = new Part(6,
-            new LasField(AttributeNames.Red, AttributeType.UInt16, 0),
-            new LasField(AttributeNames.Green, AttributeType.UInt16, 2),
-            new LasField(AttributeNames.Blue, AttributeType.UInt16, 4));
+            new PointField(AttributeNames.Red, AttributeType.UInt16, 0),
+            new PointField(AttributeNames.Green, AttributeType.UInt16, 2),
+            new PointField(AttributeNames.Blue, AttributeType.UInt16, 4));
 
-        static readonly Part s_nearInfrared = new Part(2, new LasField(AttributeNames.NearInfrared, AttributeType.UInt16, 0));
+        static readonly Part s_nearInfrared = new Part(2, new PointField(AttributeNames.NearInfrared, AttributeType.UInt16, 0));
 
         static readonly Part s_wave = new Part(29,
-            new LasField(AttributeNames.WavePacketDescriptorIndex, AttributeType.UInt8, 0),
-            new LasField(AttributeNames.ByteOffsetToWaveformData, AttributeType.UInt64, 1),
-            new LasField(AttributeNames.WaveformPacketSize, AttributeType.UInt32, 9),
-            new LasField(AttributeNames.ReturnPointWaveformLocation, AttributeType.Float32, 13),
-            new LasField(AttributeNames.ParametricDx, AttributeType.Float32, 17),
-            new LasField(AttributeNames.ParametricDy, AttributeType.Float32, 21),
-            new LasField(AttributeNames.ParametricDz, AttributeType.Float32, 25));
+            new PointField(AttributeNames.WavePacketDescriptorIndex, AttributeType.UInt8, 0),
+            new PointField(AttributeNames.ByteOffsetToWaveformData, AttributeType.UInt64, 1),
+            new PointField(AttributeNames.WaveformPacketSize, AttributeType.UInt32, 9),
+            new PointField(AttributeNames.ReturnPointWaveformLocation, AttributeType.Float32, 13),
+            new PointField(AttributeNames.ParametricDx, AttributeType.Float32, 17),
+            new PointField(AttributeNames.ParametricDy, AttributeType.Float32, 21),
+            new PointField(AttributeNames.ParametricDz, AttributeType.Float32, 25));
 
         static readonly LasPointFormat[] s_formats =
         {
@@ -102,11 +102,15 @@ namespace FastPoints.Files
         LasPointFormat(int id, params Part[] parts)
         {
             Id = id;
-            var fields = new List<LasField>();
+            var fields = new List<PointField>();
             foreach (var part in parts)
             {
                 foreach (var field in part.Fields)
-                    fields.Add(field.MovedBy(RecordBytes));
+                {
+                    var moved = field;
+                    moved.ByteOffset += RecordBytes;
+                    fields.Add(moved);
+                }
                 RecordBytes += part.Bytes;
             }
             Fields = fields.ToArray();
@@ -118,7 +122,7 @@ namespace FastPoints.Files
         public int RecordBytes { get; }
 
         /// <summary>In the order of the record.</summary>
-        public IReadOnlyList<LasField> Fields { get; }
+        public IReadOnlyList<PointField> Fields { get; }
 
         public bool IsExtended => Id >= FirstExtended;
 

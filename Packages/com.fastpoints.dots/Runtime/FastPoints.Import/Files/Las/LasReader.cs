@@ -1,9 +1,7 @@
 using System;
-using System.IO;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.IO.LowLevel.Unsafe;
 
 namespace FastPoints.Files
 {
@@ -17,13 +15,14 @@ namespace FastPoints.Files
 
         readonly LasFile m_las;
         readonly int m_blockPoints;
-        FileHandle m_file;
-        bool m_isOpen;
+        readonly FixedRecords m_records;
 
         LasReader(LasFile las)
         {
             m_las = las;
             Info = las.Info;
+            m_records = new FixedRecords(new SourceHandle(Info.Path), las.Layout.Fields, las.Header.PointsOffset,
+                Info.RecordBytes);
             m_blockPoints = Math.Min(MaxBlockPoints, Math.Max(1, MaxBlockBytes / Info.RecordBytes));
             long blocks = (Info.PointsReadable + m_blockPoints - 1) / m_blockPoints;
             if (blocks > int.MaxValue)
@@ -64,19 +63,6 @@ namespace FastPoints.Files
 
         public override bool HasRunReads => true;
 
-        internal LasRecordLayout Layout => m_las.Layout;
-
-        internal ref readonly FileHandle File
-        {
-            get
-            {
-                if (!m_isOpen)
-                    m_file = AsyncReadManager.OpenFileAsync(Path.GetFullPath(Info.Path));
-                m_isOpen = true;
-                return ref m_file;
-            }
-        }
-
         public override long FirstPointOfBlock(int block)
         {
             CheckBlock(block);
@@ -92,22 +78,12 @@ namespace FastPoints.Files
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.RecordBytes;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
-            new LasBlockRead(this, wanted, capacity, allocator);
+            new RecordRead(this, m_records, wanted, capacity, allocator);
 
         internal override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator) =>
-            new LasRunRead(this, target, maxRuns, maxBytes, allocator);
+            new RunRead(m_records, target, maxRuns, maxBytes, allocator);
 
-        /// <summary>Offset of a record in the file.</summary>
-        /// <param name="point">Index in the whole source.</param>
-        public long OffsetOfPoint(long point) => m_las.Header.PointsOffset + point * Info.RecordBytes;
-
-        public override void CloseFile()
-        {
-            if (!m_isOpen)
-                return;
-            m_isOpen = false;
-            m_file.Close().Complete();
-        }
+        public override void CloseFile() => m_records.File.Close();
 
         void CheckBlock(int block)
         {

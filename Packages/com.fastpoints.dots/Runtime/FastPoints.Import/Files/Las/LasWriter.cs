@@ -36,11 +36,11 @@ namespace FastPoints.Files
             m_path = path;
             m_temporaryPath = path + TemporarySuffix;
             var format = LasPointFormat.Of(settings.PointFormat);
-            var extra = new List<LasField>();
+            var extra = new List<PointField>();
             int recordBytes = format.RecordBytes;
             foreach (var attribute in settings.ExtraBytes)
             {
-                extra.Add(new LasField(attribute.Name, attribute.Type, recordBytes, attribute.Scale, attribute.Offset));
+                extra.Add(new PointField(attribute.Name, attribute.Type, recordBytes, attribute.Scale, attribute.Offset));
                 recordBytes += attribute.Type.SizeOf();
             }
             m_layout = new LasRecordLayout(format, recordBytes, extra);
@@ -105,15 +105,15 @@ namespace FastPoints.Files
         /// <exception cref="PointCloudException">The disk is full or failed.</exception>
         public void Append(PointBatch batch)
         {
-            var copies = LasCopyPlan.Make(m_layout, batch);
+            var copies = FieldCopyPlan.Make(m_layout.Fields, batch);
             byte* columns = (byte*)batch.Bytes.GetUnsafeReadOnlyPtr();
             for (int first = 0; first < batch.Count; first += m_bufferPoints)
             {
                 int count = Math.Min(m_bufferPoints, batch.Count - first);
                 Array.Clear(m_buffer, 0, count * RecordBytes);
                 fixed (byte* records = m_buffer)
-                fixed (LasFieldCopy* plan = copies)
-                    LasRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
+                fixed (FieldCopy* plan = copies)
+                    PointRecords.FromColumns(columns, first, count, plan, copies.Length, records, RecordBytes);
                 Write(m_buffer, count);
             }
         }

@@ -33,7 +33,7 @@ namespace FastPoints.Files
         /// <summary>Records of a tile.</summary>
         public NativeArray<byte> Tile;
 
-        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<LazFileState> State;
         public NativeReference<DecodeResult> Result;
@@ -136,8 +136,8 @@ namespace FastPoints.Files
             int skipped = Skip > first ? (int)(Skip - first < count ? Skip - first : count) : 0;
             if (count <= skipped)
                 return;
-            LasRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
-                (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
+            PointRecords.ToColumns((byte*)Tile.GetUnsafePtr() + (long)skipped * RecordBytes, RecordBytes, count - skipped,
+                (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
                 (int)(first + skipped - Skip));
             result.Points = (int)(first + count - Skip);
         }
@@ -230,5 +230,30 @@ namespace FastPoints.Files
             }
             return false;
         }
+    }
+
+    /// <summary>Progress of decoding a whole LAZ file in memory, from slice to slice.</summary>
+    struct LazFileState
+    {
+        /// <summary>Points according to its header.</summary>
+        public long PointsInFile;
+
+        /// <summary>Points of every chunk except the last; 0 if chunks say so themselves.</summary>
+        public long PointsOfChunks;
+
+        /// <summary>Offset of the current chunk.</summary>
+        public long ChunkOffset;
+
+        /// <summary>Offset behind it; known in advance for layered chunks only.</summary>
+        public long ChunkEnd;
+
+        /// <summary>Points of the current chunk, and those that are done; both 0 before a chunk is started.</summary>
+        public long ChunkPoints;
+        public long ChunkDone;
+
+        /// <summary>Offset behind the last chunk.</summary>
+        public long End;
+
+        public LazFilePlacing Placing;
     }
 }

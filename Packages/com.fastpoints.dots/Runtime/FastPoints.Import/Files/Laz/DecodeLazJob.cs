@@ -23,7 +23,7 @@ namespace FastPoints.Files
         /// <summary>Records of a tile.</summary>
         public NativeArray<byte> Tile;
 
-        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
 
@@ -89,8 +89,8 @@ namespace FastPoints.Files
                 int skipped = Skip > first ? (Skip - first < got ? Skip - first : got) : 0;
                 if (got > skipped)
                 {
-                    LasRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped,
-                        (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
+                    PointRecords.ToColumns(tile + (long)skipped * RecordBytes, RecordBytes, got - skipped,
+                        (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, (byte*)Columns.GetUnsafePtr(),
                         first + skipped - Skip);
                     result.Points = first + got - Skip;
                 }

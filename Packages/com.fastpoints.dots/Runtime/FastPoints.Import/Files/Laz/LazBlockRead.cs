@@ -23,14 +23,14 @@ namespace FastPoints.Files
 
         const int ExtraPadding = RangeCode.PaddingBytes - NativeFileRead.PaddingBytes;
 
-        readonly LazChunkReader m_reader;
+        readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
         readonly int m_tilePoints;
         readonly bool m_wantsAllLayers;
         readonly NativeFileRead m_file;
         NativeArray<byte> m_state;
         NativeArray<byte> m_tile;
-        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<FieldCopy> m_copies;
         NativeArray<int> m_bytesPerPoint;
         NativeArray<long> m_inputBytes;
         // The read manager keeps pointers to commands until their read has ended.
@@ -46,16 +46,16 @@ namespace FastPoints.Files
         /// <summary>Byte of the file at which the input starts.</summary>
         long m_inputOffset;
 
-        public LazBlockRead(LazChunkReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        public LazBlockRead(PointReader reader, LazBlocks blocks, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_reader = reader;
-            m_format = reader.Format;
+            m_blocks = blocks;
+            m_format = blocks.Format;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / m_format.RecordBytes));
-            m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(reader.Layout, Points), allocator);
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(blocks.Las.Layout.Fields, Points), allocator);
             m_wantsAllLayers = ConfigureState(wanted, allocator);
-            long inputBytes = Math.Max(reader.MaxInputBytes(), SmallChunkBytes);
-            m_file = new NativeFileRead(reader.Info.Path, default, inputBytes + ExtraPadding, allocator);
+            long inputBytes = Math.Max(blocks.MaxInputBytes(), SmallChunkBytes);
+            m_file = new NativeFileRead(inputBytes + ExtraPadding, allocator);
             m_tile = new NativeArray<byte>(Math.Max(1, m_tilePoints * m_format.RecordBytes), allocator,
                 NativeArrayOptions.UninitializedMemory);
             m_inputBytes = new NativeArray<long>(1, allocator);
@@ -75,7 +75,7 @@ namespace FastPoints.Files
                 PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
                 return true;
             }
-            var isWanted = LazLayerChoice.Make(layers, m_reader.Layout, wanted);
+            var isWanted = LazLayerChoice.Make(layers, m_blocks.Las.Layout.Fields, wanted);
             m_state = new NativeArray<byte>((int)LayeredChunk.StateBytes(layers, isWanted, m_format.RecordBytes), allocator,
                 NativeArrayOptions.UninitializedMemory);
             LayeredChunk.Configure((LayeredChunk*)m_state.GetUnsafePtr(), layers, isWanted, m_format.RecordBytes);
@@ -95,7 +95,7 @@ namespace FastPoints.Files
             if (!m_keepsStates || IsBusy || Points.Count < Range.Count)
                 throw new InvalidOperationException("there is no state to go on from");
             var state = (LazCheckpoint)reused ?? new LazCheckpoint();
-            state.Point = m_reader.Block(Range.Block).FirstInChunk + Range.First + Range.Count;
+            state.Point = m_blocks[Range.Block].FirstInChunk + Range.First + Range.Count;
             state.FileOffset = m_inputOffset;
             if (!m_format.IsLayered)
             {
@@ -122,20 +122,20 @@ namespace FastPoints.Files
 
         protected override JobHandle Schedule(BlockRange range)
         {
-            var block = m_reader.Block(range.Block);
-            if (block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_reader.EndOfChunk(block))
+            var block = m_blocks[range.Block];
+            if (block.FirstInChunk > 0 && block.FirstInChunk + range.First >= m_blocks.EndOfChunk(block))
                 return default;
 
-            var checkpoint = m_from ?? m_reader.CheckpointOf(block);
+            var checkpoint = m_from ?? m_blocks.CheckpointOf(block);
             if (checkpoint != null && checkpoint.Point > block.FirstInChunk + range.First)
                 throw new ArgumentException("the state is of points behind the range");
             checkpoint?.Restore(m_state);
-            long start = m_inputOffset = checkpoint?.FileOffset ?? m_reader.ChunkOf(block).Offset;
+            long start = m_inputOffset = checkpoint?.FileOffset ?? m_blocks.ChunkOf(block).Offset;
             long skip = block.FirstInChunk - (checkpoint?.Point ?? 0) + range.First;
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
-            m_file.Reserve(Math.Min(block.EndOffset - start, m_reader.MaxInputBytes(inputPoints)) + ExtraPadding);
+            m_file.Reserve(Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints)) + ExtraPadding);
             var decode = new DecodeLazJob
             {
                 Input = m_file.Buffer,
@@ -153,8 +153,8 @@ namespace FastPoints.Files
                 Skip = checked((int)skip),
                 Total = checked((int)(skip + range.Count)),
                 InputPoints = inputPoints,
-                ChunkPoints = m_reader.ChunkOf(block).Points,
-                ChunkBytes = m_reader.ChunkOf(block).Bytes,
+                ChunkPoints = m_blocks.ChunkOf(block).Points,
+                ChunkBytes = m_blocks.ChunkOf(block).Bytes,
                 FileOffset = start,
             };
             var read = Read(block, start, ref decode);
@@ -166,7 +166,7 @@ namespace FastPoints.Files
         JobHandle Read(LazBlock block, long start, ref DecodeLazJob decode)
         {
             long bytes = block.EndOffset - start;
-            long most = m_reader.MaxInputBytes(decode.InputPoints);
+            long most = m_blocks.MaxInputBytes(decode.InputPoints);
             if (!m_format.IsLayered)
             {
                 bool isToEnd = block.IsToEnd && Range.First + Range.Count == block.Points;
@@ -195,7 +195,7 @@ namespace FastPoints.Files
                 ChunkEnd = block.EndOffset,
                 Points = decode.InputPoints,
             }.Schedule(header);
-            m_plannedRead = AsyncReadManager.ReadDeferred(m_reader.File, commands, planned);
+            m_plannedRead = AsyncReadManager.ReadDeferred(m_blocks.File.Open(), commands, planned);
             m_isPlanned = true;
             // The read follows the plan, but its handle does not promise to include it.
             return JobHandle.CombineDependencies(planned, m_plannedRead.JobHandle);
@@ -204,7 +204,7 @@ namespace FastPoints.Files
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return m_file.Begin(m_reader.File, offset, (int)bytes);
+            return m_file.Begin(m_blocks.File, offset, (int)bytes);
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
@@ -228,8 +228,8 @@ namespace FastPoints.Files
                 return;
             var result = Result;
             result.Value = default;
-            long offset = m_reader.ChunkOf(m_reader.Block(Range.Block)).Offset;
-            throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, offset,
+            long offset = m_blocks.ChunkOf(m_blocks[Range.Block]).Offset;
+            throw new PointCloudException(FailureCode.ReadFailed, m_blocks.Info.Path, offset,
                 "the file could not be read, or has become shorter since it was opened");
         }
 
@@ -237,10 +237,10 @@ namespace FastPoints.Files
         {
             if (result.Error == LazError.None)
                 return;
-            var block = m_reader.Block(Range.Block);
+            var block = m_blocks[Range.Block];
             if (result.Error == LazError.Short || result.Error == LazError.NoChunk)
-                m_reader.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
-            m_reader.WarnBroken(Range, result);
+                m_blocks.EndChunk(block, block.FirstInChunk + Range.First + result.Points);
+            m_blocks.WarnBroken(Range, result);
         }
 
         ReadStatus ClosePlanned()

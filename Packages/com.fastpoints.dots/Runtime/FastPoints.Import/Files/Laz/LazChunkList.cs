@@ -134,7 +134,6 @@ namespace FastPoints.Files
             m_points = points;
         }
 
-        /// <summary>Switches to a list of single chunks.</summary>
         List<LazChunk> Scatter()
         {
             if (m_scattered != null)

@@ -21,7 +21,7 @@ namespace FastPoints.Files
         NativeArray<byte> m_items;
         NativeArray<byte> m_decoder;
         NativeArray<byte> m_tile;
-        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<FieldCopy> m_copies;
         NativeReference<LazFileState> m_state;
 
         /// <param name="las">One of the files: the others are like it.</param>
@@ -34,7 +34,7 @@ namespace FastPoints.Files
             m_format = format;
             int recordBytes = las.Header.RecordBytes;
             m_tilePoints = Math.Max(1, Math.Min(LayeredChunk.TilePoints, MaxTileBytes / recordBytes));
-            m_copies = new NativeArray<LasFieldCopy>(LasCopyPlan.Make(las.Layout, batch), allocator);
+            m_copies = new NativeArray<FieldCopy>(FieldCopyPlan.Make(las.Layout.Fields, batch), allocator);
             ConfigureDecoder(batch.Schema, allocator);
             m_items = new NativeArray<byte>(format?.ItemBytesOfVlr() ?? new byte[0], allocator);
             m_tile = new NativeArray<byte>(m_tilePoints * recordBytes, allocator, NativeArrayOptions.UninitializedMemory);
@@ -105,35 +105,10 @@ namespace FastPoints.Files
                 PointwiseChunk.Configure((PointwiseChunk*)m_decoder.GetUnsafePtr(), m_format.Items, m_format.RecordBytes);
                 return;
             }
-            var isWanted = LazLayerChoice.Make(m_format.Layers, m_las.Layout, wanted);
+            var isWanted = LazLayerChoice.Make(m_format.Layers, m_las.Layout.Fields, wanted);
             long bytes = LayeredChunk.StateBytes(m_format.Layers, isWanted, m_format.RecordBytes);
             m_decoder = new NativeArray<byte>((int)bytes, allocator, NativeArrayOptions.UninitializedMemory);
             LayeredChunk.Configure((LayeredChunk*)m_decoder.GetUnsafePtr(), m_format.Layers, isWanted, m_format.RecordBytes);
         }
-    }
-
-    /// <summary>Progress of decoding a whole LAZ file in memory, from slice to slice.</summary>
-    struct LazFileState
-    {
-        /// <summary>Points according to its header.</summary>
-        public long PointsInFile;
-
-        /// <summary>Points of every chunk except the last; 0 if chunks say so themselves.</summary>
-        public long PointsOfChunks;
-
-        /// <summary>Offset of the current chunk.</summary>
-        public long ChunkOffset;
-
-        /// <summary>Offset behind it; known in advance for layered chunks only.</summary>
-        public long ChunkEnd;
-
-        /// <summary>Points of the current chunk, and those that are done; both 0 before a chunk is started.</summary>
-        public long ChunkPoints;
-        public long ChunkDone;
-
-        /// <summary>Offset behind the last chunk.</summary>
-        public long End;
-
-        public LazFilePlacing Placing;
     }
 }

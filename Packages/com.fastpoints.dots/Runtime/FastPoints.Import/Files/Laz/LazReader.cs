@@ -12,14 +12,15 @@ namespace FastPoints.Files
     /// default).</remarks>
     internal sealed class LazReader : LazChunkReader
     {
-        const int MaxPrefixPoints = 1 << 18;
+        LazChunkList Chunks => Blocks.Chunks;
 
-        readonly List<LazCheckpoint> m_checkpoints = new List<LazCheckpoint>();
+        FileSource Source => Blocks.Source;
+
         readonly bool m_isTableLost;
         bool m_areBlocksKnown;
 
-        LazReader(LasFile las, LazFormat format, FileSource source, int longChunkPoints)
-            : base(las, format, source, longChunkPoints)
+        LazReader(LazBlocks blocks)
+            : base(blocks)
         {
             m_isTableLost = FindChunks();
             m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();
@@ -37,20 +38,13 @@ namespace FastPoints.Files
             format.AddFacts(las.Info);
             return format.Compressor == LazCompressor.None
                 ? LasReader.OpenUncompressed(las, source)
-                : new LazReader(las, format, source, longChunkPoints);
+                : new LazReader(new LazBlocks(las, format, source, longChunkPoints));
         }
-
-        /// <summary>Offset in the file of the chunk that a block belongs to.</summary>
-        public long OffsetOfBlock(int block) => ChunkOf(Block(block)).Offset;
 
         public override bool BlocksAreKnown => m_areBlocksKnown;
 
         /// <summary>False for layered files, whose chunks say how long they are: all are found quickly.</summary>
         public override bool HasPrefixes => !m_areBlocksKnown && !Format.IsLayered;
-
-        /// <summary>Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are
-        /// searched up to as many points: about 50 ms of decoding.</summary>
-        internal int PrefixPoints => Math.Min(LongChunkPoints, MaxPrefixPoints);
 
         public override IEnumerator<Work> FindPrefixes()
         {
@@ -59,13 +53,14 @@ namespace FastPoints.Files
             Forget();
             if (m_isTableLost)
             {
-                yield return Work.Of(new LazWalk(this, Source, m_checkpoints).WalkPrefix(Chunks));
+                yield return Work.Of(new LazWalk(Blocks).WalkPrefix());
                 Source.Dispose();
             }
             for (int c = 0; c < Chunks.Count; c++)
             {
-                bool isLong = Chunks[c].Points > LongChunkPoints;
-                AddBlock(c, 0, isLong ? PrefixPoints : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes, !isLong, -1);
+                bool isLong = Chunks[c].Points > Blocks.LongChunkPoints;
+                Blocks.Add(c, 0, isLong ? LazWalk.PrefixPoints(Blocks) : Chunks[c].Points, Chunks[c].Offset + Chunks[c].Bytes,
+                    !isLong, -1);
             }
         }
 
@@ -74,10 +69,10 @@ namespace FastPoints.Files
             if (m_areBlocksKnown)
                 yield break;
             Forget();
-            var walk = new LazWalk(this, Source, m_checkpoints);
+            var walk = new LazWalk(Blocks);
             try
             {
-                yield return Work.Of(walk.Run(Chunks, m_isTableLost));
+                yield return Work.Of(walk.Run(m_isTableLost));
             }
             finally
             {
@@ -91,23 +86,13 @@ namespace FastPoints.Files
         /// <summary>Drops what an earlier or cancelled search has found.</summary>
         void Forget()
         {
-            ClearBlocks();
-            DropCheckpoints();
+            Blocks.Clear();
+            Blocks.DropCheckpoints();
             if (m_isTableLost)
                 Chunks.Clear();
         }
 
-        public override void DisposeUnread() => DropCheckpoints();
-
-        void DropCheckpoints()
-        {
-            foreach (var checkpoint in m_checkpoints)
-                checkpoint.Dispose();
-            m_checkpoints.Clear();
-        }
-
-        internal override LazCheckpoint CheckpointOf(LazBlock block) =>
-            block.Checkpoint < 0 ? null : m_checkpoints[block.Checkpoint];
+        public override void DisposeUnread() => Blocks.DropCheckpoints();
 
         /// <returns>Whether the table that says where they are is lost.</returns>
         bool FindChunks()
@@ -128,31 +113,31 @@ namespace FastPoints.Files
             else if (Info.PointsClaimed > 0 || Source.Length > start + LazChunkTable.LeastBytes)
             {
                 var table = LazChunkTable.Read(Source, Format, Info, start);
-                Chunks = table.Chunks;
+                Blocks.Chunks = table.Chunks;
                 isLost = table.IsLost && (Format.IsLayered || !Format.HasVariableChunks);
             }
-            for (int c = 0; Format.IsLayered && Chunks.MaxBytes > MaxLayeredChunkBytes && c < Chunks.Count; c++)
-                if (Chunks[c].Bytes > MaxLayeredChunkBytes)
+            for (int c = 0; Format.IsLayered && Chunks.MaxBytes > LazBlocks.MaxLayeredChunkBytes && c < Chunks.Count; c++)
+                if (Chunks[c].Bytes > LazBlocks.MaxLayeredChunkBytes)
                     throw PointCloudException.Wanted(FailureCode.Unsupported, Info.Path, Chunks[c].Offset,
-                        "bytes of a layered chunk", "at most " + NumberText.Of(MaxLayeredChunkBytes), Chunks[c].Bytes);
+                        "bytes of a layered chunk", "at most " + NumberText.Of(LazBlocks.MaxLayeredChunkBytes), Chunks[c].Bytes);
             if (Chunks.Count == 0 && !isLost && Info.PointsClaimed > 0)
                 throw new PointCloudException(FailureCode.Truncated, Info.Path, start, "the header claims "
                     + NumberText.Of(Info.PointsClaimed) + " points, the file holds none");
             return isLost;
         }
 
-        bool HasLongPointwiseChunk() => !Format.IsLayered && Chunks.MaxPoints > LongChunkPoints;
+        bool HasLongPointwiseChunk() => !Format.IsLayered && Chunks.MaxPoints > Blocks.LongChunkPoints;
 
         void MakeBlocks(LazWalk walk)
         {
-            bool areChunks = TryTakeChunksAsBlocks();
+            bool areChunks = Blocks.TryTakeChunks();
             for (int c = 0; c < Chunks.Count && !areChunks; c++)
-                if (Format.IsLayered || Chunks[c].Points <= LongChunkPoints)
-                    AddBlocksOf(c);
+                if (Format.IsLayered || Chunks[c].Points <= Blocks.LongChunkPoints)
+                    Blocks.AddChunk(c);
                 else
                     AddPartsByCheckpoints(c, walk.CheckpointsOf(c));
             Info.PointsReadable = PointCount;
-            CheckBounds();
+            Blocks.CheckBounds();
         }
 
         /// <summary>Adds the blocks between the checkpoints of a long chunk; those whose checkpoint lost its state start from an
@@ -166,10 +151,10 @@ namespace FastPoints.Files
             {
                 bool isLast = i == checkpoints.Count;
                 int next = checkpoints.First + i;
-                end = isLast ? chunk.Points : m_checkpoints[next].Point;
-                long endOffset = isLast ? chunk.Offset + chunk.Bytes : m_checkpoints[next].FileOffset;
-                AddBlock(c, at, end - at, endOffset, isLast, withState);
-                if (!isLast && m_checkpoints[next].HasState)
+                end = isLast ? chunk.Points : Blocks.Checkpoints[next].Point;
+                long endOffset = isLast ? chunk.Offset + chunk.Bytes : Blocks.Checkpoints[next].FileOffset;
+                Blocks.Add(c, at, end - at, endOffset, isLast, withState);
+                if (!isLast && Blocks.Checkpoints[next].HasState)
                     withState = next;
             }
         }

@@ -15,24 +15,35 @@ namespace FastPoints.Files
 
         const long MaxCheckpointBytes = 64 << 20;
 
-        readonly LazReader m_reader;
+        const int MaxPrefixPoints = 1 << 18;
+
+        readonly LazBlocks m_blocks;
         readonly LazFormat m_format;
         readonly FileSource m_source;
+        readonly LazChunkList m_chunks;
         readonly List<LazCheckpoint> m_checkpoints;
         readonly List<BlockRange> m_checkpointsOfChunk = new List<BlockRange>();
+        readonly long m_firstChunk;
 
         /// <summary>Points between checkpoints, which are those of a block: a quarter of the limit for a whole chunk, since a
         /// block's points and its input lie in memory for each slot.</summary>
         readonly int m_checkpointPoints;
 
-        public LazWalk(LazReader reader, FileSource source, List<LazCheckpoint> checkpoints)
+        /// <param name="blocks">Its known chunks: long ones are walked, and more are added if the table is lost.</param>
+        public LazWalk(LazBlocks blocks)
         {
-            m_reader = reader;
-            m_format = reader.Format;
-            m_source = source;
-            m_checkpoints = checkpoints;
-            m_checkpointPoints = Math.Max(1, reader.LongChunkPoints / 4);
+            m_blocks = blocks;
+            m_format = blocks.Format;
+            m_source = blocks.Source;
+            m_chunks = blocks.Chunks;
+            m_checkpoints = blocks.Checkpoints;
+            m_firstChunk = blocks.Las.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
+            m_checkpointPoints = Math.Max(1, blocks.LongChunkPoints / 4);
         }
+
+        /// <summary>Points in the prefix of a long chunk, which takes no checkpoint. Without a table, the first chunks are
+        /// searched up to as many points: about 50 ms of decoding.</summary>
+        public static int PrefixPoints(LazBlocks blocks) => Math.Min(blocks.LongChunkPoints, MaxPrefixPoints);
 
         /// <summary>The checkpoints of a chunk that has any: <c>First</c> and <c>Count</c> of the list.</summary>
         public BlockRange CheckpointsOf(int chunk)
@@ -43,26 +54,20 @@ namespace FastPoints.Files
             return new BlockRange(chunk, 0, 0);
         }
 
-        /// <param name="chunks">The known chunks: long ones are walked, and more are added if <paramref
-        /// name="isTableLost"/>.</param>
-        public IEnumerator<Work> Run(LazChunkList chunks, bool isTableLost)
-        {
-            if (isTableLost && m_format.IsLayered)
-                return WalkHeaders(chunks);
-            return isTableLost ? WalkStreams(chunks, false) : WalkLongChunks(chunks);
-        }
+        public IEnumerator<Work> Run(bool isTableLost) =>
+            !isTableLost ? WalkLongChunks() : m_format.IsLayered ? WalkHeaders() : WalkStreams(false);
 
-        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="LazReader.PrefixPoints"/> points
+        /// <summary>For a pointwise file without a table, adds the first chunks, with <see cref="PrefixPoints"/> points
         /// or a little more. A chunk that is too long for a block is assumed to have the maximum length, and not
         /// walked.</summary>
-        public IEnumerator<Work> WalkPrefix(LazChunkList chunks)
+        public IEnumerator<Work> WalkPrefix()
         {
-            ulong claimed = m_reader.Info.PointsClaimed;
-            if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_reader.LongChunkPoints)
-                return WalkStreams(chunks, true);
-            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
+            ulong claimed = m_blocks.Info.PointsClaimed;
+            if (Math.Min(claimed, m_format.ChunkPoints) <= (ulong)m_blocks.LongChunkPoints)
+                return WalkStreams(true);
+            long at = m_firstChunk;
             if (at + m_format.RecordBytes <= m_source.Length)
-                chunks.Add(new LazChunk
+                m_chunks.Add(new LazChunk
                 {
                     Offset = at,
                     Bytes = m_source.Length - at,
@@ -76,11 +81,11 @@ namespace FastPoints.Files
             yield break;
         }
 
-        IEnumerator<Work> WalkHeaders(LazChunkList chunks)
+        IEnumerator<Work> WalkHeaders()
         {
             int headerBytes = LazLayer.ChunkHeaderBytes(m_format.RecordBytes, m_format.Layers.Length);
-            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
-            ulong pointsLeft = m_reader.Info.PointsClaimed;
+            long at = m_firstChunk;
+            ulong pointsLeft = m_blocks.Info.PointsClaimed;
             for (int walked = 0; pointsLeft > 0 && at + headerBytes <= m_source.Length; walked++)
             {
                 if (walked % HeadersAtOnce == HeadersAtOnce - 1)
@@ -93,31 +98,31 @@ namespace FastPoints.Files
                 long there = Math.Min(bytes, m_source.Length - at);
                 bool isChunk = points > 0 && points <= LazChunk.MaxPoints(there)
                     && (m_format.HasVariableChunks || points <= m_format.ChunkPoints);
-                if (!isChunk || there > LazReader.MaxLayeredChunkBytes)
+                if (!isChunk || there > LazBlocks.MaxLayeredChunkBytes)
                 {
-                    m_reader.Info.Warn(at, "there is no chunk here (" + NumberText.Of(points) + " points in "
+                    m_blocks.Info.Warn(at, "there is no chunk here (" + NumberText.Of(points) + " points in "
                         + NumberText.Of(bytes) + " bytes): "
-                        + NumberText.Of(chunks.Count) + " chunks were found before it");
+                        + NumberText.Of(m_chunks.Count) + " chunks were found before it");
                     break;
                 }
-                chunks.Add(new LazChunk { Offset = at, Bytes = there, Points = points });
+                m_chunks.Add(new LazChunk { Offset = at, Bytes = there, Points = points });
                 at += bytes;
                 pointsLeft -= Math.Min(pointsLeft, (ulong)points);
             }
-            Warn(chunks);
+            Warn();
         }
 
-        /// <param name="isBeginning">Whether to stop at <see cref="LazReader.PrefixPoints"/>.</param>
-        IEnumerator<Work> WalkStreams(LazChunkList chunks, bool isBeginning)
+        /// <param name="isBeginning">Whether to stop at <see cref="PrefixPoints"/>.</param>
+        IEnumerator<Work> WalkStreams(bool isBeginning)
         {
-            long at = m_reader.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
-            ulong pointsLeft = m_reader.Info.PointsClaimed;
-            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)m_reader.PrefixPoints) : 0;
-            using (var stream = new LazWalkStream(m_reader, m_format))
+            long at = m_firstChunk;
+            ulong pointsLeft = m_blocks.Info.PointsClaimed;
+            ulong pointsBehind = isBeginning ? pointsLeft - Math.Min(pointsLeft, (ulong)PrefixPoints(m_blocks)) : 0;
+            using (var stream = new LazWalkStream(m_blocks.File, m_format))
             {
                 while (pointsLeft > pointsBehind && at + m_format.RecordBytes <= m_source.Length)
                 {
-                    if (chunks.Count > 0 && IsNoChunk(at, chunks.Count))
+                    if (m_chunks.Count > 0 && IsNoChunk(at, m_chunks.Count))
                         break;
                     long wanted = (long)Math.Min(pointsLeft, m_format.ChunkPoints);
                     int firstCheckpoint = m_checkpoints.Count;
@@ -125,9 +130,9 @@ namespace FastPoints.Files
                     yield return Work.Of(WalkChunk(stream, wanted));
                     if (stream.Point == 0)
                         break;
-                    CloseChunk(chunks.Count, firstCheckpoint);
+                    CloseChunk(m_chunks.Count, firstCheckpoint);
                     long end = stream.IsStopped ? m_source.Length : stream.FileOffset;
-                    chunks.Add(new LazChunk { Offset = at, Bytes = end - at, Points = stream.Point });
+                    m_chunks.Add(new LazChunk { Offset = at, Bytes = end - at, Points = stream.Point });
                     if (stream.IsStopped)
                         break;
                     at = stream.FileOffset;
@@ -135,7 +140,7 @@ namespace FastPoints.Files
                 }
             }
             if (!isBeginning)
-                Warn(chunks);
+                Warn();
         }
 
         /// <summary>Whether what follows here is the chunk table, whose offset was lost, or nothing but zeros, as in a file that
@@ -152,14 +157,14 @@ namespace FastPoints.Files
                 && start.UInt32(0, "chunk table version") == 0 && start.UInt32(4, "number of chunks") == chunks;
         }
 
-        IEnumerator<Work> WalkLongChunks(LazChunkList chunks)
+        IEnumerator<Work> WalkLongChunks()
         {
-            using (var stream = new LazWalkStream(m_reader, m_format))
+            using (var stream = new LazWalkStream(m_blocks.File, m_format))
             {
-                for (int c = 0; c < chunks.Count; c++)
+                for (int c = 0; c < m_chunks.Count; c++)
                 {
-                    var chunk = chunks[c];
-                    if (chunk.Points <= m_reader.LongChunkPoints)
+                    var chunk = m_chunks[c];
+                    if (chunk.Points <= m_blocks.LongChunkPoints)
                         continue;
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
@@ -167,17 +172,17 @@ namespace FastPoints.Files
                     CloseChunk(c, firstCheckpoint);
                     if (stream.Point == chunk.Points)
                         continue;
-                    m_reader.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
+                    m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
                         + " points, got "
                         + NumberText.Of(stream.Point) + ": the others are not in the file");
-                    chunks.SetPoints(c, stream.Point);
+                    m_chunks.SetPoints(c, stream.Point);
                 }
             }
         }
 
         IEnumerator<Work> WalkChunk(LazWalkStream stream, long points)
         {
-            bool isLong = points > m_reader.LongChunkPoints;
+            bool isLong = points > m_blocks.LongChunkPoints;
             int firstCheckpoint = m_checkpoints.Count;
             while (stream.Point < points && !stream.IsStopped)
             {
@@ -227,12 +232,12 @@ namespace FastPoints.Files
             }
         }
 
-        void Warn(LazChunkList chunks)
+        void Warn()
         {
-            ulong points = (ulong)chunks.PointCount;
-            if (points != m_reader.Info.PointsClaimed)
-                m_reader.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
-                    + NumberText.Of(m_reader.Info.PointsClaimed) + " points, the file holds "
+            ulong points = (ulong)m_chunks.PointCount;
+            if (points != m_blocks.Info.PointsClaimed)
+                m_blocks.Info.Warn(LasHeader.At.LegacyCount, "the header claims "
+                    + NumberText.Of(m_blocks.Info.PointsClaimed) + " points, the file holds "
                     + NumberText.Of(points));
         }
     }

@@ -1,8 +1,6 @@
 using System;
-using FastPoints.Base;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Files
@@ -14,40 +12,35 @@ namespace FastPoints.Files
         const int MaxTileBytes = 64 << 10;
         const int MinWindowBytes = 1 << 20;
 
-        readonly LazReader m_reader;
+        readonly SourceHandle m_file;
+        readonly NativeFileRead m_read;
         readonly int m_tilePoints;
         readonly long m_maxBytesOfFirst;
         readonly long m_maxBytesOfPoint;
         readonly int m_windowBytes;
-        NativeArray<byte> m_window;
         NativeArray<byte> m_state;
         NativeArray<byte> m_tile;
-        NativeArray<ReadCommand> m_command;
         NativeReference<LazWalkStep> m_step;
-        ReadHandle m_read;
         JobHandle m_decode;
-        bool m_isReading;
 
         /// <summary>Offset of the window in the file.</summary>
         long m_windowStart;
         long m_windowEnd;
         long m_inputEnd;
 
-        public LazWalkStream(LazReader reader, LazFormat format)
+        public LazWalkStream(SourceHandle file, LazFormat format)
         {
-            m_reader = reader;
+            m_file = file;
             m_tilePoints = Math.Max(1, Math.Min(MaxTilePoints, MaxTileBytes / format.RecordBytes));
             m_maxBytesOfFirst = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 0);
             m_maxBytesOfPoint = PointwiseChunk.MaxInputBytes(format.Items, format.RecordBytes, 1) - m_maxBytesOfFirst;
             m_windowBytes = (int)Math.Max(MinWindowBytes, m_maxBytesOfFirst + m_tilePoints * m_maxBytesOfPoint);
-            m_window = new NativeArray<byte>(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent,
-                NativeArrayOptions.UninitializedMemory);
+            m_read = new NativeFileRead(m_windowBytes + RangeCode.PaddingBytes, Allocator.Persistent);
             // The state starts as zeros, so that checkpoints leave out what no model has written.
             m_state = new NativeArray<byte>((int)PointwiseChunk.StateBytes(format.Items), Allocator.Persistent);
             PointwiseChunk.Configure((PointwiseChunk*)m_state.GetUnsafePtr(), format.Items, format.RecordBytes);
             m_tile = new NativeArray<byte>(m_tilePoints * format.RecordBytes, Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
-            m_command = new NativeArray<ReadCommand>(1, Allocator.Persistent);
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
 
@@ -78,39 +71,16 @@ namespace FastPoints.Files
         {
             m_windowStart = FileOffset;
             m_windowEnd = Math.Min(m_inputEnd, FileOffset + m_windowBytes);
-            m_command[0] = new ReadCommand
-            {
-                Buffer = m_window.GetUnsafePtr(),
-                Offset = m_windowStart,
-                Size = m_windowEnd - m_windowStart,
-            };
-            m_read = AsyncReadManager.Read(m_reader.File, new ReadCommandArray
-            {
-                CommandCount = 1,
-                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
-            });
-            m_isReading = true;
-            return m_read.JobHandle;
+            return m_read.Begin(m_file, m_windowStart, (int)(m_windowEnd - m_windowStart));
         }
 
-        public void EndRead()
-        {
-            if (!m_isReading)
-                return;
-            m_isReading = false;
-            m_read.JobHandle.Complete();
-            var status = m_read.Status;
-            m_read.Dispose();
-            if (status != ReadStatus.Complete)
-                throw new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, m_windowStart,
-                    "the file could not be read, or has become shorter since it was opened");
-        }
+        public void EndRead() => m_read.End();
 
         public JobHandle Decode(int points)
         {
             m_decode = new WalkLazJob
             {
-                Input = m_window,
+                Input = m_read.Buffer,
                 State = m_state,
                 Tile = m_tile,
                 Result = m_step,
@@ -147,17 +117,9 @@ namespace FastPoints.Files
         public void Dispose()
         {
             m_decode.Complete();
-            if (m_isReading)
-            {
-                m_isReading = false;
-                m_read.Cancel();
-                m_read.JobHandle.Complete();
-                m_read.Dispose();
-            }
-            m_window.Dispose();
+            m_read.Dispose();
             m_state.Dispose();
             m_tile.Dispose();
-            m_command.Dispose();
             m_step.Dispose();
         }
     }

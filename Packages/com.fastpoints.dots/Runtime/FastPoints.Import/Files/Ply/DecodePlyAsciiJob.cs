@@ -15,17 +15,7 @@ namespace FastPoints.Files
         /// <summary>Not read-only: a line end is put behind the last byte, so that no loop has to check for the buffer's
         /// end.</summary>
         public NativeArray<byte> Input;
-        public long InputOffset;
-        public int InputBytes;
-
-        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
-        public int BlockBytes;
-        public bool ReachesFileEnd;
-        public bool StartsInRow;
-
-        /// <summary>Lines to skip first.</summary>
-        public int RowsBefore;
-        public int Points;
+        public AsciiRange Range;
         [ReadOnly] public NativeArray<PlyStep> Steps;
         [WriteOnly] public NativeArray<byte> Output;
         [WriteOnly] public NativeReference<DecodeResult> Result;
@@ -35,13 +25,13 @@ namespace FastPoints.Files
         {
             byte* input = (byte*)Input.GetUnsafePtr();
             byte* output = (byte*)Output.GetUnsafePtr();
-            byte* end = input + InputBytes;
-            byte* blockEnd = input + BlockBytes;
+            byte* end = input + Range.Bytes;
+            byte* blockEnd = input + Range.BlockBytes;
             *end = (byte)'\n';
-            byte* p = StartsInRow ? LineEnd(input) : input;
+            byte* p = Range.StartsInRow ? AsciiLines.LineEnd(input) : input;
             var result = default(DecodeResult);
             var anomalies = default(PlyAnomalies);
-            for (int row = -RowsBefore; row < Points; row++)
+            for (int row = -Range.RowsBefore; row < Range.Rows; row++)
             {
                 while (p < end && *p <= ' ')
                     p++;
@@ -53,8 +43,8 @@ namespace FastPoints.Files
                     error = Row(ref p, input, output, row, ref anomalies);
                 byte* at = p;
                 if (error != PlyError.Truncated)
-                    p = LineEnd(p);
-                if (p == end && row >= 0 && !ReachesFileEnd)
+                    p = AsciiLines.LineEnd(p);
+                if (p == end && row >= 0 && !Range.ReachesFileEnd)
                 {
                     error = PlyError.LineTooLong;
                     at = start;
@@ -62,7 +52,7 @@ namespace FastPoints.Files
                 if (error != PlyError.None)
                 {
                     result.Error = error;
-                    result.ErrorOffset = InputOffset + (at - input);
+                    result.ErrorOffset = Range.Offset + (at - input);
                     break;
                 }
                 if (row >= 0)
@@ -79,7 +69,7 @@ namespace FastPoints.Files
             for (int i = 0; i < steps; i++, step++)
             {
                 SkipBlanks(ref p);
-                if (IsLineEnd(*p))
+                if (AsciiLines.IsLineEnd(*p))
                     return PlyError.MissingValue;
                 if (step->Kind == PlyStepKind.Value)
                 {
@@ -101,12 +91,12 @@ namespace FastPoints.Files
                         byte* text = p;
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return PlyError.BadNumber;
-                        bool fits = AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, magnitude,
+                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude,
                             isNegative);
                         if (!fits || !isExact)
                         {
                             if (anomalies.Misfits++ == 0)
-                                anomalies.FirstMisfitOffset = InputOffset + (text - input);
+                                anomalies.FirstMisfitOffset = Range.Offset + (text - input);
                         }
                     }
                     continue;
@@ -129,32 +119,23 @@ namespace FastPoints.Files
                 for (; values > 0; values--)
                 {
                     SkipBlanks(ref p);
-                    if (IsLineEnd(*p))
+                    if (AsciiLines.IsLineEnd(*p))
                         return PlyError.MissingValue;
                     while (*p > ' ')
                         p++;
                 }
             }
             SkipBlanks(ref p);
-            if (!IsLineEnd(*p) && anomalies.LinesWithExtraValues++ == 0)
-                anomalies.FirstExtraOffset = InputOffset + (p - input);
+            if (!AsciiLines.IsLineEnd(*p) && anomalies.LinesWithExtraValues++ == 0)
+                anomalies.FirstExtraOffset = Range.Offset + (p - input);
             return PlyError.None;
         }
 
         static void SkipBlanks(ref byte* p)
         {
-            while (*p <= ' ' && !IsLineEnd(*p))
+            while (*p <= ' ' && !AsciiLines.IsLineEnd(*p))
                 p++;
         }
-
-        static byte* LineEnd(byte* p)
-        {
-            while (!IsLineEnd(*p))
-                p++;
-            return p;
-        }
-
-        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
     }
 
     /// <summary>What the jobs of the PLY reader report in <see cref="DecodeResult.Error"/>.</summary>
@@ -188,5 +169,16 @@ namespace FastPoints.Files
                     return "error " + error;
             }
         }
+    }
+
+    /// <summary>Anomalies that a decoding job met and that cost no point.</summary>
+    struct PlyAnomalies
+    {
+        /// <summary>Values that do not fit into their integer type.</summary>
+        public int Misfits;
+        public long FirstMisfitOffset;
+
+        public int LinesWithExtraValues;
+        public long FirstExtraOffset;
     }
 }

@@ -80,10 +80,10 @@ namespace FastPoints.Files
                     ((ushort*)column)[point] = (ushort)PlyBytes.Load(p, 2, IsBigEndian);
                     break;
                 case 4:
-                    ((uint*)column)[point] = IsBigEndian ? PlyBytes.Reverse(*(uint*)p) : *(uint*)p;
+                    ((uint*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(uint*)p) : *(uint*)p;
                     break;
                 default:
-                    ((ulong*)column)[point] = IsBigEndian ? PlyBytes.Reverse(*(ulong*)p) : *(ulong*)p;
+                    ((ulong*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(ulong*)p) : *(ulong*)p;
                     break;
             }
         }

@@ -10,22 +10,23 @@ namespace FastPoints.Files
     /// several lines, or several in one line, are not supported (nor are they by the usual readers).</summary>
     /// <remarks>A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found by counting lines
     /// once. A range reads its whole block; decoding stops at the range's end.</remarks>
-    sealed class PlyAsciiReader : PlyReader
+    sealed class PlyAsciiReader : StretchReader
     {
-        public const int MaxBlockBytes = 1 << 20;
+        const int MaxBlockBytes = 1 << 20;
 
-        /// <summary>The last line may extend this many bytes behind its block.</summary>
-        public const int MaxLineBytes = 64 << 10;
-
+        readonly PlyFile m_ply;
         readonly bool m_hasVerticesAlone;
-        PlyBlock[] m_blocks;
-        int m_maxPoints;
+
+        /// <summary>Lines before the first vertex's, as claimed.</summary>
+        readonly ulong m_rowsBefore;
         bool m_areAllFound;
         AsciiStretches m_stretches;
 
-        public PlyAsciiReader(PlyHeader header, SourceInfo info)
-            : base(header, info)
+        public PlyAsciiReader(PlyFile ply)
         {
+            Info = ply.Info;
+            m_ply = ply;
+            var header = ply.Header;
             m_hasVerticesAlone = true;
             for (int i = 0; i < header.Elements.Count; i++)
             {
@@ -33,11 +34,11 @@ namespace FastPoints.Files
                     continue;
                 m_hasVerticesAlone = false;
                 if (i < header.VertexIndex)
-                    RowsBefore = Sum(RowsBefore, header.Elements[i].Count);
+                    m_rowsBefore = Sum(m_rowsBefore, header.Elements[i].Count);
             }
-            if (Vertex.Count == 0)
+            if (ply.Vertex.Count == 0)
             {
-                Take(Array.Empty<PlyBlock>());
+                Info.PointsReadable = Blocks.Take(Array.Empty<StretchBlock>());
                 m_areAllFound = true;
             }
         }
@@ -47,74 +48,40 @@ namespace FastPoints.Files
         /// <summary>Whether vertices all over the file can be found by jumping: not if there are faces as well, whose lines look
         /// alike.</summary>
         public override bool HasPrefixes => !m_areAllFound && m_hasVerticesAlone
-            && Info.FileBytes - Header.DataOffset >= AsciiStretches.LeastBytes;
+            && Info.FileBytes - m_ply.Header.DataOffset >= AsciiStretches.LeastBytes;
 
         public override bool PrefixesAreSpread => true;
         public override int MaxPrefixes => AsciiStretches.Count;
-        public override int BlockCount => Found().Length;
-        public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
-
-        /// <summary>Lines before the first vertex's.</summary>
-        internal ulong RowsBefore { get; }
-
-        /// <summary>Lines up to the last vertex's, as claimed.</summary>
-        internal ulong RowsEnd => Sum(RowsBefore, Vertex.Count);
-
-        public override long FirstPointOfBlock(int block) => Found()[block].FirstPoint;
-
-        public override int PointsInBlock(int block) => Found()[block].Points;
-
-        public override long PlaceOfBlock(int block) => Found()[block].OffsetBytes;
-
-        public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
 
         public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
 
         public override IEnumerator<Work> FindPrefixes(int places)
         {
-            m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, Header.DataOffset);
+            m_stretches ??= new AsciiStretches(m_ply.Handle, Info.FileBytes, m_ply.Header.DataOffset);
             yield return Work.Of(m_stretches.Find(places));
-            Take(m_stretches.Blocks);
+            Info.PointsReadable = Blocks.Take(m_stretches.Blocks);
         }
 
         public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var scan = new AsciiRowScan(this, File, Header.DataOffset, MaxBlockBytes, RowsBefore, RowsEnd))
+            using (var scan = new AsciiRowScan(this, m_ply.Handle, m_ply.Header.DataOffset, MaxBlockBytes, m_rowsBefore,
+                Sum(m_rowsBefore, m_ply.Vertex.Count)))
             {
                 while (scan.Next(out var handle))
                     yield return handle;
-                SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
-                Take(scan.TakeBlocks());
+                m_ply.SettlePoints(scan.Points, Info.FileBytes, "the file ends before");
+                Info.PointsReadable = Blocks.Take(scan.TakeBlocks());
                 m_areAllFound = true;
-                ForgetBroken();
+                m_ply.ForgetBroken();
             }
         }
 
-        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
-        {
-            Found();
-            return new PlyAsciiRead(this, wanted, capacity, allocator);
-        }
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new PlyRead(this, m_ply, Blocks, wanted, capacity, allocator);
 
-        internal PlyBlock Block(int block) => m_blocks[block];
-
-        internal List<PlyStep> Steps(PointBatch batch) => PlyPlan.Decoding(Vertex, Names, batch);
-
-        void Take(PlyBlock[] blocks)
-        {
-            m_blocks = blocks;
-            m_maxPoints = 0;
-            Info.PointsReadable = 0;
-            foreach (var block in blocks)
-            {
-                m_maxPoints = Math.Max(m_maxPoints, block.Points);
-                Info.PointsReadable += block.Points;
-            }
-        }
-
-        PlyBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+        public override void CloseFile() => m_ply.Handle.Close();
 
         static ulong Sum(ulong a, ulong b) => a <= ulong.MaxValue - b ? a + b : ulong.MaxValue;
     }

@@ -5,10 +5,6 @@ namespace FastPoints.Files
     /// <summary>Loads values of either byte order. Unity runs on little-endian machines only. HPC#.</summary>
     static class PlyBytes
     {
-        public static uint Reverse(uint v) => v >> 24 | (v >> 8 & 0xFF00) | (v << 8 & 0xFF0000) | v << 24;
-
-        public static ulong Reverse(ulong v) => (ulong)Reverse((uint)v) << 32 | Reverse((uint)(v >> 32));
-
         /// <summary>Loads an integer of 1, 2, 4 or 8 bytes as its bits, without extending its sign.</summary>
         public static unsafe ulong Load(byte* p, int bytes, bool isBigEndian)
         {

@@ -12,19 +12,19 @@ namespace FastPoints.Files
     {
         const int WindowBytes = 4 << 20;
 
-        readonly PlyReader m_reader;
+        readonly PlyFile m_ply;
         readonly NativeFileRead m_read;
         NativeArray<PlyWalkElement> m_elements;
         NativeArray<PlyStep> m_steps;
         NativeReference<PlyWalkState> m_state;
-        NativeList<PlyBlock> m_blocks;
+        NativeList<StretchBlock> m_blocks;
         JobHandle m_walked;
 
         /// <param name="isIndexing">Whether the vertices are walked, too, and gathered into blocks.</param>
-        public PlyElementWalk(PlyReader reader, bool isIndexing)
+        public PlyElementWalk(PlyFile ply, bool isIndexing)
         {
-            m_reader = reader;
-            var header = reader.Header;
+            m_ply = ply;
+            var header = ply.Header;
             int count = header.VertexIndex + (isIndexing ? 1 : 0);
             var elements = new PlyWalkElement[count];
             var steps = new List<PlyStep>();
@@ -41,19 +41,18 @@ namespace FastPoints.Files
                 };
                 steps.AddRange(passing);
             }
-            long window = Math.Min(WindowBytes, reader.Info.FileBytes);
-            m_read = new NativeFileRead(reader.Info.Path, reader.File, window, Allocator.Persistent);
+            m_read = new NativeFileRead(Math.Min(WindowBytes, ply.Info.FileBytes), Allocator.Persistent);
             m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
             m_steps = new NativeArray<PlyStep>(steps.ToArray(), Allocator.Persistent);
             m_state = new NativeReference<PlyWalkState>(new PlyWalkState { Position = header.DataOffset }, Allocator.Persistent);
-            m_blocks = new NativeList<PlyBlock>(16, Allocator.Persistent);
+            m_blocks = new NativeList<StretchBlock>(16, Allocator.Persistent);
         }
 
         /// <summary>The progress of the walk. Do not read it while a job is in flight.</summary>
         public PlyWalkState State => m_state.Value;
 
         /// <summary>The blocks so far. Do not call this while a job is in flight.</summary>
-        public PlyBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
+        public StretchBlock[] TakeBlocks() => m_blocks.AsArray().ToArray();
 
         /// <summary>Closes the previous window, whose handle must be complete, and starts the next.</summary>
         /// <returns>Whether there was a next one.</returns>
@@ -65,9 +64,9 @@ namespace FastPoints.Files
             handle = default;
             if (state.IsDone)
                 return false;
-            long offset = Math.Min(state.Position, m_reader.Info.FileBytes);
-            int bytes = (int)Math.Min(WindowBytes, m_reader.Info.FileBytes - offset);
-            var read = m_read.Begin(offset, bytes);
+            long offset = Math.Min(state.Position, m_ply.Info.FileBytes);
+            int bytes = (int)Math.Min(WindowBytes, m_ply.Info.FileBytes - offset);
+            var read = m_read.Begin(m_ply.Handle, offset, bytes);
             m_walked = new WalkPlyElementsJob
             {
                 Input = m_read.Buffer,
@@ -75,8 +74,8 @@ namespace FastPoints.Files
                 Steps = m_steps,
                 InputOffset = offset,
                 InputBytes = bytes,
-                FileBytes = m_reader.Info.FileBytes,
-                IsBigEndian = m_reader.Header.Encoding == PlyEncoding.BinaryBigEndian,
+                FileBytes = m_ply.Info.FileBytes,
+                IsBigEndian = m_ply.IsBigEndian,
                 State = m_state,
                 Blocks = m_blocks,
             }.Schedule(read);
@@ -93,38 +92,5 @@ namespace FastPoints.Files
             m_state.Dispose();
             m_blocks.Dispose();
         }
-    }
-
-    /// <summary>An element to walk through. Blittable: jobs carry arrays of these.</summary>
-    struct PlyWalkElement
-    {
-        public ulong Count;
-
-        /// <summary>Bytes of one instance, or -1 if lists make it vary.</summary>
-        public int FixedBytes;
-        public int FirstStep;
-        public int Steps;
-
-        /// <summary>Whether its instances are the points, to be gathered into blocks.</summary>
-        public bool IsIndexed;
-    }
-
-    /// <summary>Progress of a walk through a binary file's elements, which can stop at any step and continue there.</summary>
-    struct PlyWalkState
-    {
-        /// <summary>Offset of the next step in the file. It may lie behind what was read: lists are skipped.</summary>
-        public long Position;
-        public int Element;
-        public ulong Instance;
-        public int Step;
-
-        public long InstanceStart;
-        public long BlockStart;
-        public int BlockPoints;
-        public long PointsInBlocks;
-
-        public int Error;
-        public long ErrorOffset;
-        public bool IsDone;
     }
 }

@@ -9,29 +9,32 @@ namespace FastPoints.Files
     /// <summary>A binary PLY file whose vertices have no lists: records of one length, any of which can be read alone.</summary>
     /// <remarks>If an element before the vertices has lists, finding their first byte takes a walk through that
     /// element.</remarks>
-    sealed class PlyFixedReader : PlyReader
+    sealed class PlyFixedReader : PointReader
     {
         const int MaxBlockPoints = 32768;
 
         /// <summary>Records of many properties come in shorter blocks, so that a slot's memory stays small.</summary>
         const int MaxBlockBytes = 4 << 20;
 
+        readonly PlyFile m_ply;
         readonly int m_recordBytes;
         readonly int m_blockPoints;
-        long m_dataOffset;
+        FixedRecords m_records;
         long m_points = -1;
 
-        public PlyFixedReader(PlyHeader header, SourceInfo info)
-            : base(header, info)
+        public PlyFixedReader(PlyFile ply)
         {
-            m_recordBytes = Vertex.FixedBytes;
+            Info = ply.Info;
+            m_ply = ply;
+            m_recordBytes = ply.Vertex.FixedBytes;
+            var header = ply.Header;
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / m_recordBytes));
             long offset = header.DataOffset;
             for (int i = 0; i < header.VertexIndex; i++)
             {
                 if (header.Elements[i].HasLists)
                     return;
-                offset = header.Elements[i].EndOfFixed(offset, info.FileBytes);
+                offset = header.Elements[i].EndOfFixed(offset, Info.FileBytes);
             }
             StartAt(offset, null);
         }
@@ -41,8 +44,6 @@ namespace FastPoints.Files
         public override bool HasRunReads => true;
         public override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Found());
         public override int BlockCount => (int)((Found() + m_blockPoints - 1) / m_blockPoints);
-        internal bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;
-        internal int RecordBytes => m_recordBytes;
 
         public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
 
@@ -50,13 +51,11 @@ namespace FastPoints.Files
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * m_recordBytes;
 
-        internal long OffsetOfPoint(long point) => m_dataOffset + point * m_recordBytes;
-
         public override IEnumerator<Work> FindBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
-            using (var walk = new PlyElementWalk(this, false))
+            using (var walk = new PlyElementWalk(m_ply, false))
             {
                 while (walk.Next(out var handle))
                     yield return handle;
@@ -69,35 +68,43 @@ namespace FastPoints.Files
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
             Found();
-            return new PlyFixedRead(this, wanted, capacity, allocator);
+            return new RecordRead(this, m_records, wanted, capacity, allocator);
         }
 
         internal override RunRead CreateRunRead(PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
             Found();
-            return new PlyRunRead(this, target, maxRuns, maxBytes, allocator);
+            return new RunRead(m_records, target, maxRuns, maxBytes, allocator);
         }
 
-        internal List<PlyStep> Steps(PointBatch batch) => PlyPlan.Decoding(Vertex, Names, batch);
+        public override void CloseFile() => m_ply.Handle.Close();
 
         void StartAt(long offset, string why)
         {
             long room = Math.Max(0, Info.FileBytes - offset) / m_recordBytes;
-            long points = Vertex.Count < (ulong)room ? (long)Vertex.Count : room;
-            SettlePoints(points, Info.FileBytes, why ?? "the file ends before (" + m_recordBytes + " bytes each, from byte " +
-                offset + ")");
-            m_dataOffset = offset;
+            long points = m_ply.Vertex.Count < (ulong)room ? (long)m_ply.Vertex.Count : room;
+            m_ply.SettlePoints(points, Info.FileBytes, why ?? "the file ends before (" + m_recordBytes + " bytes each, from " +
+                "byte " + offset + ")");
+            var fields = new PointFields();
+            int at = 0;
+            for (int i = 0; i < m_ply.Names.Length; i++)
+            {
+                var type = m_ply.Vertex.Properties[i].Type;
+                fields.Add(new PointField(m_ply.Names[i], type, at));
+                at += type.SizeOf();
+            }
+            m_records = new FixedRecords(m_ply.Handle, fields, offset, m_recordBytes, m_ply.IsBigEndian);
             m_points = points;
             WarnTrailingBytes(offset);
         }
 
         void WarnTrailingBytes(long offset)
         {
-            for (int i = Header.VertexIndex; i < Header.Elements.Count; i++)
+            for (int i = m_ply.Header.VertexIndex; i < m_ply.Header.Elements.Count; i++)
             {
-                if (Header.Elements[i].HasLists)
+                if (m_ply.Header.Elements[i].HasLists)
                     return;
-                offset = Header.Elements[i].EndOfFixed(offset, Info.FileBytes);
+                offset = m_ply.Header.Elements[i].EndOfFixed(offset, Info.FileBytes);
             }
             if (offset < Info.FileBytes)
                 Info.Warn(offset, (Info.FileBytes - offset) + " bytes behind the last element: they are left out");

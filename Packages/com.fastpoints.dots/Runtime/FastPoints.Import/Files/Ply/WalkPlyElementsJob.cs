@@ -27,7 +27,7 @@ namespace FastPoints.Files
         public bool IsBigEndian;
 
         public NativeReference<PlyWalkState> State;
-        public NativeList<PlyBlock> Blocks;
+        public NativeList<StretchBlock> Blocks;
 
         public void Execute()
         {
@@ -112,7 +112,7 @@ namespace FastPoints.Files
         {
             if (state.BlockPoints == 0)
                 return;
-            Blocks.Add(new PlyBlock
+            Blocks.Add(new StretchBlock
             {
                 OffsetBytes = state.BlockStart,
                 Bytes = (int)(end - state.BlockStart),
@@ -131,5 +131,38 @@ namespace FastPoints.Files
             state.IsDone = true;
             return false;
         }
+    }
+
+    /// <summary>An element to walk through. Blittable: jobs carry arrays of these.</summary>
+    struct PlyWalkElement
+    {
+        public ulong Count;
+
+        /// <summary>Bytes of one instance, or -1 if lists make it vary.</summary>
+        public int FixedBytes;
+        public int FirstStep;
+        public int Steps;
+
+        /// <summary>Whether its instances are the points, to be gathered into blocks.</summary>
+        public bool IsIndexed;
+    }
+
+    /// <summary>Progress of a walk through a binary file's elements, which can stop at any step and continue there.</summary>
+    struct PlyWalkState
+    {
+        /// <summary>Offset of the next step in the file. It may lie behind what was read: lists are skipped.</summary>
+        public long Position;
+        public int Element;
+        public ulong Instance;
+        public int Step;
+
+        public long InstanceStart;
+        public long BlockStart;
+        public int BlockPoints;
+        public long PointsInBlocks;
+
+        public int Error;
+        public long ErrorOffset;
+        public bool IsDone;
     }
 }

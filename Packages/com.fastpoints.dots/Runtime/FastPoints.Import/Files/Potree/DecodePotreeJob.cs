@@ -12,7 +12,7 @@ namespace FastPoints.Files
     unsafe struct DecodePotreeJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
-        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
         public NativeReference<DecodeResult> Result;
         public PotreeSpecialColumns Special;
@@ -29,7 +29,7 @@ namespace FastPoints.Files
         {
             byte* records = (byte*)Records.GetUnsafeReadOnlyPtr() + (long)First * RecordBytes;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            LasRecords.ToColumns(records, RecordBytes, Count, (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
+            PointRecords.ToColumns(records, RecordBytes, Count, (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length,
                 columns, First);
             var result = First == 0 ? default : Result.Value;
             for (int axis = 0; axis < 3; axis++)

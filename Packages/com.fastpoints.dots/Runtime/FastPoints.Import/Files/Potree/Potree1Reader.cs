@@ -50,7 +50,9 @@ namespace FastPoints.Files
         readonly double m_scale;
         readonly int m_stepSize;
         readonly PotreeLayout m_layout;
-        readonly LasFile m_las;
+
+        /// <summary>A file like those of the nodes, if they are LAS or LAZ, and the format if they are LAZ.</summary>
+        readonly (LasFile Las, LazFormat Laz) m_like;
         readonly List<(string Name, long Points)> m_listed;
         readonly Queue<Parent> m_parents = new Queue<Parent>();
 
@@ -64,12 +66,11 @@ namespace FastPoints.Files
         Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasFile las,
             LazFormat laz, List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
         {
-            Laz = laz;
+            m_like = (las, laz);
             m_files = files;
             m_scale = index.Scale;
             m_stepSize = index.StepSize;
             m_layout = layout;
-            m_las = las;
             m_listed = listed;
             if (listed == null)
                 Pages.Add(default);
@@ -131,15 +132,9 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
-        /// <summary>The header of the nodes, if they are LAS or LAZ: all must have these positions and attributes.</summary>
-        internal LasFile Las => m_las;
-
-        /// <summary>The format of the nodes, if they are LAZ; otherwise null.</summary>
-        internal LazFormat Laz { get; }
-
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
-            : new PotreeLasRead(this, wanted, capacity, allocator);
+            : new PotreeLasRead(this, m_like, wanted, capacity, allocator);
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -210,7 +205,7 @@ namespace FastPoints.Files
                 // Without the first page there is no tree at all.
                 if (page.Root.w == 0)
                     throw read.Problem;
-                Statistics.Add("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
+                Warnings.Add("the hierarchy below it is not there", PotreeNames.NameOf(page.Root.w, page.Root.xyz),
                     read.Problem.Message);
                 return;
             }
@@ -257,7 +252,7 @@ namespace FastPoints.Files
                     continue;
                 if (m_recordAt + RecordBytes > m_records.Length)
                 {
-                    Statistics.Add("the hierarchy that begins with it ends early",
+                    Warnings.Add("the hierarchy that begins with it ends early",
                         PotreeNames.NameOf(m_page.Root.w, m_page.Root.xyz), "wanted child " + NumberText.Of(child) + " of " +
                         PotreeNames.NameOf(parent.Level, parent.Cell), m_recordAt, m_records.Path);
                     m_parents.Clear();
@@ -278,7 +273,7 @@ namespace FastPoints.Files
                 if (mask == 0)
                     continue;
                 if (level == MaxLevels)
-                    Statistics.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell));
+                    Warnings.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell));
                 else if (level == m_page.Root.w + m_stepSize)
                     Pages.Add(new int4(cell, level));
                 else
@@ -327,23 +322,22 @@ namespace FastPoints.Files
                 Add(node);
         }
 
-        /// <summary>Adds a node with the points that its file has.</summary>
         void Add(in Potree1Node node)
         {
             string name = PotreeNames.NameOf(node.Level, node.Cell);
             long points = 0;
             PointsClaimed += node.Claimed;
             if (node.Bytes < 0 && node.Claimed > 0)
-                Statistics.Add("its file is missing: its points are left out", name, "wanted " + NumberText.Of(node.Claimed), -1,
+                Warnings.Add("its file is missing: its points are left out", name, "wanted " + NumberText.Of(node.Claimed), -1,
                     node.Path);
             if (node.Problem != null)
-                Statistics.Add("its file cannot be read: its points are left out", name, node.Problem);
+                Warnings.Add("its file cannot be read: its points are left out", name, node.Problem);
             if (node.Bytes > 0)
             {
                 Info.FileBytes += node.Bytes;
                 points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
                 if (points != node.Claimed || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
-                    Statistics.Add("its file does not hold what the hierarchy says", name,
+                    Warnings.Add("its file does not hold what the hierarchy says", name,
                         "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
                             : " and " + NumberText.Of(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
             }

@@ -40,9 +40,8 @@ namespace FastPoints.Files
 
         readonly string m_hierarchyPath;
         readonly long m_hierarchyBytes;
-        readonly string m_octreePath;
         readonly long m_octreeBytes;
-        FileHandle m_octree;
+        readonly SourceHandle m_octree;
         readonly PotreeLayout m_layout;
         readonly Queue<(int Level, int3 Cell)> m_nodesOfPage = new Queue<(int, int3)>();
         ByteReader m_records;
@@ -54,7 +53,6 @@ namespace FastPoints.Files
         long m_nodesLost;
         long m_octreeBytesClaimed;
         bool m_isPageRoot;
-        bool m_isOpen;
 
         Potree2Reader(Potree2Index index, string hierarchyPath, long hierarchyBytes, long octreeBytes)
             : base(index.Info, index.Cube, index.Spacing)
@@ -63,7 +61,7 @@ namespace FastPoints.Files
             m_hierarchyBytes = hierarchyBytes;
             m_layout = index.Layout;
             IsBrotli = index.IsBrotli;
-            m_octreePath = Path.GetFullPath(BesideIndex(index.Info.Path, OctreeName));
+            m_octree = new SourceHandle(Path.GetFullPath(BesideIndex(index.Info.Path, OctreeName)));
             m_octreeBytes = octreeBytes;
             m_recordsLeft = hierarchyBytes / RecordBytes;
             m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
@@ -108,19 +106,6 @@ namespace FastPoints.Files
 
         internal override PotreeLayout Layout => m_layout;
 
-        /// <summary>The handle, opened when a block is read: on the main thread, like all handles, since threads of the pool open
-        /// readers.</summary>
-        ref readonly FileHandle Octree
-        {
-            get
-            {
-                if (!m_isOpen)
-                    m_octree = AsyncReadManager.OpenFileAsync(m_octreePath);
-                m_isOpen = true;
-                return ref m_octree;
-            }
-        }
-
         bool HasPoints => m_octreeBytes >= 0;
 
         /// <exception cref="PointCloudException">NotFound if octree.bin does not exist.</exception>
@@ -137,21 +122,15 @@ namespace FastPoints.Files
         public override string FileOfBlock(int block, out long byteOffset)
         {
             byteOffset = Block(block).Offset;
-            return m_octreePath;
+            return m_octree.Path;
         }
 
         internal override JobHandle BeginRead(NativeFileRead read, int block, long offset, int bytes) =>
-            read.Begin(Octree, offset, bytes);
+            read.Begin(m_octree, offset, bytes);
 
         internal override int3 ShiftOf(int block) => default;
 
-        public override void CloseFile()
-        {
-            if (!m_isOpen)
-                return;
-            m_isOpen = false;
-            m_octree.Close().Complete();
-        }
+        public override void CloseFile() => m_octree.Close();
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsWhole || !Pages.TryPeek(node, levels, out _);
 
@@ -220,7 +199,7 @@ namespace FastPoints.Files
             m_nodesLost += m_nodesOfPage.Count;
             m_nodesOfPage.Clear();
             if (m_nodesLost > 0)
-                Statistics.Add("the page of the hierarchy that begins with it ends early",
+                Warnings.Add("the page of the hierarchy that begins with it ends early",
                     PotreeNames.NameOf(m_pageRoot.w, m_pageRoot.xyz),
                     NumberText.Of(m_nodesLost) + " nodes and what lies below them are left out", m_pageOffset, m_hierarchyPath);
             m_nodesLost = 0;
@@ -254,7 +233,7 @@ namespace FastPoints.Files
             }
             Add(level, cell, points, offset, bytes, where);
             if (mask != 0 && level == MaxLevels)
-                Statistics.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
+                Warnings.Add("has children below the deepest level that is read", PotreeNames.NameOf(level, cell), null, where,
                     m_hierarchyPath);
             // The list is limited to what the page can have records for, so that false masks take no memory.
             long room = (m_pageEnd - where) / RecordBytes - 1;
@@ -272,7 +251,7 @@ namespace FastPoints.Files
             bool isInFile = offset >= 0 && bytes >= RecordBytes && offset <= m_hierarchyBytes - RecordBytes;
             if (!isInFile || isPageRoot || m_recordsLeft <= 0)
             {
-                Statistics.Add("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
+                Warnings.Add("the page of the hierarchy that it hangs on is not there", PotreeNames.NameOf(level, cell),
                     "wanted " + NumberText.Of(bytes) + " bytes at byte " + NumberText.Of(offset)
                         + (isPageRoot ? ", which is itself" : ""), where,
                     m_hierarchyPath);
@@ -289,7 +268,7 @@ namespace FastPoints.Files
             PointsClaimed += points;
             string problem = points > 0 ? FindProblem(ref points, offset, bytes) : null;
             if (problem != null)
-                Statistics.Add("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
+                Warnings.Add("its points cannot be as the hierarchy says", PotreeNames.NameOf(level, cell), problem, where,
                     m_hierarchyPath);
             if (points > 0 && HasPoints)
                 m_octreeBytesClaimed += bytes;

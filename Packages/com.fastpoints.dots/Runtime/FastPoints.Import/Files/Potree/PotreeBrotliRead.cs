@@ -31,7 +31,7 @@ namespace FastPoints.Files
         readonly List<Part> m_parts = new List<Part>();
         readonly PotreeSpecialColumns m_special;
         readonly DecompressorHandle m_decompressor;
-        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<FieldCopy> m_copies;
         NativeArray<byte> m_tile;
         NativeReference<DecompressState> m_state;
 
@@ -39,15 +39,15 @@ namespace FastPoints.Files
             : base(reader, wanted, capacity, reader.MaxBytesPerBlock(), allocator)
         {
             m_special = PotreeSpecialColumns.Of(reader.Layout, Points);
-            m_copies = new NativeArray<LasFieldCopy>(PlanParts().ToArray(), allocator);
+            m_copies = new NativeArray<FieldCopy>(PlanParts().ToArray(), allocator);
             m_tile = new NativeArray<byte>(TileBytes, allocator, NativeArrayOptions.UninitializedMemory);
             m_state = new NativeReference<DecompressState>(allocator);
             m_decompressor = new DecompressorHandle(Decompressors.Brotli());
         }
 
-        List<LasFieldCopy> PlanParts()
+        List<FieldCopy> PlanParts()
         {
-            var copies = new List<LasFieldCopy>();
+            var copies = new List<FieldCopy>();
             var attributes = Reader.Layout.Attributes;
             for (int i = 0; i < attributes.Count; i++)
             {

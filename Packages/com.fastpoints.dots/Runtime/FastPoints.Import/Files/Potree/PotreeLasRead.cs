@@ -9,18 +9,22 @@ namespace FastPoints.Files
     /// chain of slices as far as the range goes.</summary>
     sealed class PotreeLasRead : SlotRead
     {
-        readonly Potree1Reader m_reader;
+        readonly PotreeReader m_reader;
+        readonly (LasFile Las, LazFormat Laz) m_like;
         readonly LazFileDecoding m_decoding;
         readonly NativeFileRead m_file;
 
-        public PotreeLasRead(Potree1Reader reader, PointSchema wanted, int capacity, Allocator allocator)
+        /// <param name="like">A file like those of the nodes.</param>
+        public PotreeLasRead(PotreeReader reader, (LasFile Las, LazFormat Laz) like, PointSchema wanted, int capacity,
+            Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
             m_reader = reader;
-            m_file = new NativeFileRead(reader.Info.Path, default, 0, allocator);
+            m_like = like;
+            m_file = new NativeFileRead(0, allocator);
             try
             {
-                m_decoding = new LazFileDecoding(reader.Las, reader.Laz, Points, allocator);
+                m_decoding = new LazFileDecoding(like.Las, like.Laz, Points, allocator);
             }
             catch (ArgumentException)
             {
@@ -33,7 +37,7 @@ namespace FastPoints.Files
         {
             int bytes = (int)m_reader.Block(range.Block).Bytes;
             m_file.Reserve((long)bytes + RangeCode.PaddingBytes);
-            var read = m_file.Begin(m_reader.PathOf(range.Block), 0, bytes);
+            var read = m_file.Begin(m_reader.FileOfBlock(range.Block, out _), 0, bytes);
             return m_decoding.Schedule(m_file.Buffer, bytes, range.First, range.Count, true, Points, Result, read);
         }
 
@@ -49,8 +53,8 @@ namespace FastPoints.Files
         {
             if (result.Error == LazError.NoChunk)
                 m_reader.WarnBroken(Range.Block, "its file is not what the other nodes' are: its points are left out",
-                    "wanted point format " + m_reader.Las.Header.PointFormat + " in records of " +
-                    m_reader.Las.Header.RecordBytes + " bytes, " + (m_reader.Laz == null ? "LAS" : "LAZ"), 0);
+                    "wanted point format " + m_like.Las.Header.PointFormat + " in records of " +
+                    m_like.Las.Header.RecordBytes + " bytes, " + (m_like.Laz == null ? "LAS" : "LAZ"), 0);
             else if (result.Error == LazError.OffGrid)
                 m_reader.WarnBroken(Range.Block, "its positions do not lie on the cloud's grid: they are left out from there",
                     "wanted its scale, and places within 32 bits", result.ErrorOffset);

@@ -17,7 +17,7 @@ namespace FastPoints.Files
             Reader = reader;
             try
             {
-                File = new NativeFileRead(reader.Info.Path, default, inputBytes, allocator);
+                File = new NativeFileRead(inputBytes, allocator);
             }
             catch (ArgumentException)
             {
@@ -61,18 +61,20 @@ namespace FastPoints.Files
         /// <summary>Plans the passes that copy the wanted plain columns out of records.</summary>
         /// <param name="isTaken">Whether a column's attribute is copied.</param>
         /// <param name="recordStart">Offset in the cloud's record at which the records begin.</param>
-        protected LasFieldCopy[] PlanCopies(Func<PotreeAttribute, bool> isTaken, int recordStart)
+        protected FieldCopy[] PlanCopies(Func<PotreeAttribute, bool> isTaken, int recordStart)
         {
-            var fields = new List<LasField>();
+            var fields = new List<PointField>();
             var columns = new List<PointColumn>();
             for (int i = 0; i < Points.Schema.Count; i++)
             {
                 if (!isTaken(Reader.Layout.Attributes[Reader.Layout.AttributeOf(Points.Schema[i])]))
                     continue;
-                fields.Add(Reader.Layout.FieldOf(Points.Schema[i].Name).MovedBy(-recordStart));
+                var field = Reader.Layout.FieldOf(Points.Schema[i]);
+                field.ByteOffset -= recordStart;
+                fields.Add(field);
                 columns.Add(Points.Column(i));
             }
-            return LasCopyPlan.Make(fields.ToArray(), columns.ToArray());
+            return FieldCopyPlan.Make(fields.ToArray(), columns.ToArray());
         }
     }
 

@@ -42,7 +42,7 @@ namespace FastPoints.Files
         private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing)
         {
             Info = info;
-            Statistics = new PotreeWarnings(info);
+            Warnings = new PotreeWarnings(info);
             m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
         }
 
@@ -54,7 +54,7 @@ namespace FastPoints.Files
 
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
 
-        private protected PotreeWarnings Statistics { get; }
+        private protected PotreeWarnings Warnings { get; }
 
         /// <summary>Points according to the hierarchy, as far as it has been read.</summary>
         private protected long PointsClaimed { get; set; }
@@ -161,7 +161,7 @@ namespace FastPoints.Files
         internal void WarnBroken(int block, string kind, string detail, long byteOffset)
         {
             if (m_toldBlocks.Add(block))
-                Statistics.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
+                Warnings.Add(kind, NameOf(block), detail, byteOffset, FileOfBlock(block, out _));
         }
 
         public override void DisposeUnread() => m_tree.Dispose();

@@ -12,13 +12,13 @@ namespace FastPoints.Files
         const int SlicePoints = 1 << 17;
 
         readonly PotreeSpecialColumns m_special;
-        NativeArray<LasFieldCopy> m_copies;
+        NativeArray<FieldCopy> m_copies;
 
         public PotreeRecordRead(PotreeNodeReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, (long)capacity * reader.Layout.RecordBytes, allocator)
         {
             m_special = PotreeSpecialColumns.Of(reader.Layout, Points);
-            m_copies = new NativeArray<LasFieldCopy>(PlanCopies(attribute => !attribute.IsPackedNormal, 0), allocator);
+            m_copies = new NativeArray<FieldCopy>(PlanCopies(attribute => !attribute.IsPackedNormal, 0), allocator);
         }
 
         protected override JobHandle Schedule(BlockRange range, in PotreeBlock block)

@@ -17,7 +17,7 @@ namespace FastPoints.Files
         public const int ColorBytes = 8;
 
         [ReadOnly] public NativeArray<byte> Tile;
-        [ReadOnly] public NativeArray<LasFieldCopy> Copies;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
         [ReadOnly] public NativeReference<DecompressState> State;
         public NativeArray<byte> Columns;
         public PotreeSpecialColumns Special;
@@ -39,13 +39,13 @@ namespace FastPoints.Files
                 return;
             byte* from = (byte*)Tile.GetUnsafeReadOnlyPtr() + (long)FirstInTile * BytesPerPoint;
             byte* columns = (byte*)Columns.GetUnsafePtr();
-            var copies = (LasFieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy;
+            var copies = (FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + FirstCopy;
             if (Kind == PotreeAttributeKind.Position)
                 SpreadPositions((ulong*)from, columns);
             else if (Kind == PotreeAttributeKind.Color)
                 SpreadColors((ulong*)from, copies, columns);
             else if (CopyCount > 0)
-                LasRecords.ToColumns(from, BytesPerPoint, Count, copies, CopyCount, columns, First);
+                PointRecords.ToColumns(from, BytesPerPoint, Count, copies, CopyCount, columns, First);
             else
                 Special.DecodeNormals(from, BytesPerPoint, Count, columns, First);
         }
@@ -72,7 +72,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Spreads colours as tiles of records, which the plan's copies take apart.</summary>
-        void SpreadColors(ulong* codes, LasFieldCopy* copies, byte* columns)
+        void SpreadColors(ulong* codes, FieldCopy* copies, byte* columns)
         {
             const int TilePoints = 256;
             ushort* records = stackalloc ushort[3 * TilePoints];
@@ -86,7 +86,7 @@ namespace FastPoints.Files
                     records[3 * i + 1] = (ushort)green;
                     records[3 * i + 2] = (ushort)blue;
                 }
-                LasRecords.ToColumns((byte*)records, 6, count, copies, CopyCount, columns, First + first);
+                PointRecords.ToColumns((byte*)records, 6, count, copies, CopyCount, columns, First + first);
             }
         }
     }

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Unity.Collections;
-using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Jobs.LowLevel.Unsafe;
 
@@ -20,12 +19,13 @@ namespace FastPoints.Files
             public bool IsBusy;
         }
 
+        readonly SourceHandle m_file;
         readonly long m_fileBytes;
         readonly int m_blockBytes;
         readonly ulong m_rowsBefore;
         readonly ulong m_rowsEnd;
         readonly Slot[] m_slots;
-        readonly List<PlyBlock> m_blocks = new List<PlyBlock>();
+        readonly List<StretchBlock> m_blocks = new List<StretchBlock>();
         long m_offset;
         int m_oldest;
         ulong m_rows;
@@ -36,10 +36,11 @@ namespace FastPoints.Files
         /// <param name="blockBytes">Bytes of a stretch.</param>
         /// <param name="rowsBefore">Leading lines that are not points.</param>
         /// <param name="rowsEnd">Lines up to the last point's; a number beyond the file's for all.</param>
-        public AsciiRowScan(PointReader reader, FileHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
+        public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;
             int mostJobs = reader.MostJobs;
+            m_file = file;
             m_fileBytes = fileBytes;
             m_blockBytes = blockBytes;
             m_rowsBefore = rowsBefore;
@@ -51,7 +52,7 @@ namespace FastPoints.Files
             for (int i = 0; i < m_slots.Length; i++)
                 m_slots[i] = new Slot
                 {
-                    Read = new NativeFileRead(reader.Info.Path, file, bytes, Allocator.Persistent),
+                    Read = new NativeFileRead(bytes, Allocator.Persistent),
                     Count = new NativeReference<AsciiRowCount>(Allocator.Persistent),
                 };
         }
@@ -59,7 +60,7 @@ namespace FastPoints.Files
         /// <summary>Number of points found.</summary>
         public long Points { get; private set; }
 
-        public PlyBlock[] TakeBlocks() => m_blocks.ToArray();
+        public StretchBlock[] TakeBlocks() => m_blocks.ToArray();
 
         /// <summary>Takes in the oldest stretch, whose handle must be complete, and keeps all slots at work.</summary>
         /// <returns>Whether there is a stretch to wait for.</returns>
@@ -86,7 +87,7 @@ namespace FastPoints.Files
         void Start(Slot slot)
         {
             int bytes = (int)Math.Min(m_blockBytes, m_fileBytes - m_offset);
-            var read = slot.Read.Begin(m_offset, bytes);
+            var read = slot.Read.Begin(m_file, m_offset, bytes);
             slot.Counted = new CountAsciiRowsJob { Input = slot.Read.Buffer, Bytes = bytes, Result = slot.Count }.Schedule(read);
             slot.IsBusy = true;
             m_offset += bytes;
@@ -104,7 +105,7 @@ namespace FastPoints.Files
             int points = (int)Math.Min(rows - before, left);
             if (points > 0)
             {
-                m_blocks.Add(new PlyBlock
+                m_blocks.Add(new StretchBlock
                 {
                     OffsetBytes = slot.Read.Offset,
                     Bytes = slot.Read.Bytes,

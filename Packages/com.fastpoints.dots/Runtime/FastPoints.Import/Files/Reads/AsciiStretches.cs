@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Base;
 using Unity.Collections;
-using Unity.IO.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Files
@@ -27,19 +26,17 @@ namespace FastPoints.Files
 
         const uint OrderSeed = 1;
 
-        readonly string m_path;
-        readonly FileHandle m_file;
+        readonly SourceHandle m_file;
         readonly long m_offset;
         readonly long m_bytes;
-        readonly List<PlyBlock> m_blocks = new List<PlyBlock>();
+        readonly List<StretchBlock> m_blocks = new List<StretchBlock>();
         readonly int[] m_rowsOfPart = new int[Count];
         long m_points;
         int m_found;
 
         /// <param name="offset">Offset of the first line; lines continue to the file's end.</param>
-        public AsciiStretches(string path, FileHandle file, long fileBytes, long offset)
+        public AsciiStretches(SourceHandle file, long fileBytes, long offset)
         {
-            m_path = path;
             m_file = file;
             m_offset = offset;
             m_bytes = fileBytes - offset;
@@ -48,7 +45,7 @@ namespace FastPoints.Files
         }
 
         /// <summary>Stretches with lines, and all that start in each, in the order in which they were found.</summary>
-        public PlyBlock[] Blocks => m_blocks.ToArray();
+        public StretchBlock[] Blocks => m_blocks.ToArray();
 
         /// <summary>Estimated number of lines in the whole file. The standard error comes from the differences of neighbouring
         /// stretches, since each part has a single stretch (Wolter, "Introduction to variance estimation", 2007, 8.2).</summary>
@@ -82,7 +79,7 @@ namespace FastPoints.Files
             try
             {
                 for (int i = 0; i < slots.Length; i++)
-                    slots[i] = new Slot(m_path, m_file);
+                    slots[i] = new Slot();
                 for (int i = 0; i < wanted + slots.Length; i++)
                 {
                     var slot = slots[i % slots.Length];
@@ -119,7 +116,7 @@ namespace FastPoints.Files
             m_rowsOfPart[slot.Part] = rows;
             if (rows == 0)
                 return;
-            m_blocks.Add(new PlyBlock
+            m_blocks.Add(new StretchBlock
             {
                 OffsetBytes = slot.Read.Offset,
                 Bytes = StretchBytes,
@@ -133,22 +130,16 @@ namespace FastPoints.Files
         /// <summary>One stretch in flight.</summary>
         sealed class Slot : IDisposable
         {
-            readonly NativeReference<AsciiRowCount> m_rows;
+            readonly NativeReference<AsciiRowCount> m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
 
-            public Slot(string path, FileHandle file)
-            {
-                Read = new NativeFileRead(path, file, StretchBytes, Allocator.Persistent);
-                m_rows = new NativeReference<AsciiRowCount>(Allocator.Persistent);
-            }
-
-            public NativeFileRead Read { get; }
+            public NativeFileRead Read { get; } = new NativeFileRead(StretchBytes, Allocator.Persistent);
             public int Part { get; private set; }
             public JobHandle Counted { get; private set; }
 
             public void Begin(int part, AsciiStretches stretches)
             {
                 Part = part;
-                var read = Read.Begin(stretches.PlaceOf(part), StretchBytes);
+                var read = Read.Begin(stretches.m_file, stretches.PlaceOf(part), StretchBytes);
                 Counted = new CountAsciiRowsJob { Input = Read.Buffer, Bytes = StretchBytes, Result = m_rows }.Schedule(read);
                 JobHandle.ScheduleBatchedJobs();
             }

@@ -23,7 +23,7 @@ namespace FastPoints.Files
             var count = default(AsciiRowCount);
             bool isInText = false;
 
-            while (p < end && !IsLineEnd(*p))
+            while (p < end && !AsciiLines.IsLineEnd(*p))
                 isInText |= *p++ > ' ';
             count.HasTextBeforeFirstEnd = isInText;
             count.HasLineEnd = p < end;
@@ -44,7 +44,7 @@ namespace FastPoints.Files
                             break;
                         p += 8;
                     }
-                    while (p < end && !IsLineEnd(*p))
+                    while (p < end && !AsciiLines.IsLineEnd(*p))
                         p++;
                     isInText = p == end;
                 }
@@ -58,8 +58,6 @@ namespace FastPoints.Files
             count.EndsInText = isInText;
             Result.Value = count;
         }
-
-        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
     }
 
     /// <summary>The lines of one stretch of an ascii file, counted without knowing whether the stretch starts within a line.

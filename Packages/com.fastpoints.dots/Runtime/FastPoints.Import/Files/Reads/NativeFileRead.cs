@@ -7,28 +7,27 @@ using Unity.Jobs;
 
 namespace FastPoints.Files
 {
-    /// <summary>Reads one stretch of a file into native memory: at most one read is in flight, into a buffer that is
-    /// reused.</summary>
+    /// <summary>Reads one stretch of a file into native memory, or several with one request: at most one is in flight, into a
+    /// buffer that is reused.</summary>
     sealed unsafe class NativeFileRead : IDisposable
     {
         /// <summary>Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.</summary>
         public const int PaddingBytes = 16;
 
-        string m_path;
-        readonly FileHandle m_file;
         readonly Allocator m_allocator;
         NativeArray<byte> m_buffer;
-        NativeArray<ReadCommand> m_command;
+        // The read manager keeps the pointer to its commands until the read has ended.
+        NativeArray<ReadCommand> m_commands;
         ReadHandle m_handle;
+        string m_path;
         bool m_isReading;
 
-        public NativeFileRead(string path, FileHandle file, long capacityBytes, Allocator allocator)
+        /// <param name="stretches">The most stretches of one request.</param>
+        public NativeFileRead(long capacityBytes, Allocator allocator, int stretches = 1)
         {
-            m_path = path;
-            m_file = file;
             m_allocator = allocator;
             Reserve(capacityBytes);
-            m_command = new NativeArray<ReadCommand>(1, allocator);
+            m_commands = new NativeArray<ReadCommand>(Math.Max(1, stretches), allocator);
         }
 
         /// <summary>Makes room for so many bytes; what is in the buffer is lost. There is no read in flight.</summary>
@@ -44,47 +43,50 @@ namespace FastPoints.Files
             m_buffer = new NativeArray<byte>(bytes, m_allocator, NativeArrayOptions.UninitializedMemory);
         }
 
-        /// <summary>The bytes, valid after the handle that <see cref="Begin"/> gives.</summary>
+        /// <summary>The bytes, valid after the handle that <see cref="Begin(SourceHandle, int)"/> gives.</summary>
         public NativeArray<byte> Buffer => m_buffer;
 
-        public long Offset { get; private set; }
-        public int Bytes { get; private set; }
+        /// <summary>For several stretches: where each lies in the file and goes in the buffer.</summary>
+        public NativeArray<ReadCommand> Commands => m_commands;
 
-        public JobHandle Begin(long offset, int bytes) => Begin(m_file, offset, bytes);
+        /// <summary>Of the first stretch.</summary>
+        public long Offset => m_commands[0].Offset;
 
-        /// <summary>The same from another open file.</summary>
-        public JobHandle Begin(in FileHandle file, long offset, int bytes)
+        /// <summary>Of the first stretch.</summary>
+        public int Bytes => (int)m_commands[0].Size;
+
+        public bool IsReading => m_isReading;
+
+        public JobHandle Begin(SourceHandle file, long offset, int bytes)
         {
-            if (!Prepare(offset, bytes))
-                return default;
-            var commands = new ReadCommandArray
+            m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            return bytes > 0 ? Begin(file, 1) : default;
+        }
+
+        /// <summary>Begins the first of <see cref="Commands"/>.</summary>
+        public JobHandle Begin(SourceHandle file, int commands)
+        {
+            m_path = file.Path;
+            m_handle = AsyncReadManager.Read(file.Open(), new ReadCommandArray
             {
-                ReadCommands = (ReadCommand*)m_command.GetUnsafePtr(),
-                CommandCount = 1,
-            };
-            m_handle = AsyncReadManager.Read(file, commands);
+                ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
+                CommandCount = commands,
+            });
             m_isReading = true;
             return m_handle.JobHandle;
         }
 
-        /// <summary>The same from a file of its own, which is opened and closed for it.</summary>
+        /// <summary>Reads from a file that is opened and closed for it.</summary>
         /// <param name="path">An absolute path.</param>
         public JobHandle Begin(string path, long offset, int bytes)
         {
             m_path = path;
-            if (!Prepare(offset, bytes))
+            m_commands[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
+            if (bytes <= 0)
                 return default;
-            m_handle = AsyncReadManager.Read(path, (ReadCommand*)m_command.GetUnsafePtr(), 1);
+            m_handle = AsyncReadManager.Read(path, (ReadCommand*)m_commands.GetUnsafePtr(), 1);
             m_isReading = true;
             return m_handle.JobHandle;
-        }
-
-        bool Prepare(long offset, int bytes)
-        {
-            Offset = offset;
-            Bytes = bytes;
-            m_command[0] = new ReadCommand { Buffer = m_buffer.GetUnsafePtr(), Offset = offset, Size = bytes };
-            return bytes > 0;
         }
 
         /// <summary>Closes a read that is finished.</summary>
@@ -92,15 +94,13 @@ namespace FastPoints.Files
         public void End()
         {
             var status = Close(out _);
-            if (status == ReadStatus.Complete)
-                return;
-            throw new PointCloudException(FailureCode.ReadFailed, m_path, Offset, status == ReadStatus.Truncated
-                ? "the file ended within " + Bytes + " bytes that were there when it was opened"
-                : "reading " + Bytes + " bytes failed");
+            if (status != ReadStatus.Complete)
+                throw new PointCloudException(FailureCode.ReadFailed, m_path, Offset, status == ReadStatus.Truncated
+                    ? "the file has become shorter since it was opened" : "the file could not be read");
         }
 
         /// <summary>Closes a read that is finished, and says how it ended.</summary>
-        /// <param name="got">Bytes that came.</param>
+        /// <param name="got">Bytes of a single stretch that came.</param>
         public ReadStatus Close(out long got)
         {
             got = Bytes;
@@ -122,15 +122,15 @@ namespace FastPoints.Files
                 m_handle.Cancel();
         }
 
-        /// <summary>Jobs that use the buffer must be complete.</summary>
+        /// <summary>Jobs that use the buffer must be complete. May be called twice.</summary>
         public void Dispose()
         {
+            if (!m_buffer.IsCreated)
+                return;
             Cancel();
             Close(out _);
-            if (m_buffer.IsCreated)
-                m_buffer.Dispose();
-            if (m_command.IsCreated)
-                m_command.Dispose();
+            m_buffer.Dispose();
+            m_commands.Dispose();
         }
     }
 }

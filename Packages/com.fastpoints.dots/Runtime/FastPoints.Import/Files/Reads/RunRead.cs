@@ -14,34 +14,27 @@ namespace FastPoints.Files
     /// with one request, as samples need. A block read for each of them would cost several times as much.</summary>
     /// <remarks>Slots that write to different places of one batch may be in flight together. Memory is bounded by the buffer,
     /// whatever is requested.</remarks>
-    internal abstract unsafe class RunRead : IDisposable
+    internal sealed unsafe class RunRead : IDisposable
     {
-        /// <summary>Bytes behind a record that decoders may load and ignore.</summary>
-        const int PaddingBytes = 16;
-
-        readonly FixedRecords m_file;
-        NativeArray<byte> m_records;
+        readonly FixedRecords m_records;
+        readonly NativeFileRead m_file;
+        readonly PointBatch m_target;
         NativeArray<BufferedRun> m_runs;
-        // The read manager keeps the pointer to its commands until the read has ended.
-        NativeArray<ReadCommand> m_commands;
+        NativeArray<FieldCopy> m_copies;
         NativeReference<long> m_ended;
-        ReadHandle m_read;
-        bool m_isReading;
 
         /// <param name="target">The batch that the points go to, whose schema says what is wanted.</param>
         /// <param name="maxRuns">The most runs in one request.</param>
         /// <param name="maxBytes">The most bytes in one request, at least those of the longest run.</param>
-        private protected RunRead(in FixedRecords file, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
+        public RunRead(FixedRecords records, PointBatch target, int maxRuns, int maxBytes, Allocator allocator)
         {
-            m_file = file;
-            Target = target;
-            m_records = new NativeArray<byte>(maxBytes + PaddingBytes, allocator, NativeArrayOptions.UninitializedMemory);
+            m_records = records;
+            m_target = target;
+            m_copies = records.CopiesTo(target, allocator);
+            m_file = new NativeFileRead(maxBytes, allocator, maxRuns);
             m_runs = new NativeArray<BufferedRun>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
-            m_commands = new NativeArray<ReadCommand>(maxRuns, allocator, NativeArrayOptions.UninitializedMemory);
             m_ended = new NativeReference<long>(allocator);
         }
-
-        public PointBatch Target { get; }
 
         /// <summary>Completes when the points are in place.</summary>
         public JobHandle Decoded { get; private set; }
@@ -70,33 +63,34 @@ namespace FastPoints.Files
         /// <returns>The number of runs that were taken.</returns>
         public int Begin(NativeArray<PointRun> runs, int first, int most, int gapBytes)
         {
-            if (m_isReading)
+            if (m_file.IsReading)
                 throw new InvalidOperationException("the slot is still reading; Complete it first");
             most = Math.Min(Math.Min(most, runs.Length - first), m_runs.Length);
-            int capacity = m_records.Length - PaddingBytes;
-            byte* buffer = (byte*)m_records.GetUnsafePtr();
+            int capacity = m_file.Buffer.Length - NativeFileRead.PaddingBytes;
+            byte* buffer = (byte*)m_file.Buffer.GetUnsafePtr();
+            var commands = m_file.Commands;
             int taken = 0, used = 0, stretches = 0;
             long stretchEnd = -1;
             for (; taken < most; taken++)
             {
                 var run = runs[first + taken];
-                long begin = m_file.DataOffset + run.First * m_file.RecordBytes;
-                long end = begin + BytesOf(run, m_file.RecordBytes);
+                long begin = m_records.OffsetOf(run.First);
+                long end = begin + BytesOf(run, m_records.RecordBytes);
                 bool joins = stretches > 0 && begin - stretchEnd <= gapBytes;
                 long added = joins ? end - stretchEnd : end - begin;
                 if (used + added > capacity)
                     break;
                 if (!joins)
-                    m_commands[stretches++] = new ReadCommand { Buffer = buffer + used, Offset = begin };
+                    commands[stretches++] = new ReadCommand { Buffer = buffer + used, Offset = begin };
                 used += (int)added;
                 stretchEnd = end;
-                var command = m_commands[stretches - 1];
+                var command = commands[stretches - 1];
                 command.Size = end - command.Offset;
-                m_commands[stretches - 1] = command;
+                commands[stretches - 1] = command;
                 m_runs[taken] = new BufferedRun
                 {
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
-                    StrideBytes = run.Step * m_file.RecordBytes,
+                    StrideBytes = run.Step * m_records.RecordBytes,
                     Count = run.Count,
                     Place = run.Place,
                 };
@@ -106,14 +100,18 @@ namespace FastPoints.Files
             Stretches = stretches;
             BytesRead = used;
             Begun = ReadClock.Now;
-            m_read = AsyncReadManager.Read(m_file.Handle, new ReadCommandArray
+            var read = m_file.Begin(m_records.File, stretches);
+            var stamped = new TimestampJob { At = m_ended }.Schedule(read);
+            var decoded = new DecodeRunsJob
             {
-                CommandCount = stretches,
-                ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
-            });
-            m_isReading = true;
-            var stamped = new TimestampJob { At = m_ended }.Schedule(m_read.JobHandle);
-            Decoded = JobHandle.CombineDependencies(stamped, Schedule(m_records, m_runs, taken, m_read.JobHandle));
+                Records = m_file.Buffer,
+                Runs = m_runs,
+                Copies = m_copies,
+                RunCount = taken,
+                RecordBytes = m_records.RecordBytes,
+                Columns = m_target.Bytes,
+            }.Schedule(read);
+            Decoded = JobHandle.CombineDependencies(stamped, decoded);
             return taken;
         }
 
@@ -124,57 +122,54 @@ namespace FastPoints.Files
         public void Complete()
         {
             Decoded.Complete();
-            if (!m_isReading)
-                return;
-            m_isReading = false;
-            var status = m_read.Status;
-            m_read.Dispose();
+            var status = m_file.Close(out _);
             if (status == ReadStatus.Complete)
                 return;
             bool isShort = status == ReadStatus.Truncated;
-            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_file.Path,
-                m_commands[0].Offset, isShort ? "the file became shorter while it was read"
+            throw new PointCloudException(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_records.File.Path,
+                m_file.Offset, isShort ? "the file became shorter while it was read"
                 : "reading " + NumberText.Of(BytesRead) + " bytes from here on failed");
         }
 
         /// <summary>Cancels what is in flight, waits for it and frees the memory. May be called twice.</summary>
-        public virtual void Dispose()
+        public void Dispose()
         {
-            if (!m_records.IsCreated)
+            if (!m_runs.IsCreated)
                 return;
-            if (m_isReading)
-            {
-                m_read.Cancel();
-                Decoded.Complete();
-                m_read.JobHandle.Complete();
-                m_read.Dispose();
-                m_isReading = false;
-            }
-            m_records.Dispose();
+            m_file.Cancel();
+            Decoded.Complete();
+            m_file.Dispose();
             m_runs.Dispose();
-            m_commands.Dispose();
+            m_copies.Dispose();
             m_ended.Dispose();
         }
-
-        /// <summary>Decodes the runs after the read.</summary>
-        private protected abstract JobHandle Schedule(NativeArray<byte> records, NativeArray<BufferedRun> runs, int runCount,
-            JobHandle read);
     }
 
-    /// <summary>A file, open, and where its records of one length begin.</summary>
-    readonly struct FixedRecords
+    /// <summary>Decodes scattered records that a read has brought into memory to their places in a batch.</summary>
+    [BurstCompile]
+    struct DecodeRunsJob : IJob
     {
-        public readonly string Path;
-        public readonly FileHandle Handle;
-        public readonly long DataOffset;
-        public readonly int RecordBytes;
+        [ReadOnly] public NativeArray<byte> Records;
+        [ReadOnly] public NativeArray<BufferedRun> Runs;
+        [ReadOnly] public NativeArray<FieldCopy> Copies;
+        public int RunCount;
+        public int RecordBytes;
 
-        public FixedRecords(SourceInfo info, in FileHandle handle, long dataOffset)
+        // Other slots write to other parts of it at the same time.
+        [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Columns;
+
+        public unsafe void Execute()
         {
-            Path = info.Path;
-            Handle = handle;
-            DataOffset = dataOffset;
-            RecordBytes = info.RecordBytes;
+            byte* records = (byte*)Records.GetUnsafeReadOnlyPtr();
+            byte* columns = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Columns);
+            for (int i = 0; i < RunCount; i++)
+            {
+                var run = Runs[i];
+                if (run.FirstByte + (run.Count - 1L) * run.StrideBytes + RecordBytes > Records.Length)
+                    return;
+                PointRecords.ToColumns(records + run.FirstByte, run.StrideBytes, run.Count,
+                    (FieldCopy*)Copies.GetUnsafeReadOnlyPtr(), Copies.Length, columns, run.Place);
+            }
         }
     }
 

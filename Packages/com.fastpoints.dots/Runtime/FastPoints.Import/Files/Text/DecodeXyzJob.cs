@@ -21,19 +21,9 @@ namespace FastPoints.Files
         /// <summary>Not read-only: separators are rewritten in place, and a line end is put behind the last byte, so that no loop
         /// has to check for the buffer's end.</summary>
         public NativeArray<byte> Input;
-        public long InputOffset;
-        public int InputBytes;
-
-        /// <summary>Lines that start behind these bytes belong to the next block.</summary>
-        public int BlockBytes;
-        public bool ReachesFileEnd;
-        public bool StartsInRow;
-
-        /// <summary>Lines to skip first.</summary>
-        public int RowsBefore;
 
         /// <summary>Lines to read, points or not.</summary>
-        public int Rows;
+        public AsciiRange Range;
         public XyzDialect Dialect;
         [ReadOnly] public NativeArray<XyzStep> Steps;
         [WriteOnly] public NativeArray<byte> Output;
@@ -44,35 +34,35 @@ namespace FastPoints.Files
         {
             byte* input = (byte*)Input.GetUnsafePtr();
             byte* output = (byte*)Output.GetUnsafePtr();
-            byte* end = input + InputBytes;
-            byte* blockEnd = input + BlockBytes;
-            Dialect.Apply(input, InputBytes);
+            byte* end = input + Range.Bytes;
+            byte* blockEnd = input + Range.BlockBytes;
+            Dialect.Apply(input, Range.Bytes);
             *end = (byte)'\n';
-            byte* p = StartsInRow ? LineEnd(input) : input;
+            byte* p = Range.StartsInRow ? AsciiLines.LineEnd(input) : input;
             byte mark = Dialect.Separator != 0 ? XyzDialect.Mark : (byte)'\n';
             int points = 0;
             var anomalies = default(XyzAnomalies);
-            for (int row = -RowsBefore; row < Rows; row++)
+            for (int row = -Range.RowsBefore; row < Range.Rows; row++)
             {
-                while (p < end && *p <= ' ' && (*p != mark || IsLineEnd(*p)))
+                while (p < end && *p <= ' ' && (*p != mark || AsciiLines.IsLineEnd(*p)))
                     p++;
                 if (p >= blockEnd)
                     break;
                 byte* start = p;
                 if (row < 0)
                 {
-                    p = LineEnd(p);
+                    p = AsciiLines.LineEnd(p);
                     continue;
                 }
                 if (Dialect.IsRemark(*p))
                 {
                     anomalies.Remarks++;
-                    p = LineEnd(p);
+                    p = AsciiLines.LineEnd(p);
                     continue;
                 }
                 var error = Row(ref p, input, output, points, mark, ref anomalies);
-                p = LineEnd(p);
-                if (p == end && !ReachesFileEnd)
+                p = AsciiLines.LineEnd(p);
+                if (p == end && !Range.ReachesFileEnd)
                     error = XyzError.LineTooLong;
                 if (error == XyzError.None)
                 {
@@ -80,7 +70,7 @@ namespace FastPoints.Files
                 }
                 else if (anomalies.BadRows++ == 0)
                 {
-                    anomalies.FirstBadRow = InputOffset + (start - input);
+                    anomalies.FirstBadRow = Range.Offset + (start - input);
                     anomalies.FirstError = error;
                 }
             }
@@ -95,24 +85,24 @@ namespace FastPoints.Files
             for (int i = 0; i < steps; i++, step++)
             {
                 SkipBlanks(ref p, mark);
-                if (i > 0 && *p == mark && !IsLineEnd(mark))
+                if (i > 0 && *p == mark && !AsciiLines.IsLineEnd(mark))
                 {
                     p++;
                     SkipBlanks(ref p, mark);
                 }
                 byte* text = p;
                 byte* column = output + step->ColumnOffsetBytes;
-                if (*p == mark || IsLineEnd(*p))
+                if (*p == mark || AsciiLines.IsLineEnd(*p))
                 {
                     // Nothing between two separators, or behind the last one, means an unknown value.
-                    bool isEmpty = !IsLineEnd(mark) && (*p == mark || i > 0 && p[-1] <= ' ' && EndsInMark(text, mark));
+                    bool isEmpty = !AsciiLines.IsLineEnd(mark) && (*p == mark || i > 0 && p[-1] <= ' ' && EndsInMark(text, mark));
                     if (!isEmpty || step->IsPosition)
                         return XyzError.TooFewValues;
                     if (step->Kind != XyzStepKind.Skip && step->Kind != XyzStepKind.Check)
                     {
-                        AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, 0, false);
+                        AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, 0, false);
                         if (anomalies.EmptyValues++ == 0)
-                            anomalies.FirstEmpty = InputOffset + (text - input);
+                            anomalies.FirstEmpty = Range.Offset + (text - input);
                     }
                     continue;
                 }
@@ -132,16 +122,16 @@ namespace FastPoints.Files
                         if (!ToPlace(number, step->Decimals, out long place, out bool isWhole))
                             return XyzError.TooLarge;
                         if (!isWhole && anomalies.Rounded++ == 0)
-                            anomalies.FirstRounded = InputOffset + (text - input);
+                            anomalies.FirstRounded = Range.Offset + (text - input);
                         if (step->IsStored)
                             ((long*)column)[row] = place;
                         break;
                     case XyzStepKind.Integer:
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return XyzError.NoNumber;
-                        bool fits = AsciiColumn.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
+                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
                         if (!(fits && isExact) && anomalies.Misfits++ == 0)
-                            anomalies.FirstMisfit = InputOffset + (text - input);
+                            anomalies.FirstMisfit = Range.Offset + (text - input);
                         break;
                     case XyzStepKind.Float32:
                         if (!AsciiNumber.TryFloat(ref p, out ((float*)column)[row]))
@@ -154,8 +144,8 @@ namespace FastPoints.Files
                 }
             }
             SkipBlanks(ref p, mark);
-            if (!IsLineEnd(*p) && anomalies.RowsWithMore++ == 0)
-                anomalies.FirstWithMore = InputOffset + (p - input);
+            if (!AsciiLines.IsLineEnd(*p) && anomalies.RowsWithMore++ == 0)
+                anomalies.FirstWithMore = Range.Offset + (p - input);
             return XyzError.None;
         }
 
@@ -204,18 +194,9 @@ namespace FastPoints.Files
 
         static void SkipBlanks(ref byte* p, byte mark)
         {
-            while (*p <= ' ' && *p != mark && !IsLineEnd(*p))
+            while (*p <= ' ' && *p != mark && !AsciiLines.IsLineEnd(*p))
                 p++;
         }
-
-        static byte* LineEnd(byte* p)
-        {
-            while (!IsLineEnd(*p))
-                p++;
-            return p;
-        }
-
-        static bool IsLineEnd(byte b) => b == '\n' || b == '\r';
     }
 
     enum XyzStepKind : byte

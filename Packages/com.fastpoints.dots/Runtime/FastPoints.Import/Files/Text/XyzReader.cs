@@ -5,7 +5,7 @@ using System.Globalization;
 using FastPoints.Base;
 using FastPoints.Points;
 using Unity.Collections;
-using Unity.IO.LowLevel.Unsafe;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Files
@@ -15,7 +15,7 @@ namespace FastPoints.Files
     /// <remarks>Coordinates are decimal numbers and stay exact: X, Y, Z are int64 in steps of a power of ten, chosen by the
     /// digits in a sample of the file. A block is a stretch of <see cref="MaxBlockBytes"/> with the lines that start in it, found
     /// by counting lines once; a block's count includes comments and bad lines, which decoding leaves out and counts.</remarks>
-    internal sealed class XyzReader : PointReader
+    internal sealed class XyzReader : StretchReader
     {
         public const int MaxBlockBytes = 256 << 10;
 
@@ -33,10 +33,6 @@ namespace FastPoints.Files
         readonly long[] m_firstOf = new long[5];
         BitArray m_isTold;
         string m_firstError;
-        FileHandle m_file;
-        bool m_isOpen;
-        PlyBlock[] m_blocks;
-        int m_maxPoints;
         bool m_areAllFound;
         PointEstimate m_estimate;
         AsciiStretches m_stretches;
@@ -46,6 +42,7 @@ namespace FastPoints.Files
             m_sniff = sniff;
             m_names = names;
             Info = info;
+            File = new SourceHandle(info.Path);
         }
 
         public override bool BlocksAreKnown => m_areAllFound;
@@ -57,21 +54,10 @@ namespace FastPoints.Files
         public override bool PrefixesAreSpread => true;
         public override int MaxPrefixes => AsciiStretches.Count;
         internal override PointEstimate EstimatedPoints => m_estimate;
-        public override int BlockCount => Found().Length;
-        public override int MaxPointsPerBlock => Found().Length == 0 ? 0 : m_maxPoints;
 
         internal XyzDialect Dialect => m_sniff.Dialect;
 
-        internal FileHandle File
-        {
-            get
-            {
-                if (!m_isOpen)
-                    m_file = AsyncReadManager.OpenFileAsync(Info.Path);
-                m_isOpen = true;
-                return m_file;
-            }
-        }
+        internal SourceHandle File { get; }
 
         /// <summary>Opens a text file, of which it reads little.</summary>
         /// <returns>Null if the file is not lines of numbers.</returns>
@@ -146,19 +132,11 @@ namespace FastPoints.Files
         static int AxisOf(string name) =>
             name == AttributeNames.X ? 0 : name == AttributeNames.Y ? 1 : name == AttributeNames.Z ? 2 : -1;
 
-        public override long FirstPointOfBlock(int block) => Found()[block].FirstPoint;
-
-        public override int PointsInBlock(int block) => Found()[block].Points;
-
-        public override long PlaceOfBlock(int block) => Found()[block].OffsetBytes;
-
-        public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Found()[range.Block].Bytes;
-
         public override IEnumerator<Work> FindPrefixes() => FindPrefixes(AsciiStretches.Count);
 
         public override IEnumerator<Work> FindPrefixes(int places)
         {
-            m_stretches ??= new AsciiStretches(Info.Path, File, Info.FileBytes, m_sniff.DataOffset);
+            m_stretches ??= new AsciiStretches(File, Info.FileBytes, m_sniff.DataOffset);
             yield return Work.Of(m_stretches.Find(places));
             var told = m_isTold;
             Take(m_stretches.Blocks);
@@ -185,30 +163,18 @@ namespace FastPoints.Files
             }
         }
 
-        void Take(PlyBlock[] blocks)
+        void Take(StretchBlock[] blocks)
         {
-            m_blocks = blocks;
-            m_maxPoints = 0;
-            foreach (var block in blocks)
-                m_maxPoints = Math.Max(m_maxPoints, block.Points);
+            Blocks.Take(blocks);
             m_isTold = new BitArray(blocks.Length);
         }
 
-        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
-        {
-            Found();
-            return new XyzRead(this, wanted, capacity, allocator);
-        }
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
+            new XyzRead(this, wanted, capacity, allocator);
 
-        public override void CloseFile()
-        {
-            if (!m_isOpen)
-                return;
-            m_isOpen = false;
-            m_file.Close().Complete();
-        }
+        public override void CloseFile() => File.Close();
 
-        internal PlyBlock Block(int block) => m_blocks[block];
+        internal StretchBlock Block(int block) => Blocks[block];
 
         internal XyzStep[] StepsFor(PointBatch batch)
         {
@@ -287,7 +253,50 @@ namespace FastPoints.Files
                     return "longer than 16,384 bytes";
             }
         }
+    }
 
-        PlyBlock[] Found() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+    /// <summary>A slot of <see cref="XyzReader"/>.</summary>
+    sealed class XyzRead : SlotRead
+    {
+        readonly XyzReader m_reader;
+        readonly NativeFileRead m_file;
+        NativeArray<XyzStep> m_steps;
+        NativeReference<XyzAnomalies> m_anomalies;
+
+        public XyzRead(XyzReader reader, PointSchema wanted, int capacity, Allocator allocator)
+            : base(reader, wanted, capacity, allocator)
+        {
+            m_reader = reader;
+            m_file = new NativeFileRead(
+                Math.Min(XyzReader.MaxBlockBytes + XyzReader.MaxLineBytes, reader.Info.FileBytes), allocator);
+            m_steps = new NativeArray<XyzStep>(reader.StepsFor(Points), allocator);
+            m_anomalies = new NativeReference<XyzAnomalies>(allocator);
+        }
+
+        protected override JobHandle Schedule(BlockRange range)
+        {
+            var lines = AsciiRange.Of(m_reader.Block(range.Block), range, m_reader.Info.FileBytes, XyzReader.MaxLineBytes);
+            return new DecodeXyzJob
+            {
+                Input = m_file.Buffer,
+                Range = lines,
+                Dialect = m_reader.Dialect,
+                Steps = m_steps,
+                Output = Points.Bytes,
+                Result = Result,
+                Anomalies = m_anomalies,
+            }.Schedule(m_file.Begin(m_reader.File, lines.Offset, lines.Bytes));
+        }
+
+        protected override void EndRead() => m_file.End();
+
+        protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);
+
+        protected override void DisposeMemory()
+        {
+            m_file.Dispose();
+            m_steps.Dispose();
+            m_anomalies.Dispose();
+        }
     }
 }

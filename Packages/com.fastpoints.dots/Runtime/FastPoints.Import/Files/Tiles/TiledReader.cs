@@ -17,10 +17,8 @@ namespace FastPoints.Files
         /// <summary>The most files that stay open.</summary>
         public const int MaxOpen = 32;
 
-        /// <summary>The most files that are shown one by one.</summary>
         const int MaxShown = 20;
 
-        /// <summary>The most equal warnings that are shown one by one.</summary>
         const int MaxEqualWarnings = 3;
 
         readonly List<Tile> m_tiles = new List<Tile>();

@@ -81,25 +81,25 @@ namespace FastPoints.Tests.Files
                     read.Complete();
                     var records = nodes[new int4(node.Cell, node.Level)].Records;
                     Assert.That(read.Points.Count, Is.EqualTo(records.Count));
-                    var fields = new LasField[reader.Info.Schema.Count];
+                    var fields = new PointField[reader.Info.Schema.Count];
                     var columns = new PointColumn[fields.Length];
                     int at = 0;
                     for (int k = 0; k < fields.Length; k++)
                     {
                         var attribute = reader.Info.Schema[k];
                         if (folder.DataType != EptDataType.Laszip)
-                            fields[k] = new LasField(attribute.Name, attribute.Type, at);
+                            fields[k] = new PointField(attribute.Name, attribute.Type, at);
                         at += attribute.Type.SizeOf();
                         columns[k] = read.Points.Column(k);
                     }
                     var copies = folder.DataType == EptDataType.Laszip
-                        ? LasCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))),
+                        ? FieldCopyPlan.Make(LazFileReading.LayoutOf(folder.DataPath(EptFolder.NameOf(folder.Nodes[0]))).Fields,
                             read.Points)
-                        : LasCopyPlan.Make(fields, columns);
+                        : FieldCopyPlan.Make(fields, columns);
                     var got = new byte[records.Count * folder.RecordBytes];
                     fixed (byte* first = got)
-                    fixed (LasFieldCopy* plan = copies)
-                        LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0,
+                    fixed (FieldCopy* plan = copies)
+                        PointRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0,
                             records.Count, plan, copies.Length, first, folder.RecordBytes);
                     Assert.That(LazFileReading.Difference(got, records.SelectMany(r => r).ToArray(), folder.RecordBytes),
                         Is.Null);

@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Files
             Assert.That(reader.Info.Warnings, Is.Empty);
             Assert.That(reader.PointCount, Is.EqualTo(3002));
             Assert.That(reader.Info.Crs.Name, Is.EqualTo("here"));
-            var records = File.ReadAllBytes(m_path).AsSpan((int)reader.OffsetOfPoint(0), 3000 * source.RecordBytes);
+            var records = File.ReadAllBytes(m_path).AsSpan((int)reader.Header.PointsOffset, 3000 * source.RecordBytes);
             Assert.That(records.SequenceEqual(source.Points));
         }
 

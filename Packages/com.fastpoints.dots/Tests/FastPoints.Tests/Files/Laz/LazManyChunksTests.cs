@@ -81,7 +81,6 @@ namespace FastPoints.Tests.Files
                 // Pages and pieces of the table come in full.
                 Assert.That(allocated, Is.LessThan(Chunks * bytesPerChunk + 1_000_000));
                 long first = 0;
-                var laz = (LazReader)reader;
                 for (int i = 0; i < Chunks; i++)
                 {
                     int inChunk = isVariable ? points[i] : PointsPerChunk;
@@ -89,7 +88,8 @@ namespace FastPoints.Tests.Files
                     {
                         Assert.That(reader.FirstPointOfBlock(i), Is.EqualTo(first));
                         Assert.That(reader.PointsInBlock(i), Is.EqualTo(inChunk));
-                        Assert.That(laz.OffsetOfBlock(i), Is.EqualTo(offset));
+                        reader.FileOfBlock(i, out long at);
+                        Assert.That(at, Is.EqualTo(offset));
                     }
                     first += inChunk;
                     offset += bytes[i];

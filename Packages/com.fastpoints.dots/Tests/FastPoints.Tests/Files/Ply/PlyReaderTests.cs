@@ -344,7 +344,7 @@ namespace FastPoints.Tests.Files
         }
 
         [Test]
-        public void Read_FileThatShrankSinceItWasOpened_FailsAsARead()
+        public void Read_FileThatShrankSinceItWasOpened_IsTruncated()
         {
             using var file = Xyz("binary_little_endian", 1000).Raw(new byte[12000]).Save();
             using var reader = PlyReader.Open(file.Path);
@@ -352,7 +352,7 @@ namespace FastPoints.Tests.Files
                 stream.SetLength(5000);
             using var read = reader.CreateRead(reader.Info.Schema, 1000, Allocator.Persistent);
             read.Begin(new BlockRange(0, 0, 1000));
-            Assert.That(Assert.Throws<PointCloudException>(() => read.Complete()).Code, Is.EqualTo(FailureCode.ReadFailed));
+            Assert.That(Assert.Throws<PointCloudException>(() => read.Complete()).Code, Is.EqualTo(FailureCode.Truncated));
         }
 
         [Test]

@@ -89,11 +89,11 @@ namespace FastPoints.Tests.Support
         {
             if (read.Points.Count == 0)
                 return;
-            var copies = LasCopyPlan.Make(layout, read.Points);
+            var copies = FieldCopyPlan.Make(layout.Fields, read.Points);
             fixed (byte* first = records)
-            fixed (LasFieldCopy* plan = copies)
-                LasRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count, plan, copies.Length,
-                    first + firstPoint * layout.RecordBytes, layout.RecordBytes);
+            fixed (FieldCopy* plan = copies)
+                PointRecords.FromColumns((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), 0, read.Points.Count, plan,
+                    copies.Length, first + firstPoint * layout.RecordBytes, layout.RecordBytes);
         }
 
         internal static LasRecordLayout LayoutOf(string path)

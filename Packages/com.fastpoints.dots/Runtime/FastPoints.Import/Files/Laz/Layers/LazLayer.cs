@@ -117,14 +117,13 @@ namespace FastPoints.Files
 
         /// <summary>Whether each layer is wanted. The first always is: the others' contexts come from it.</summary>
         /// <exception cref="ArgumentException">The records lack an attribute.</exception>
-        public static bool[] Make(LazLayer[] layers, LasRecordLayout layout, PointSchema wanted)
+        public static bool[] Make(LazLayer[] layers, PointFields fields, PointSchema wanted)
         {
             var isWanted = new bool[layers.Length];
             isWanted[0] = true;
             foreach (var attribute in wanted)
             {
-                if (!layout.TryFind(attribute.Name, out var field))
-                    throw new ArgumentException("the records have no attribute " + attribute, nameof(wanted));
+                var field = fields[fields.IndexOf(attribute)];
                 // Return counts and the scanner channel come with the first layer.
                 if (field.ByteOffset == ReturnByte || field.ByteOffset == FlagByte && field.BitShift == ScannerChannelShift)
                     continue;

@@ -5,40 +5,41 @@ using FastPoints.Points;
 namespace FastPoints.Files
 {
     /// <summary>Plans the passes over records that fill a batch's columns; the same plan packs columns into records.</summary>
-    internal static class LasCopyPlan
+    internal static class FieldCopyPlan
     {
-        /// <param name="layout">The layout of the records.</param>
+        /// <param name="fields">What a record holds.</param>
         /// <param name="batch">Its schema says what is wanted, its columns where it goes.</param>
+        /// <param name="isBigEndian">The byte order of the records.</param>
         /// <exception cref="ArgumentException">The records lack an attribute, or have it in another type.</exception>
-        public static LasFieldCopy[] Make(LasRecordLayout layout, PointBatch batch)
+        public static FieldCopy[] Make(PointFields fields, PointBatch batch, bool isBigEndian = false)
         {
-            var fields = new LasField[batch.Schema.Count];
-            var columns = new PointColumn[fields.Length];
-            for (int i = 0; i < fields.Length; i++)
+            var wanted = new PointField[batch.Schema.Count];
+            var columns = new PointColumn[wanted.Length];
+            for (int i = 0; i < wanted.Length; i++)
             {
-                if (!layout.TryFind(batch.Schema[i].Name, out fields[i]) || fields[i].Type != batch.Schema[i].Type)
-                    throw new ArgumentException("the records have no attribute " + batch.Schema[i]);
+                wanted[i] = fields[fields.IndexOf(batch.Schema[i])];
                 columns[i] = batch.Column(i);
             }
-            return Make(fields, columns);
+            return Make(wanted, columns, isBigEndian);
         }
 
-        /// <summary>The same for records of any format.</summary>
+        /// <summary>The same for chosen columns of a batch.</summary>
         /// <param name="fields">Where the wanted values lie in a record.</param>
         /// <param name="columns">Where each of them goes in the batch.</param>
-        public static LasFieldCopy[] Make(LasField[] fields, PointColumn[] columns)
+        public static FieldCopy[] Make(PointField[] fields, PointColumn[] columns, bool isBigEndian = false)
         {
-            var copies = new List<LasFieldCopy>(fields.Length);
+            var copies = new List<FieldCopy>(fields.Length);
             for (int i = 0; i < fields.Length; i++)
             {
-                bool three = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2]);
-                copies.Add(new LasFieldCopy
+                bool three = i + 2 < fields.Length && Follows(fields[i], fields[i + 1]) && Follows(fields[i + 1], fields[i + 2])
+                    && (!isBigEndian || fields[i].Type.SizeOf() == 1);
+                copies.Add(new FieldCopy
                 {
                     RecordByte = fields[i].ByteOffset,
                     Column0 = columns[i].OffsetBytes,
                     Column1 = three ? columns[i + 1].OffsetBytes : 0,
                     Column2 = three ? columns[i + 2].OffsetBytes : 0,
-                    Kind = KindOf(fields[i], three),
+                    Kind = KindOf(fields[i], three, isBigEndian),
                     BitShift = (byte)fields[i].BitShift,
                     BitMask = (byte)((1 << fields[i].BitWidth) - 1),
                 });
@@ -49,15 +50,15 @@ namespace FastPoints.Files
             return copies.ToArray();
         }
 
-        static void JoinPositionAndColor(List<LasFieldCopy> copies)
+        static void JoinPositionAndColor(List<FieldCopy> copies)
         {
-            int at = copies.FindIndex(copy => copy.Kind == LasCopyKind.ThreeOfFour && copy.RecordByte == 0);
-            int colorAt = copies.FindIndex(copy => copy.Kind == LasCopyKind.ThreeOfTwo);
+            int at = copies.FindIndex(copy => copy.Kind == FieldCopyKind.ThreeOfFour && copy.RecordByte == 0);
+            int colorAt = copies.FindIndex(copy => copy.Kind == FieldCopyKind.ThreeOfTwo);
             if (at < 0 || colorAt < 0)
                 return;
             var joined = copies[at];
             var color = copies[colorAt];
-            joined.Kind = LasCopyKind.PositionAndColor;
+            joined.Kind = FieldCopyKind.PositionAndColor;
             joined.ColorByte = color.RecordByte;
             joined.Red = color.Column0;
             joined.Green = color.Column1;
@@ -66,31 +67,28 @@ namespace FastPoints.Files
             copies.RemoveAt(colorAt);
         }
 
-        /// <summary>Whether two fields of two or of four bytes lie side by side, as the axes and the colours do.</summary>
-        static bool Follows(LasField first, LasField second)
-        {
-            int bytes = first.Type.SizeOf();
-            return (bytes == 2 || bytes == 4) && second.Type.SizeOf() == bytes && second.ByteOffset == first.ByteOffset + bytes;
-        }
+        /// <summary>Whether two fields of one width lie side by side, as the axes and the colours do.</summary>
+        static bool Follows(PointField first, PointField second) => !first.IsBits && !second.IsBits
+            && second.Type.SizeOf() == first.Type.SizeOf() && second.ByteOffset == first.ByteOffset + first.Type.SizeOf();
 
-        static LasCopyKind KindOf(LasField field, bool three)
+        static FieldCopyKind KindOf(PointField field, bool three, bool isBigEndian)
         {
             switch (field.Type.SizeOf())
             {
                 case 1:
-                    return field.IsBits ? LasCopyKind.Bits : LasCopyKind.One;
+                    return three ? FieldCopyKind.ThreeOfOne : field.IsBits ? FieldCopyKind.Bits : FieldCopyKind.One;
                 case 2:
-                    return three ? LasCopyKind.ThreeOfTwo : LasCopyKind.Two;
+                    return three ? FieldCopyKind.ThreeOfTwo : isBigEndian ? FieldCopyKind.TwoReversed : FieldCopyKind.Two;
                 case 4:
-                    return three ? LasCopyKind.ThreeOfFour : LasCopyKind.Four;
+                    return three ? FieldCopyKind.ThreeOfFour : isBigEndian ? FieldCopyKind.FourReversed : FieldCopyKind.Four;
                 default:
-                    return LasCopyKind.Eight;
+                    return three ? FieldCopyKind.ThreeOfEight : isBigEndian ? FieldCopyKind.EightReversed : FieldCopyKind.Eight;
             }
         }
     }
 
-    /// <summary>How one <see cref="LasFieldCopy"/> moves values. Sizes in bytes.</summary>
-    internal enum LasCopyKind : byte
+    /// <summary>How one <see cref="FieldCopy"/> moves values. Sizes in bytes.</summary>
+    internal enum FieldCopyKind : byte
     {
         /// <summary>Some bits of one byte.</summary>
         Bits,
@@ -98,15 +96,21 @@ namespace FastPoints.Files
         Two,
         Four,
         Eight,
+        /// <summary>Values whose bytes lie in the other order.</summary>
+        TwoReversed,
+        FourReversed,
+        EightReversed,
         /// <summary>Three neighbouring values (R, G, B; X, Y, Z) into three columns in one pass over the records.</summary>
+        ThreeOfOne,
         ThreeOfTwo,
         ThreeOfFour,
+        ThreeOfEight,
         /// <summary>X, Y, Z and R, G, B, six columns in one pass: what most scenes want, and faster than two passes.</summary>
         PositionAndColor,
     }
 
     /// <summary>A copy from a place in each record to one or several columns. Blittable: jobs carry arrays of these.</summary>
-    internal struct LasFieldCopy
+    internal struct FieldCopy
     {
         /// <summary>Offset of the value in the record.</summary>
         public int RecordByte;
@@ -118,13 +122,13 @@ namespace FastPoints.Files
         public int Column1;
         public int Column2;
 
-        /// <summary>Like the first four, for the colour of <see cref="LasCopyKind.PositionAndColor"/>.</summary>
+        /// <summary>Like the first four, for the colour of <see cref="FieldCopyKind.PositionAndColor"/>.</summary>
         public int ColorByte;
         public int Red;
         public int Green;
         public int Blue;
 
-        public LasCopyKind Kind;
+        public FieldCopyKind Kind;
         public byte BitShift;
 
         /// <summary>Mask to apply after the shift.</summary>
